@@ -1,9 +1,9 @@
-//! An unfinished picture on disk: what has been drawn so far, so that a later run can go on with it.
+//! Checkpoint of an unfinished picture on disk, from which a later run continues.
 //!
-//! The file begins with a magic word and a key; then comes a record for every tile or band that was finished, appended in
-//! one write each: the key, the rectangle, its pixels, and a checksum over all of it. A run that is killed leaves whole
-//! records and perhaps a torn one at the end, which is cut off. The key stands for the scene, all it read, the options
-//! and the program: what has another one is not gone on with. Numbers are little-endian.
+//! The file begins with a magic word and a key. Then comes a record for every finished tile or band, appended in one
+//! write each: the key, the rectangle, its pixels, and a checksum over all of it. A run that is killed leaves whole
+//! records and perhaps a torn one at the end, which is cut off. The key identifies the scene, all files it reads, the
+//! options and the program: a checkpoint with another key is not used. Numbers are little-endian.
 
 use crate::base::film::Pixel;
 use crate::base::options::CheckpointOptions;
@@ -16,14 +16,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 const MAGIC: &[u8; 16] = b"povr unfinished\n";
-/// Key, rectangle, number of samples, whether errors follow.
+/// Key, rectangle, number of samples, and a flag for errors.
 const HEAD: usize = 8 + 4 * 4 + 8 + 1;
 /// Red, green, blue, transmit in single precision.
 const PIXEL: usize = 16;
 /// The estimated error of a pixel in double precision.
 const ERROR: usize = 8;
 const CHECKSUM: usize = 4;
-/// A picture that takes less time is drawn again as quickly as it is gone on with.
+/// A picture that takes less time is rendered again as quickly as it is continued.
 const WORTH_KEEPING: Duration = Duration::from_secs(2);
 
 /// A rectangle of finished pixels, row by row.
@@ -32,150 +32,150 @@ pub(super) struct CheckpointTile {
     pub(super) columns: Range<u32>,
     pub(super) rows: Range<u32>,
     pub(super) pixels: Vec<Pixel>,
-    /// Of a picture that is sampled until its error is small: the estimated errors, and how many samples it took.
+    /// With adaptive sampling: the estimated errors, and the number of samples.
     pub(super) errors: Vec<f64>,
     pub(super) samples: u64,
 }
 
-/// What was there when an unfinished picture was opened.
+/// State of the file when a checkpoint was opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckpointStatus {
-    /// Nothing to go on with.
+    /// No checkpoint.
     Nothing,
-    /// What another scene, other options or another program left.
+    /// A checkpoint of another scene, other options or another program.
     Other,
-    /// So many pixels of this picture.
+    /// This many pixels of the picture.
     Pixels(u64),
 }
 
-/// An unfinished picture that grows while it is drawn.
+/// A checkpoint that grows while the picture is rendered.
 #[derive(Debug)]
 pub struct Checkpoint {
     key: u64,
-    found: Vec<CheckpointTile>,
-    growing: Mutex<Growing>,
+    previous: Vec<CheckpointTile>,
+    state: Mutex<FileState>,
     /// The number of pixels in the file.
     pixels: AtomicU64,
 }
 
 #[derive(Debug)]
-enum Growing {
-    /// Nothing is written before this moment. Until then pieces wait here that tell of those before them; others are
-    /// drawn again in as little time.
+enum FileState {
+    /// Nothing is written before this moment. Until then tiles that carry a running sample count are buffered; others
+    /// are rendered again in as little time.
     Waiting(CheckpointOptions, Instant, Vec<u8>),
     File(File),
-    /// It could not be written: the drawing goes on without.
-    Given(io::ErrorKind),
+    /// Writing failed: rendering goes on without.
+    Failed(io::ErrorKind),
 }
 
 impl Checkpoint {
-    /// Opens what is kept of a picture of `size`, if this run is to go on with it, and keeps what will be drawn.
+    /// Opens the checkpoint of a picture of `size`, if this run is to continue it, and stores the tiles to come.
     #[must_use]
     pub fn open(
         keep: &CheckpointOptions,
         key: u64,
         size: (u32, u32),
     ) -> (Checkpoint, CheckpointStatus) {
-        let (mut found, mut pieces, mut file) = (CheckpointStatus::Nothing, Vec::new(), None);
+        let (mut status, mut tiles, mut file) = (CheckpointStatus::Nothing, Vec::new(), None);
         if keep.continues {
-            match go_on(keep, key, size) {
+            match read_tiles(keep, key, size) {
                 Ok(Some((opened, there))) => {
-                    found = CheckpointStatus::Pixels(
-                        there.iter().map(|piece| piece.pixels.len() as u64).sum(),
+                    status = CheckpointStatus::Pixels(
+                        there.iter().map(|tile| tile.pixels.len() as u64).sum(),
                     );
-                    (pieces, file) = (there, Some(Growing::File(opened)));
+                    (tiles, file) = (there, Some(FileState::File(opened)));
                 }
-                Ok(None) => found = CheckpointStatus::Other,
+                Ok(None) => status = CheckpointStatus::Other,
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-                Err(error) => file = Some(Growing::Given(error.kind())),
+                Err(error) => file = Some(FileState::Failed(error.kind())),
             }
         }
-        let growing = file.unwrap_or_else(|| {
+        let state = file.unwrap_or_else(|| {
             if keep.continues {
                 begin(keep, key, &[])
             } else {
                 let now = Instant::now();
                 let then = now.checked_add(WORTH_KEEPING).unwrap_or(now);
-                Growing::Waiting(keep.clone(), then, Vec::new())
+                FileState::Waiting(keep.clone(), then, Vec::new())
             }
         });
-        let pixels = pieces.iter().map(|piece| piece.pixels.len() as u64).sum();
+        let pixels = tiles.iter().map(|tile| tile.pixels.len() as u64).sum();
         let unfinished = Checkpoint {
             key,
-            found: pieces,
-            growing: Mutex::new(growing),
+            previous: tiles,
+            state: Mutex::new(state),
             pixels: AtomicU64::new(pixels),
         };
-        (unfinished, found)
+        (unfinished, status)
     }
 
-    /// The pieces that were there.
-    pub(super) fn pieces(&self) -> &[CheckpointTile] {
-        &self.found
+    /// The tiles read from the file.
+    pub(super) fn tiles(&self) -> &[CheckpointTile] {
+        &self.previous
     }
 
-    /// The piece of just this rectangle, if it was there.
-    pub(super) fn piece(&self, columns: &Range<u32>, rows: &Range<u32>) -> Option<&CheckpointTile> {
-        let mut pieces = self.found.iter();
-        pieces.find(|piece| piece.columns == *columns && piece.rows == *rows)
+    /// The tile with exactly this rectangle, if the file had it.
+    pub(super) fn tile(&self, columns: &Range<u32>, rows: &Range<u32>) -> Option<&CheckpointTile> {
+        let mut tiles = self.previous.iter();
+        tiles.find(|tile| tile.columns == *columns && tile.rows == *rows)
     }
 
-    /// Keeps a finished piece.
-    pub(super) fn keep(&self, piece: &CheckpointTile) {
-        let mut growing = self.growing.lock().unwrap_or_else(PoisonError::into_inner);
-        match &mut *growing {
-            Growing::Waiting(keep, then, waiting) => {
+    /// Stores a finished tile.
+    pub(super) fn keep(&self, tile: &CheckpointTile) {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        match &mut *state {
+            FileState::Waiting(keep, then, waiting) => {
                 let is_time = Instant::now() >= *then;
-                if is_time || !piece.errors.is_empty() {
-                    waiting.extend_from_slice(&record(self.key, piece));
-                    self.count(piece);
+                if is_time || !tile.errors.is_empty() {
+                    waiting.extend_from_slice(&record(self.key, tile));
+                    self.count(tile);
                 }
                 if is_time {
-                    *growing = begin(keep, self.key, waiting);
-                    if let Growing::Given(_) = *growing {
+                    *state = begin(keep, self.key, waiting);
+                    if let FileState::Failed(_) = *state {
                         self.pixels.store(0, Ordering::Relaxed);
                     }
                 }
             }
-            Growing::File(file) => match file.write_all(&record(self.key, piece)) {
-                Ok(()) => self.count(piece),
-                Err(error) => *growing = Growing::Given(error.kind()),
+            FileState::File(file) => match file.write_all(&record(self.key, tile)) {
+                Ok(()) => self.count(tile),
+                Err(error) => *state = FileState::Failed(error.kind()),
             },
-            Growing::Given(_) => {}
+            FileState::Failed(_) => {}
         }
     }
 
-    fn count(&self, piece: &CheckpointTile) {
-        let pixels = piece.pixels.len() as u64;
+    fn count(&self, tile: &CheckpointTile) {
+        let pixels = tile.pixels.len() as u64;
         self.pixels.fetch_add(pixels, Ordering::Relaxed);
     }
 
-    /// The number of pixels that a later run can go on with; `None` if nothing is kept.
+    /// The number of pixels that a later run can reuse; `None` if nothing is stored.
     #[must_use]
     pub fn kept(&self) -> Option<u64> {
-        match &*self.growing.lock().unwrap_or_else(PoisonError::into_inner) {
-            Growing::Waiting(..) => None,
-            // Whole records stay where the disk is full.
-            Growing::File(_) | Growing::Given(_) => {
-                Some(self.pixels.load(Ordering::Relaxed)).filter(|&kept| kept > 0)
+        match &*self.state.lock().unwrap_or_else(PoisonError::into_inner) {
+            FileState::Waiting(..) => None,
+            // Whole records stay on a full disk.
+            FileState::File(_) | FileState::Failed(_) => {
+                Some(self.pixels.load(Ordering::Relaxed)).filter(|&pixels| pixels > 0)
             }
         }
     }
 
-    /// Why nothing is kept, if it could not be.
+    /// The error because of which nothing is stored.
     #[must_use]
     pub fn trouble(&self) -> Option<io::ErrorKind> {
-        match &*self.growing.lock().unwrap_or_else(PoisonError::into_inner) {
-            Growing::Given(kind) => Some(*kind),
+        match &*self.state.lock().unwrap_or_else(PoisonError::into_inner) {
+            FileState::Failed(kind) => Some(*kind),
             _ => None,
         }
     }
 }
 
-/// A new file with the pieces that have waited for it.
-fn begin(keep: &CheckpointOptions, key: u64, waiting: &[u8]) -> Growing {
+/// Creates the file with the buffered tiles.
+fn begin(keep: &CheckpointOptions, key: u64, waiting: &[u8]) -> FileState {
     let made = || -> io::Result<File> {
-        // Another process may still write to a file of this name: to one that is gone it does no harm.
+        // Another process may still write to a file of this name: writing to a removed file does no harm.
         match std::fs::remove_file(&keep.file) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -184,23 +184,23 @@ fn begin(keep: &CheckpointOptions, key: u64, waiting: &[u8]) -> Growing {
         let mut file = options.append(true).create_new(true).open(&keep.file)?;
         let written = file.write_all(&[MAGIC.as_slice(), &key.to_le_bytes(), waiting].concat());
         written.inspect_err(|_| {
-            // A torn beginning is of no use, and takes the room of the picture.
+            // A torn beginning is of no use, and takes the disk space of the picture.
             let _ = std::fs::remove_file(&keep.file);
         })?;
         Ok(file)
     };
-    made().map_or_else(|error| Growing::Given(error.kind()), Growing::File)
+    made().map_or_else(|error| FileState::Failed(error.kind()), FileState::File)
 }
 
-/// Opens a file of this key at the end of its last whole record; `None` if it is of another.
-fn go_on(
+/// Opens a file with this key at the end of its last whole record; `None` if it has another key.
+fn read_tiles(
     keep: &CheckpointOptions,
     key: u64,
     size: (u32, u32),
 ) -> io::Result<Option<(File, Vec<CheckpointTile>)>> {
     let mut file = open_regular(&keep.file, OpenOptions::new().read(true).append(true))?;
     let mut bytes = Vec::new();
-    // A record for every pixel is the longest that this picture can have.
+    // A record for every pixel is the longest possible file of this picture.
     let most = u64::from(size.0) * u64::from(size.1) * (HEAD + PIXEL + ERROR + CHECKSUM) as u64;
     Read::by_ref(&mut file)
         .take(most.saturating_add(1 << 20))
@@ -209,37 +209,37 @@ fn go_on(
     if !bytes.starts_with(&head) {
         return Ok(None);
     }
-    let (mut pieces, mut at) = (Vec::new(), head.len());
-    while let Some((piece, length)) = read_record(&bytes[at..], key, size) {
-        pieces.push(piece);
+    let (mut tiles, mut at) = (Vec::new(), head.len());
+    while let Some((tile, length)) = read_record(&bytes[at..], key, size) {
+        tiles.push(tile);
         at += length;
     }
     file.set_len(at as u64)?;
     file.seek(SeekFrom::End(0))?;
-    Ok(Some((file, pieces)))
+    Ok(Some((file, tiles)))
 }
 
-fn record(key: u64, piece: &CheckpointTile) -> Vec<u8> {
-    let has_errors = !piece.errors.is_empty();
+fn record(key: u64, tile: &CheckpointTile) -> Vec<u8> {
+    let has_errors = !tile.errors.is_empty();
     let of_pixel = PIXEL + if has_errors { ERROR } else { 0 };
-    let mut bytes = Vec::with_capacity(HEAD + piece.pixels.len() * of_pixel + CHECKSUM);
+    let mut bytes = Vec::with_capacity(HEAD + tile.pixels.len() * of_pixel + CHECKSUM);
     bytes.extend_from_slice(&key.to_le_bytes());
     for edge in [
-        piece.columns.start,
-        piece.columns.end,
-        piece.rows.start,
-        piece.rows.end,
+        tile.columns.start,
+        tile.columns.end,
+        tile.rows.start,
+        tile.rows.end,
     ] {
         bytes.extend_from_slice(&edge.to_le_bytes());
     }
-    bytes.extend_from_slice(&piece.samples.to_le_bytes());
+    bytes.extend_from_slice(&tile.samples.to_le_bytes());
     bytes.push(u8::from(has_errors));
-    for pixel in &piece.pixels {
+    for pixel in &tile.pixels {
         for value in [pixel.rgb.r, pixel.rgb.g, pixel.rgb.b, pixel.transmit] {
             bytes.extend_from_slice(&value.to_le_bytes());
         }
     }
-    for error in &piece.errors {
+    for error in &tile.errors {
         bytes.extend_from_slice(&error.to_le_bytes());
     }
     let sum = crc32fast::hash(&bytes);
@@ -247,7 +247,7 @@ fn record(key: u64, piece: &CheckpointTile) -> Vec<u8> {
     bytes
 }
 
-/// The record at the beginning of some bytes, and its length; `None` if there is no whole one of this picture.
+/// The record at the start of some bytes, and its length; `None` if it is incomplete or of another picture.
 fn read_record(bytes: &[u8], key: u64, size: (u32, u32)) -> Option<(CheckpointTile, usize)> {
     let mut rest = bytes;
     let mut part = |length: usize| -> Option<&[u8]> {
@@ -284,7 +284,7 @@ fn read_record(bytes: &[u8], key: u64, size: (u32, u32)) -> Option<(CheckpointTi
         transmit: single(&pixel[12..]),
     });
     let errors = errors.chunks_exact(ERROR);
-    let piece = CheckpointTile {
+    let tile = CheckpointTile {
         columns,
         rows,
         pixels: pixels.collect(),
@@ -293,7 +293,7 @@ fn read_record(bytes: &[u8], key: u64, size: (u32, u32)) -> Option<(CheckpointTi
             .collect(),
         samples,
     };
-    Some((piece, length + CHECKSUM))
+    Some((tile, length + CHECKSUM))
 }
 
 #[cfg(test)]
@@ -304,7 +304,7 @@ mod tests {
 
     const SIZE: (u32, u32) = (10, 6);
 
-    fn piece(column: u32, errors: usize) -> CheckpointTile {
+    fn tile(column: u32, errors: usize) -> CheckpointTile {
         let pixel = |value: f32| Pixel {
             rgb: Rgb::new(value, -0.0, f32::MIN_POSITIVE),
             transmit: 0.25,
@@ -318,7 +318,7 @@ mod tests {
         }
     }
 
-    fn kept(folder: &tempfile::TempDir) -> CheckpointOptions {
+    fn checkpoint_options(folder: &tempfile::TempDir) -> CheckpointOptions {
         CheckpointOptions {
             file: folder.path().join("a.povr-state"),
             continues: true,
@@ -327,94 +327,89 @@ mod tests {
     }
 
     #[test]
-    fn what_was_kept_is_there_bit_for_bit_whatever_is_torn_off() {
+    fn stored_tiles_are_read_back_bit_for_bit_after_truncation() {
         let folder = tempfile::tempdir().unwrap();
-        let keep = kept(&folder);
-        let (first, found) = Checkpoint::open(&keep, 7, SIZE);
-        assert_eq!(found, CheckpointStatus::Nothing);
-        let pieces = [piece(0, 0), piece(2, 2), piece(4, 0)];
-        pieces.iter().for_each(|piece| first.keep(piece));
+        let keep = checkpoint_options(&folder);
+        let (first, status) = Checkpoint::open(&keep, 7, SIZE);
+        assert_eq!(status, CheckpointStatus::Nothing);
+        let tiles = [tile(0, 0), tile(2, 2), tile(4, 0)];
+        tiles.iter().for_each(|tile| first.keep(tile));
         let whole = fs::read(&keep.file).unwrap();
         let ends: Vec<usize> = (0..=3)
-            .map(|n| {
-                24 + pieces[..n]
-                    .iter()
-                    .map(|p| record(7, p).len())
-                    .sum::<usize>()
-            })
+            .map(|n| 24 + tiles[..n].iter().map(|p| record(7, p).len()).sum::<usize>())
             .collect();
         assert_eq!(whole.len(), ends[3]);
         for length in 0..=whole.len() {
             fs::write(&keep.file, &whole[..length]).unwrap();
-            let (again, found) = Checkpoint::open(&keep, 7, SIZE);
+            let (again, status) = Checkpoint::open(&keep, 7, SIZE);
             let there = ends.iter().filter(|&&end| end <= length).count();
             match there.checked_sub(1) {
-                None => assert_eq!(found, CheckpointStatus::Other),
+                None => assert_eq!(status, CheckpointStatus::Other),
                 Some(there) => {
-                    assert_eq!(again.pieces(), &pieces[..there], "{length}");
-                    // It goes on behind the last whole record.
-                    again.keep(&piece(6, 0));
+                    assert_eq!(again.tiles(), &tiles[..there], "{length}");
+                    // It continues behind the last whole record.
+                    again.keep(&tile(6, 0));
                     let (last, _) = Checkpoint::open(&keep, 7, SIZE);
-                    assert_eq!(last.pieces().len(), there + 1);
-                    assert!(last.piece(&(6..8), &(1..2)).is_some());
+                    assert_eq!(last.tiles().len(), there + 1);
+                    assert!(last.tile(&(6..8), &(1..2)).is_some());
                 }
             }
         }
     }
 
     #[test]
-    fn a_changed_byte_ends_what_is_taken() {
+    fn reading_ends_at_a_changed_byte() {
         let folder = tempfile::tempdir().unwrap();
-        let keep = kept(&folder);
+        let keep = checkpoint_options(&folder);
         let (first, _) = Checkpoint::open(&keep, 7, SIZE);
-        first.keep(&piece(0, 2));
-        first.keep(&piece(2, 2));
+        first.keep(&tile(0, 2));
+        first.keep(&tile(2, 2));
         let whole = fs::read(&keep.file).unwrap();
-        let second = 24 + record(7, &piece(0, 2)).len();
+        let second = 24 + record(7, &tile(0, 2)).len();
         for at in second..whole.len() {
             let mut changed = whole.clone();
             changed[at] ^= 0x10;
             fs::write(&keep.file, &changed).unwrap();
             let (again, _) = Checkpoint::open(&keep, 7, SIZE);
-            assert_eq!(again.pieces().len(), 1, "byte {at}");
+            assert_eq!(again.tiles().len(), 1, "byte {at}");
         }
     }
 
     #[test]
-    fn another_key_or_another_run_is_not_mixed_in() {
+    fn tiles_of_another_key_or_run_are_ignored() {
         let folder = tempfile::tempdir().unwrap();
-        let keep = kept(&folder);
+        let keep = checkpoint_options(&folder);
         let (first, _) = Checkpoint::open(&keep, 7, SIZE);
-        first.keep(&piece(0, 0));
-        let (other, found) = Checkpoint::open(&keep, 8, SIZE);
-        assert_eq!(found, CheckpointStatus::Other);
-        // The first run still draws: what it appends now goes nowhere.
-        first.keep(&piece(2, 0));
-        other.keep(&piece(4, 0));
-        let (again, found) = Checkpoint::open(&keep, 8, SIZE);
+        first.keep(&tile(0, 0));
+        let (other, status) = Checkpoint::open(&keep, 8, SIZE);
+        assert_eq!(status, CheckpointStatus::Other);
+        // The first run is still rendering: what it appends now goes nowhere.
+        first.keep(&tile(2, 0));
+        other.keep(&tile(4, 0));
+        let (again, status) = Checkpoint::open(&keep, 8, SIZE);
         assert_eq!(
-            (found, again.pieces()),
-            (CheckpointStatus::Pixels(2), [piece(4, 0)].as_slice())
+            (status, again.tiles()),
+            (CheckpointStatus::Pixels(2), [tile(4, 0)].as_slice())
         );
     }
 
     #[test]
-    fn a_short_drawing_leaves_nothing() {
+    fn a_short_render_leaves_no_file() {
         let folder = tempfile::tempdir().unwrap();
         let keep = CheckpointOptions {
             continues: false,
-            ..kept(&folder)
+            ..checkpoint_options(&folder)
         };
-        let (quick, found) = Checkpoint::open(&keep, 7, SIZE);
-        quick.keep(&piece(0, 0));
-        assert!(found == CheckpointStatus::Nothing && !keep.file.exists());
+        let (quick, status) = Checkpoint::open(&keep, 7, SIZE);
+        quick.keep(&tile(0, 0));
+        assert!(status == CheckpointStatus::Nothing && !keep.file.exists());
         let unwritable = CheckpointOptions {
             file: folder.path().join("no/such/folder"),
             continues: true,
             build: String::new(),
         };
         let (none, _) = Checkpoint::open(&unwritable, 7, SIZE);
-        none.keep(&piece(0, 0));
+        none.keep(&tile(0, 0));
         assert_eq!(none.trouble(), Some(io::ErrorKind::NotFound));
     }
 }

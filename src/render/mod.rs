@@ -1,4 +1,4 @@
-//! From a world to a film: tiles over all cores.
+//! Rendering of a world to a film, in tiles over all cores.
 
 mod adaptive;
 mod antialias;
@@ -23,106 +23,108 @@ use antialias::Sampler;
 use checkpoint::CheckpointTile;
 use radiosity_pass::RadiosityPass;
 use std::ops::Range;
-use tiles::{Canvas, TilePixels};
+use tiles::{Canvas, DrawnTile, TilePixels};
 
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
 
-/// Where light is gathered, so many tiles are drawn before they are put into the film.
+/// With radiosity, the least number of tiles rendered before they are put into the film.
 const LEAST_AT_ONCE: usize = 128;
-/// Or so many for each thread: at the end of each turn threads wait for the last.
+/// The same for each thread: threads wait for the last one at the end of each turn.
 const TILES_OF_THREAD: usize = 32;
 
-/// A rectangle of pixels: columns and rows from, to (not included).
+/// A rectangle of pixels: half-open ranges of columns and rows.
 #[derive(PartialEq, Eq)]
 struct Tile {
     columns: Range<u32>,
     rows: Range<u32>,
 }
 
-/// A drawn world.
+/// A rendered world.
 #[derive(Debug)]
 pub struct Drawn {
     /// The picture.
     pub film: Film,
-    /// The rays that it took.
+    /// The rays traced.
     pub rays: RayCounts,
-    /// What was reached, of a picture that was sampled until its error is small.
+    /// The error reached with adaptive sampling.
     pub reached: Option<AdaptiveOutcome>,
-    /// What radiosity took, where it was drawn.
+    /// Radiosity statistics, with radiosity.
     pub radiosity: Option<RadiosityStatistics>,
-    /// The photons, where the scene asks for some.
+    /// The photons, if the scene uses photon mapping.
     pub photons: Option<PhotonPass>,
 }
 
-/// Pixels of a tile, row by row, and the rays that they took.
+/// Pixels of a tile, row by row, and the rays traced for them.
 type Pixels = (Vec<Pixel>, RayCounts);
 
-/// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
-/// The picture is the same for any number of threads, unless it is to be stopped at some time; and the same if a part
-/// of it is `unfinished` from an earlier run.
+/// Renders the world. `progress` receives the number of pixels finished since its last call, from any thread. The
+/// picture is the same for any number of threads, unless there is a time limit, and the same if a part of it comes from
+/// a `checkpoint`.
 #[must_use]
 pub fn render(
     world: &World,
     options: &RenderOptions,
-    unfinished: Option<&Checkpoint>,
+    checkpoint: Option<&Checkpoint>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
     if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
-        // What several threads do together for a moment is begun by one of them.
-        return rayon::scope(|_| render(world, options, unfinished, progress));
+        // Short parallel sections are started from one of the worker threads.
+        return rayon::scope(|_| render(world, options, checkpoint, progress));
     }
     let tracer = Tracer::new(world, options.quality).until(&options.stop);
     let (tracer, photons) = photon_pass::with_photons(tracer);
-    let mut gathered = RadiosityPass::pretraced(&tracer, options);
-    if let Sampling::Converging(how) = &options.sampling {
-        let (tracer, radiosity) = match gathered {
+    let mut radiosity_pass = RadiosityPass::pretraced(&tracer, options);
+    if let Sampling::Converging(settings) = &options.sampling {
+        let (tracer, radiosity) = match radiosity_pass {
             None => (tracer, None),
-            Some(gathered) => gathered.given_to(tracer),
+            Some(radiosity_pass) => radiosity_pass.given_to(tracer),
         };
-        let drawn = adaptive::draw(&tracer, options, how, unfinished, progress);
+        let drawn = adaptive::draw(&tracer, options, settings, checkpoint, progress);
         return Drawn {
             radiosity,
             photons,
             ..drawn
         };
     }
-    let mut in_order = draws_in_order(world, options).then(going_on);
-    // A piece of an earlier run does not tell which samples it added, nor which numbers it took.
-    let unfinished = unfinished.filter(|_| gathered.is_none() && in_order.is_none());
-    let gathers = gathered.is_some();
+    let mut in_order = draws_in_order(world, options).then(sequential_scratch);
+    // A tile of an earlier run does not record the radiosity samples it added, nor the random numbers it consumed.
+    let checkpoint = checkpoint.filter(|_| radiosity_pass.is_none() && in_order.is_none());
+    let gathers = radiosity_pass.is_some();
     let tiles = match in_order {
         Some(_) => tiles_of(&with_all_before(options)),
         None => tiles_of(options),
     };
-    let leveller = options.only_for.as_ref().and_then(Quantizer::of);
+    let quantizer = options.only_for.as_ref().and_then(Quantizer::of);
     let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
-        let (tile, (pixels, rays)) = match unfinished {
-            Some(unfinished) => renderer.kept_tile(unfinished, tile, scratch),
+        let (tile, (pixels, rays)) = match checkpoint {
+            Some(checkpoint) => renderer.checkpointed_tile(checkpoint, tile, scratch),
             None => renderer.tile(tile, scratch),
         };
         if !gathers {
             progress(pixels.len() as u64);
         }
-        let kept = match &leveller {
-            Some(leveller) => TilePixels::Levels(leveller.levels(&pixels)),
+        let pixels = match &quantizer {
+            Some(quantizer) => TilePixels::Levels(quantizer.levels(&pixels)),
             None => TilePixels::Light(pixels),
         };
-        (tile, kept, rays)
+        DrawnTile { tile, pixels, rays }
     };
-    let rays = gathered.as_ref().map(|gathered| gathered.rays);
-    let mut canvas = Canvas::new(options, leveller.as_ref(), rays.unwrap_or_default());
-    match (&mut gathered, &mut in_order) {
+    let rays = radiosity_pass
+        .as_ref()
+        .map(|radiosity_pass| radiosity_pass.rays);
+    let mut canvas = Canvas::new(options, quantizer.as_ref(), rays.unwrap_or_default());
+    match (&mut radiosity_pass, &mut in_order) {
         (None, None) => canvas = canvas.draw_all(&tiles, draw),
         (None, Some(scratch)) => {
             let drawn = tiles.iter().map(|tile| draw(scratch, tile));
             drawn.for_each(|drawn| canvas.take(drawn));
         }
-        (Some(gathered), _) => {
+        (Some(radiosity_pass), _) => {
             let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
             for some in tiles.chunks(at_once) {
-                let drawn = gathered.draw(some, &draw, progress);
+                let drawn = radiosity_pass.draw(some, &draw, progress);
                 drawn.into_iter().for_each(|drawn| canvas.take(drawn));
             }
         }
@@ -132,24 +134,24 @@ pub fn render(
         film,
         rays,
         reached: None,
-        radiosity: gathered.map(RadiosityPass::taken),
+        radiosity: radiosity_pass.map(RadiosityPass::taken),
         photons,
     }
 }
 
-/// Whether pixels are drawn one after the other, for the sake of random numbers that the scene shows.
+/// True if pixels are rendered one after the other because the picture depends on the random-number stream.
 fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
     options.takes_numbers_in_order() && world.uses_random()
 }
 
-/// What a thread keeps that draws in order, with random numbers that go on.
-fn going_on() -> BlockScratch {
+/// Scratch memory for rendering in order, with one continuing stream of random numbers.
+fn sequential_scratch() -> BlockScratch {
     let mut scratch = BlockScratch::default();
     scratch.single().goes_on = true;
     scratch
 }
 
-/// Options for all tiles up to those wanted, so that these get the random numbers that they have in the whole picture.
+/// Options for all tiles up to the requested ones, so that these get the same random numbers as in the whole picture.
 fn with_all_before(options: &RenderOptions) -> RenderOptions {
     RenderOptions {
         columns: 0..options.width,
@@ -158,7 +160,7 @@ fn with_all_before(options: &RenderOptions) -> RenderOptions {
     }
 }
 
-/// The tiles that hold the pixels to be drawn. They lie on a grid of the whole picture, so that a part of it is drawn
+/// The tiles that contain the requested pixels. They lie on a grid of the whole picture, so that a crop is rendered
 /// with the same blocks as the whole.
 fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
     let starts = |range: &Range<u32>, side: u32| {
@@ -180,18 +182,18 @@ fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
         .collect()
 }
 
-/// Draws the tiles of one picture.
+/// Renders the tiles of one picture.
 struct TileRenderer<'a> {
     tracer: &'a Tracer<'a>,
     options: &'a RenderOptions,
-    /// Where the picture is antialiased as POV-Ray does it.
+    /// POV-Ray's antialiasing, if it is on.
     sampler: Option<Sampler<'a>>,
 }
 
 impl<'a> TileRenderer<'a> {
     fn new(tracer: &'a Tracer<'a>, options: &'a RenderOptions) -> Self {
         let sampler = match &options.sampling {
-            Sampling::PovRay(how) => Some(Sampler::new(tracer, options, how)),
+            Sampling::PovRay(settings) => Some(Sampler::new(tracer, options, settings)),
             Sampling::Centres | Sampling::Converging(_) => None,
         };
         TileRenderer {
@@ -202,32 +204,32 @@ impl<'a> TileRenderer<'a> {
     }
 
     /// A tile of a picture with a checkpoint: taken from it, or rendered and added to it.
-    fn kept_tile(
+    fn checkpointed_tile(
         &self,
-        unfinished: &Checkpoint,
+        checkpoint: &Checkpoint,
         tile: &Tile,
         scratch: &mut BlockScratch,
     ) -> (Tile, Pixels) {
         let wanted = wanted(tile, self.options);
-        if let Some(piece) = unfinished.piece(&wanted.columns, &wanted.rows) {
-            return (wanted, (piece.pixels.clone(), RayCounts::default()));
+        if let Some(stored) = checkpoint.tile(&wanted.columns, &wanted.rows) {
+            return (wanted, (stored.pixels.clone(), RayCounts::default()));
         }
         let (tile, (pixels, rays)) = self.tile(tile, scratch);
-        let piece = CheckpointTile {
+        let rendered = CheckpointTile {
             columns: tile.columns.clone(),
             rows: tile.rows.clone(),
             pixels,
             errors: Vec::new(),
             samples: 0,
         };
-        // A tile that was stopped in the middle is not finished.
+        // A tile that was interrupted is not finished.
         if !self.options.stop.is_asked() {
-            unfinished.keep(&piece);
+            checkpoint.keep(&rendered);
         }
-        (tile, (piece.pixels, rays))
+        (tile, (rendered.pixels, rays))
     }
 
-    /// The pixels of a tile that are to be drawn, row by row.
+    /// The requested pixels of a tile, row by row.
     fn tile(&self, tile: &Tile, scratch: &mut BlockScratch) -> (Tile, Pixels) {
         let (tracer, options) = (self.tracer, self.options);
         let wanted = wanted(tile, options);
@@ -246,7 +248,7 @@ impl<'a> TileRenderer<'a> {
     }
 }
 
-/// The part of a tile that is to be drawn.
+/// The requested part of a tile.
 fn wanted(tile: &Tile, options: &RenderOptions) -> Tile {
     Tile {
         columns: shared(&tile.columns, &options.columns),
@@ -270,7 +272,7 @@ fn cut_out(whole: Vec<Pixel>, tile: &Tile, wanted: &Tile) -> Vec<Pixel> {
         .collect()
 }
 
-/// The pixels of a rectangle, row by row, without antialiasing.
+/// Renders a rectangle in blocks, row by row, without antialiasing.
 fn draw_blocks(
     tracer: &Tracer<'_>,
     wanted: &Tile,
@@ -302,7 +304,7 @@ fn draw_blocks(
     (pixels, scratch.take_rays())
 }
 
-/// The same, pixel by pixel.
+/// Renders a rectangle pixel by pixel.
 fn draw_rows(
     tracer: &Tracer<'_>,
     wanted: &Tile,
@@ -320,7 +322,7 @@ fn draw_rows(
     (pixels, scratch.take_rays())
 }
 
-/// What two ranges share; where they share nothing, an empty one.
+/// The intersection of two ranges; an empty one if they are disjoint.
 fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {
     let start = a.start.max(b.start);
     start..a.end.min(b.end).max(start)

@@ -1,6 +1,6 @@
-//! The passes before a picture with radiosity: few rays first, then more and more, so that samples lie everywhere before
-//! they are used. Block by block and ray by ray as POV-Ray does it, on one thread, since each sample depends on those
-//! before it.
+//! The radiosity pretrace: passes with few rays first, then more and more, so that samples lie everywhere before they
+//! are used. Block by block and ray by ray in POV-Ray's order, on one thread, since each sample depends on those before
+//! it.
 
 use super::tiles_of;
 use crate::base::math::sampling::mersenne;
@@ -12,16 +12,16 @@ use std::ops::Range;
 
 /// Rounding must not add a pass.
 const SLACK: f64 = 1e-10;
-/// By how much the random numbers of passes and of blocks are apart.
+/// Differences of the random seeds between passes and between blocks.
 const OF_PASS: u32 = 17;
 const OF_BLOCK: u32 = 13;
-/// How many random numbers there are to jitter with.
+/// The number of random numbers for jittering.
 const NUMBERS: u32 = 2047;
-/// More passes there are not, however small the last spacing.
+/// Upper limit of the passes, however small the last spacing.
 const MOST_PASSES: u32 = 64;
 
-/// The spacings of the rays of each pass, in pixels. Where the last would be much larger than the first there are none;
-/// POV-Ray then counts below zero and makes a great many.
+/// The spacings of the rays of each pass, in pixels. None if the last would be much larger than the first; POV-Ray then
+/// counts below zero and makes a great many passes.
 fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item = f64> + use<> {
     let size = f64::from(options.width.max(options.height));
     let (start, end) = (start * size, (end * size).max(1.0));
@@ -34,7 +34,7 @@ fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item
     (0..steps.min(MOST_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
 }
 
-/// Numbers from -1 to 1 by which rays are moved.
+/// Random numbers from -1 to 1 that jitter rays.
 struct Jitter {
     last: u32,
 }
@@ -53,8 +53,8 @@ impl Jitter {
     }
 }
 
-/// The first place of a grid of this spacing in a range, and those after it.
-fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<> {
+/// The positions of a grid of this spacing in a range.
+fn positions(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<> {
     let (first, end) = (f64::from(range.start), f64::from(range.end));
     let start = ((first - 0.5) / spacing).ceil() * spacing;
     let all = std::iter::successors(Some(start), move |at| Some(at + spacing));
@@ -62,8 +62,8 @@ fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<>
         .take_while(move |&at| at < end)
 }
 
-/// Makes the samples of a picture. Where a pass asks for no light in a block, POV-Ray does not come back to it in later
-/// ones (measured by the numbers of samples that it tells).
+/// Makes the samples of a picture. Where a pass needs no indirect light in a block, POV-Ray skips it in later passes
+/// (measured by the numbers of samples that it reports).
 pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &mut Scratch) {
     let Some(radiosity) = &tracer.world().radiosity else {
         return;
@@ -85,8 +85,8 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
             let mut jitter = Jitter::of_block(pass, block);
             let amount = (0.5 * spacing).min(1.0);
             let middle = 0.5 * (spacing - 1.0);
-            for y in places(&tile.rows, spacing) {
-                for x in places(&tile.columns, spacing) {
+            for y in positions(&tile.rows, spacing) {
+                for x in positions(&tile.columns, spacing) {
                     let down = amount * jitter.next_number();
                     let right = amount * jitter.next_number();
                     let (x, y) = (x + middle + right, y + middle + down);
@@ -115,7 +115,7 @@ mod tests {
         spacings(&options, start, end).collect()
     }
 
-    /// Numbers of passes as POV-Ray 3.7 tells them.
+    /// Numbers of passes as POV-Ray 3.7 reports them.
     #[test]
     fn passes_halve_the_spacing_down_to_the_last() {
         assert_eq!(of(160, 0.08, 0.04), [12.8, 6.4]);
@@ -127,8 +127,8 @@ mod tests {
     }
 
     #[test]
-    fn places_of_a_block_lie_on_a_grid_of_the_picture() {
-        let of = |range: Range<u32>| places(&range, 12.8).collect::<Vec<_>>();
+    fn positions_in_a_block_lie_on_a_grid_of_the_picture() {
+        let of = |range: Range<u32>| positions(&range, 12.8).collect::<Vec<_>>();
         assert_eq!(of(0..32), [0.0, 12.8, 25.6]);
         let next = of(32..64);
         assert_eq!(next.len(), 2);
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn jitter_starts_behind_the_numbers_of_pass_and_block() {
+    fn jitter_starts_after_the_seed_of_pass_and_block() {
         let mut jitter = Jitter::of_block(1, 2);
         assert_eq!(
             jitter.next_number(),

@@ -1,9 +1,9 @@
-//! Drawing with radiosity on several threads, so that the picture is the one that a single thread draws.
+//! Rendering with radiosity on several threads, with the same picture as on a single thread.
 //!
-//! Samples that are made while the picture is drawn change what comes after them. They are few. So tiles are drawn side by
-//! side with the samples that there are, and notes are taken of all places where light was asked for. Then the tiles are
-//! gone through in their order: where samples were missing, or one has come since that counts there, a point of the
-//! picture is drawn again, and what is missing is made; everything else stands.
+//! Samples that are made while the picture is rendered change all that comes after them. They are few. So tiles are
+//! rendered in parallel with the samples that exist, and all points with a radiosity query are recorded. Then the tiles
+//! are revised in order: where samples were missing, or a newer one counts at a recorded point, the tile is rendered
+//! again and the missing samples are made; all other tiles stand.
 
 use super::Tile;
 use super::pretrace::pretrace;
@@ -15,16 +15,16 @@ use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// The samples of a picture that is being drawn.
+/// The radiosity samples of a picture in progress.
 pub(super) struct RadiosityPass {
     scratch: BlockScratch,
-    /// The rays before drawing.
+    /// Rays traced in the pretrace.
     pub(super) rays: RayCounts,
     taken: RadiosityStatistics,
 }
 
 impl RadiosityPass {
-    /// With the samples that are made before drawing; none without radiosity.
+    /// Runs the pretrace; `None` without radiosity.
     pub(super) fn pretraced(tracer: &Tracer<'_>, options: &RenderOptions) -> Option<RadiosityPass> {
         let world = tracer.world();
         let radiosity = world.radiosity.as_ref()?;
@@ -53,7 +53,7 @@ impl RadiosityPass {
         })
     }
 
-    /// Draws tiles that follow those drawn before.
+    /// Renders the next tiles, in order.
     pub(super) fn draw(
         &mut self,
         tiles: &[Tile],
@@ -61,7 +61,7 @@ impl RadiosityPass {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Vec<DrawnTile> {
         let finished = |drawn: DrawnTile| {
-            progress((drawn.0.columns.len() * drawn.0.rows.len()) as u64);
+            progress((drawn.tile.columns.len() * drawn.tile.rows.len()) as u64);
             drawn
         };
         let in_turn = rayon::current_num_threads() == 1 || self.scratch.goes_on();
@@ -74,14 +74,14 @@ impl RadiosityPass {
                 .map(|tile| finished(draw(&mut self.scratch, tile)));
             return each.collect();
         }
-        let watching = || {
+        let watcher = || {
             let mut scratch = BlockScratch::default();
             scratch.single().radiosity = Some(Box::new(session.in_mode(Mode::Watch)));
             scratch
         };
         let watched: Vec<(DrawnTile, Notes)> = tiles
             .par_iter()
-            .map_init(watching, |scratch, tile| {
+            .map_init(watcher, |scratch, tile| {
                 let drawn = draw(scratch, tile);
                 let session = scratch.single().radiosity.as_mut();
                 (
@@ -101,10 +101,10 @@ impl RadiosityPass {
         revised.collect()
     }
 
-    /// A tile as it is with the samples that there are now, and with those that it lacks.
+    /// Renders a tile again if samples have come or are missing since it was rendered.
     fn revised(
         &mut self,
-        mut drawn: DrawnTile,
+        drawn: DrawnTile,
         mut notes: Notes,
         draw: impl Fn(&mut BlockScratch) -> DrawnTile,
     ) -> DrawnTile {
@@ -116,16 +116,16 @@ impl RadiosityPass {
         }
         notes.catch_up(&session.cache);
         session.notes = notes;
-        let (tile, kept, rays) = draw(&mut self.scratch);
+        let mut revised = draw(&mut self.scratch);
         if let Some(session) = &mut self.scratch.single().radiosity {
             session.notes = Notes::default();
         }
         self.taken.revised += 1;
-        drawn.2 += rays;
-        (tile, kept, drawn.2)
+        revised.rays += drawn.rays;
+        revised
     }
 
-    /// The tracer with these samples, and what they took.
+    /// The tracer with these samples, and their statistics.
     pub(super) fn given_to(
         mut self,
         tracer: Tracer<'_>,
@@ -137,7 +137,7 @@ impl RadiosityPass {
         (tracer, Some(self.taken()))
     }
 
-    /// What it took.
+    /// The statistics of the samples.
     pub(super) fn taken(mut self) -> RadiosityStatistics {
         if let Some(session) = &self.scratch.single().radiosity {
             self.taken.samples = session.cache.samples().len();

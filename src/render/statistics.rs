@@ -1,11 +1,11 @@
-//! What `--stats` prints: the time of each stage, the rays by kind, and the plan.
+//! The output of `--stats`: the time of each stage, the rays by kind, and the plan.
 
 use crate::base::options::{Plan, Stage, Statistics};
 use crate::render::Drawn;
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// Takes the time of stages.
+/// Measures the time of stages.
 #[derive(Debug)]
 pub struct StageTimer {
     wall: Instant,
@@ -36,7 +36,7 @@ impl StageTimer {
     }
 }
 
-/// The processor time of this process so far; zero where it is not known.
+/// The processor time of this process so far; zero where it is unknown.
 fn processor_time() -> Duration {
     #[cfg(unix)]
     {
@@ -47,7 +47,7 @@ fn processor_time() -> Duration {
     Duration::ZERO
 }
 
-/// Everything together.
+/// Collects all statistics.
 #[must_use]
 pub fn gather(watch: StageTimer, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistics {
     let rays = &drawn.rays;
@@ -74,7 +74,7 @@ pub fn gather(watch: StageTimer, drawn: &Drawn, plan: Plan, pixels: u64) -> Stat
     }
 }
 
-/// The most memory that this process ever held, where the system tells it in `/proc`.
+/// Peak memory of this process, on systems that report it in `/proc`.
 fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status
@@ -84,7 +84,7 @@ fn peak_bytes() -> Option<u64> {
     Some(kibibytes * 1024)
 }
 
-/// A fact a line. `tools/bench` reads the lines of the stages and of the rays.
+/// One fact a line. `tools/bench` parses the lines of the stages and of the rays.
 impl fmt::Display for Statistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for stage in &self.stages {

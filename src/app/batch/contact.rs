@@ -15,16 +15,16 @@ use super::BatchError;
 
 /// Pictures in a row.
 const COLUMNS: u32 = 8;
-/// Between pictures.
+/// The gap between pictures.
 const GAP: u32 = 4;
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
-/// Around a picture that is not as it should be.
+/// The frame of a picture that is missing or wrong.
 const WRONG: Rgb<u8> = Rgb([220, 0, 0]);
 /// The size of a picture of a batch on its sheet.
 const CELL: (u32, u32) = (160, 120);
-/// What stands for a picture that is not there.
+/// Placeholder for a missing picture.
 const NOTHING: Rgb<u8> = Rgb([225, 225, 225]);
-/// More pictures are not on one sheet; the page has all.
+/// Upper limit of pictures on one sheet; the page has all.
 const MOST: usize = 2000;
 
 const STYLE: &str = "\
@@ -43,11 +43,11 @@ figure.wrong small { color: #b00 }
 /// A picture of a batch on its sheet.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// What it is called.
+    /// The name below the picture.
     pub name: String,
-    /// Its file, below the folder of the sheet.
+    /// Its file, relative to the folder of the sheet.
     pub file: PathBuf,
-    /// Why it is missing, if it is.
+    /// The reason if it is missing.
     pub missing: Option<String>,
 }
 
@@ -78,7 +78,7 @@ pub fn write_index(folder: &Path, figures: &[Figure]) -> Result<(), BatchError> 
     put(&folder.join("contact.png"), &png(&sheet))
 }
 
-/// Writes a file as a whole or not at all: another part of the run may be writing the same.
+/// Writes a file atomically: another part of the run may be writing the same one.
 fn put(path: &Path, bytes: &[u8]) -> Result<(), BatchError> {
     let part = path.with_extension(format!("{}.part", std::process::id()));
     fs::write(&part, bytes)
@@ -96,7 +96,7 @@ fn png(picture: &RgbImage) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// The picture in the middle of a cell.
+/// The picture scaled down and centred in a cell.
 fn small(folder: &Path, figure: &Figure) -> Option<RgbImage> {
     if figure.missing.is_some() {
         return None;
@@ -109,7 +109,7 @@ fn small(folder: &Path, figure: &Figure) -> Option<RgbImage> {
     Some(cell)
 }
 
-/// A figure of the page. A browser fetches the picture itself, if it can show it.
+/// The HTML of a figure. A browser loads the picture itself, if it can show it.
 fn text(figure: &Figure, cell: &RgbImage) -> String {
     let name = escaped(&figure.name);
     let address = address(&figure.file);
@@ -133,7 +133,7 @@ fn text(figure: &Figure, cell: &RgbImage) -> String {
     )
 }
 
-/// A path as an address in a page beside it.
+/// A relative URL for a path.
 fn address(path: &Path) -> String {
     let mut address = String::new();
     for byte in path.to_string_lossy().bytes() {
@@ -157,7 +157,7 @@ pub fn page(title: &str, about: &str, figures: &str) -> String {
     )
 }
 
-/// A text as a page has it.
+/// Escapes a text for HTML.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
@@ -166,7 +166,7 @@ pub fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// Pictures of one size in rows, each `width` wide, with a frame around those that are wrong.
+/// Pastes pictures of one size into rows of `width` pictures, with a frame around those that are wrong.
 #[must_use]
 pub fn pasted(pictures: &[(RgbImage, bool)], width: u32) -> RgbImage {
     let Some((first, _)) = pictures.first() else {
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn addresses_have_no_letters_of_their_own_meaning() {
+    fn urls_escape_special_characters() {
         assert_eq!(address(Path::new("a b/é#1.png")), "a%20b/%C3%A9%231.png");
     }
 }

@@ -1,10 +1,10 @@
-//! Why a batch cannot begin or go on, or a picture of it cannot be kept.
+//! Errors that end a batch or prevent a picture of it from being stored.
 
 use std::fmt;
 use std::io;
 use std::path::Path;
 
-/// What is wrong, and what to do about it.
+/// An error message, and a hint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BatchError {
     message: String,
@@ -24,7 +24,7 @@ impl BatchError {
         self
     }
 
-    /// The system's refusal to do something with a file or folder.
+    /// An I/O error on a file or folder.
     pub(super) fn of_file(doing: &str, path: &Path, error: &io::Error) -> Self {
         let refused = BatchError::new(format!("cannot {doing} `{}`: {error}", path.display()));
         match error.kind() {
@@ -42,7 +42,7 @@ impl BatchError {
         }
     }
 
-    /// What is wrong, without what to do about it.
+    /// The message without the hint.
     #[must_use]
     pub fn message(&self) -> &str {
         &self.message

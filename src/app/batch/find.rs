@@ -1,4 +1,4 @@
-//! The scenes of a folder and of the folders inside it.
+//! Finds the scenes in a folder and its subfolders.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 
 use super::BatchError;
 
-/// Folders inside folders are searched so deep.
+/// Maximum depth of subfolders.
 const DEEPEST: usize = 64;
 
-/// Which of the files below a folder are meant.
+/// Glob patterns that select files below a folder.
 #[derive(Clone, Debug, Default)]
 pub struct Globs {
     /// Only these, if there are any.
@@ -19,11 +19,12 @@ pub struct Globs {
 }
 
 impl Globs {
-    /// Files whose paths below their folder match one of `only`, or all if it is empty, but none of `except`. `*` does
-    /// not go past a `/`, `**` does. A pattern without `/` is about the name of a file, or of a folder with all in it.
+    /// Selects files with paths below their folder that match one of `only`, or all if it is empty, but none of
+    /// `except`. `*` stops at a `/`, `**` does not. A pattern without `/` matches the name of a file, or a folder with
+    /// everything in it.
     ///
     /// # Errors
-    /// When a pattern has no sense.
+    /// When a pattern is malformed.
     pub fn new(only: &[String], except: &[String]) -> Result<Self, BatchError> {
         Ok(Globs {
             only: (!only.is_empty()).then(|| set(only)).transpose()?,
@@ -31,7 +32,7 @@ impl Globs {
         })
     }
 
-    /// Whether a file is meant, by its path below its folder.
+    /// True if a file is selected, by its path below its folder.
     #[must_use]
     pub fn has(&self, path: &Path) -> bool {
         let is_in = |set: &GlobSet| {
@@ -64,9 +65,9 @@ fn set(patterns: &[String]) -> Result<GlobSet, BatchError> {
 /// # Errors
 /// When a folder cannot be read.
 pub fn scenes_below(folder: &Path) -> Result<Vec<PathBuf>, BatchError> {
-    let mut found = Vec::new();
-    search(folder, DEEPEST, &mut found)?;
-    Ok(found)
+    let mut scenes = Vec::new();
+    search(folder, DEEPEST, &mut scenes)?;
+    Ok(scenes)
 }
 
 fn search(folder: &Path, depth: usize, to: &mut Vec<PathBuf>) -> Result<(), BatchError> {
@@ -78,7 +79,7 @@ fn search(folder: &Path, depth: usize, to: &mut Vec<PathBuf>) -> Result<(), Batc
     entries.sort();
     for path in entries {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        // A link to a folder may lead back to where it stands.
+        // A link to a folder may lead back to a parent.
         if path.is_dir() && !path.is_symlink() && depth > 0 && !name.starts_with('.') {
             search(&path, depth - 1, to)?;
         } else if name.to_ascii_lowercase().ends_with(".pov") && path.is_file() {

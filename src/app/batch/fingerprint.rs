@@ -1,4 +1,4 @@
-//! Contents as short numbers (BLAKE3, O'Connor and others 2020): whether a picture is what would be drawn now.
+//! Fingerprints of contents (BLAKE3, O'Connor and others 2020), which show if a picture is up to date.
 
 use std::fs;
 use std::io;
@@ -12,22 +12,22 @@ use serde::{Deserialize, Serialize};
 use super::Picture;
 use crate::base::source::{Dependency, read_regular};
 
-/// What a picture was made of.
+/// The inputs of a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Record {
-    /// The picture, below the folder of all.
+    /// The picture, relative to the output folder.
     pub(super) output: PathBuf,
-    /// Of the options and of the program.
+    /// Fingerprint of the options and of the program.
     key: String,
-    /// Of the picture itself.
+    /// Fingerprint of the picture itself.
     made: String,
-    /// The files that were read, with theirs.
+    /// The files that were read, with their fingerprints.
     files: Vec<(PathBuf, String)>,
-    /// Where files were looked for and were not.
+    /// Paths where files were looked for in vain.
     missing: Vec<PathBuf>,
 }
 
-/// Computes fingerprints, those of files once for each state that they are seen in.
+/// Computes fingerprints; a file is read once for each state it is seen in.
 #[derive(Debug)]
 pub(super) struct Fingerprints {
     program: String,
@@ -38,7 +38,7 @@ pub(super) struct Fingerprints {
 /// Files by their paths.
 type Files = FxHashMap<PathBuf, Known>;
 
-/// A file in a state in which it was seen.
+/// The fingerprint of a file in one state.
 #[derive(Clone, Debug)]
 struct Known {
     state: (u64, Option<SystemTime>),
@@ -46,9 +46,9 @@ struct Known {
 }
 
 impl Fingerprints {
-    /// Of this program, run in the current folder.
+    /// For this program, run in the current folder.
     pub(super) fn new() -> Self {
-        // Two builds may have the same version and draw differently.
+        // Two builds may have the same version and render differently.
         let program = std::env::current_exe().and_then(fs::read);
         Fingerprints {
             program: program.map_or_else(
@@ -60,8 +60,8 @@ impl Fingerprints {
         }
     }
 
-    /// The record of a picture whose drawing began at `since`; `None` if something that it depends on has changed
-    /// meanwhile, so that nobody can tell what it shows.
+    /// The record of a picture whose rendering began at `since`; `None` if an input has changed meanwhile, so that the
+    /// picture cannot be attributed to either version.
     pub(super) fn record(
         &self,
         picture: &Picture,
@@ -92,17 +92,18 @@ impl Fingerprints {
         Some(record)
     }
 
-    /// Whether a picture, which lies at `place`, is as this record says and would be the same again.
-    pub(super) fn holds(&self, record: &Record, picture: &Picture, place: &Path) -> bool {
+    /// True if the picture at `picture_path` matches this record and would be the same again.
+    pub(super) fn holds(&self, record: &Record, picture: &Picture, picture_path: &Path) -> bool {
         record.key == self.key(picture)
             && record.missing.iter().all(|path| !path.is_file())
             && record.files.iter().all(|(path, fingerprint)| {
-                self.of_file(path).is_ok_and(|found| found == *fingerprint)
+                self.of_file(path)
+                    .is_ok_and(|current| current == *fingerprint)
             })
-            && read_regular(place).is_ok_and(|bytes| of_bytes(&bytes) == record.made)
+            && read_regular(picture_path).is_ok_and(|bytes| of_bytes(&bytes) == record.made)
     }
 
-    /// Of all that a picture depends on beside files.
+    /// The fingerprint of all inputs other than files.
     fn key(&self, picture: &Picture) -> String {
         let Picture {
             scene,
@@ -113,7 +114,7 @@ impl Fingerprints {
         } = picture;
         let mut render = render.clone();
         let mut read = read.clone();
-        // They make no difference to the picture.
+        // These do not affect the picture.
         (render.threads, render.statistics, read.memory) = (None, false, None);
         let options = format!(
             "{}\n{}\n{scene:?}\n{read:?}\n{render:?}\n{encode:?}",
@@ -148,7 +149,7 @@ fn of_bytes(bytes: &[u8]) -> String {
     blake3::hash(bytes).to_hex().to_string()
 }
 
-/// Now, by the clock that files get their times from, which is behind others by up to a few milliseconds.
+/// The current time of the clock that sets file times, which is behind others by up to a few milliseconds.
 pub(super) fn now() -> SystemTime {
     #[cfg(target_os = "linux")]
     {

@@ -1,10 +1,9 @@
-//! What a run leaves in its folder beside the pictures: a log of what they were made of, and for a moment the parts of
-//! pictures that have not their names yet.
+//! The log of a run, stored beside the pictures, and temporary files of pictures in progress.
 //!
-//! `.povr-batch/` has a folder for each part of a run (`all`, or `2-of-8`), which one process holds at a time. A log is
-//! written at its end only, a record a line; a line that was cut off when the process was killed does not count. At
-//! the end of a run the log is put in order. Nothing is forced to the disk: what a loss of power takes is found missing
-//! by its fingerprint, and drawn again.
+//! `.povr-batch/` has a folder for each part of a run (`all`, or `2-of-8`), which one process locks at a time. A log is
+//! append-only, one record a line; a line that was cut off when the process was killed does not count. At the end of a
+//! run the log is compacted. Nothing is forced to the disk: the fingerprint reveals data lost in a power failure, and
+//! the picture is rendered again.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -33,7 +32,7 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Takes hold of a part of the run that writes to `out`, and removes what killed runs have left there.
+    /// Locks a part of the run that writes to `out`, and removes the remains of killed runs there.
     ///
     /// # Errors
     /// When the folder cannot be written to, or another process is at work on the same part.
@@ -67,7 +66,7 @@ impl Journal {
         })
     }
 
-    /// The records of all parts of all runs, by the pictures they are about.
+    /// The records of all parts of all runs, by picture.
     pub(super) fn records(&self) -> BTreeMap<PathBuf, Vec<Record>> {
         let mut records: BTreeMap<PathBuf, Vec<Record>> = BTreeMap::new();
         for folder in folders(&self.out.join(FOLDER)) {
@@ -81,36 +80,36 @@ impl Journal {
         records
     }
 
-    /// Where a picture lies.
-    pub(super) fn place(&self, output: &Path) -> PathBuf {
+    /// The path of a picture.
+    pub(super) fn path(&self, output: &Path) -> PathBuf {
         self.out.join(output)
     }
 
-    /// Puts a file into its place, whole or not at all.
+    /// Writes a file atomically.
     pub(super) fn put(&self, output: &Path, bytes: &[u8]) -> Result<(), BatchError> {
-        let place = self.place(output);
-        if let Some(folder) = place.parent() {
+        let path = self.path(output);
+        if let Some(folder) = path.parent() {
             fs::create_dir_all(folder)
                 .map_err(|error| BatchError::of_file("make", folder, &error))?;
         }
         let number = self.parts.fetch_add(1, Ordering::Relaxed);
         let part = self.own.join(format!("{number}.{PART}"));
-        let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, &place));
+        let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, &path));
         written.map_err(|error| {
             let _ = fs::remove_file(&part);
-            BatchError::of_file("write", &place, &error)
+            BatchError::of_file("write", &path, &error)
         })
     }
 
-    /// Notes what a picture was made of.
+    /// Appends the record of a picture.
     pub(super) fn note(&self, record: &Record) -> io::Result<()> {
         let line = serde_json::to_string(record)?;
         let mut log = self.log.lock().unwrap_or_else(PoisonError::into_inner);
-        // In one piece, and never behind a line that was cut off.
+        // In one write, and never on a line that was cut off.
         log.write_all(format!("\n{line}\n").as_bytes())
     }
 
-    /// Puts the log in order: the last record of each picture, by their names.
+    /// Compacts the log: the last record of each picture, sorted by name.
     pub(super) fn close(self) -> Result<(), BatchError> {
         let path = self.own.join(LOG);
         let records: BTreeMap<PathBuf, Record> = read(&path)
@@ -148,18 +147,18 @@ fn folders(all: &Path) -> impl Iterator<Item = PathBuf> + use<> {
     folders.into_iter().filter(|path| path.is_dir())
 }
 
-/// Removes the parts of pictures that a killed run has left.
+/// Removes temporary files that a killed run has left.
 fn clean(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
         if path.extension() == Some(OsStr::new(PART)) {
-            // What cannot be removed does no harm.
+            // Files that cannot be removed do no harm.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// Takes hold of a folder, unless another process has it.
+/// Locks a folder, unless another process has locked it.
 #[cfg(unix)]
 fn hold(folder: &Path) -> io::Result<Option<File>> {
     use rustix::fs::{FlockOperation, flock};
@@ -167,7 +166,7 @@ fn hold(folder: &Path) -> io::Result<Option<File>> {
     match flock(&file, FlockOperation::NonBlockingLockExclusive) {
         Ok(()) => Ok(Some(file)),
         Err(rustix::io::Errno::WOULDBLOCK) => Ok(None),
-        // A file system without locks: whoever starts two runs at once draws twice, and nothing worse.
+        // A file system without locks: two runs at once render everything twice, and nothing worse.
         Err(rustix::io::Errno::NOTSUP | rustix::io::Errno::NOLCK | rustix::io::Errno::NOSYS) => {
             Ok(Some(file))
         }

@@ -1,8 +1,8 @@
-//! Many pictures in one run: frames of an animation, scenes of whole folders.
+//! Many pictures in one run: frames of an animation, or scenes of whole folders.
 //!
-//! [`run`] draws what is not up to date, several pictures side by side with the threads of one pool, so that one large
-//! scene and a thousand small ones both fill the machine. A picture takes its place as a whole, and what it was made of
-//! is noted in a log, so that a run that was killed goes on where it was. What a scene does wrong ends that scene alone.
+//! [`run`] renders all pictures that are not up to date, several in parallel with the threads of one pool, so that one
+//! large scene and a thousand small ones both use the whole machine. Each picture is written atomically and its inputs
+//! are recorded in a log, so that a killed run continues where it stopped. An error in a scene ends that scene alone.
 
 mod contact;
 mod error;

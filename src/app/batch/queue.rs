@@ -1,4 +1,4 @@
-//! Pieces of work side by side, their results one after the other.
+//! Runs tasks in parallel and delivers their results in order.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -6,25 +6,25 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-/// How far work may be ahead of the results that have been taken, in pieces for each worker: beyond it their pictures
-/// would only fill the memory.
+/// Limit, in tasks for each worker, of how far tasks run ahead of the consumed results: more pictures would only fill
+/// the memory.
 const AHEAD: usize = 2;
 
-/// How far the work is.
+/// Progress of the queue.
 struct State<R> {
-    /// The next piece to begin.
+    /// The next task to begin.
     next: usize,
-    /// The next result to take.
+    /// The next result to deliver.
     taken: usize,
     done: BTreeMap<usize, thread::Result<R>>,
     is_over: bool,
 }
 
-/// Does the pieces of work 0 to `count`, `workers` of them side by side, and takes their results in their order, on
-/// the calling thread, until `take` breaks off: then what is under way is finished and dropped.
+/// Runs the tasks 0 to `count`, `workers` of them in parallel, and passes the results in order to `take` on the calling
+/// thread, until `take` breaks off: tasks in progress are then finished and dropped.
 ///
 /// # Panics
-/// When a piece of work panics, in its turn.
+/// When a task panics, at its position in the order.
 pub fn in_order<R: Send, B>(
     count: usize,
     workers: usize,
@@ -71,7 +71,7 @@ pub fn in_order<R: Send, B>(
     })
 }
 
-/// The number of the piece to do next, as soon as it may begin.
+/// Waits until a task may begin, and returns its number.
 fn begin<R>(
     state: &Mutex<State<R>>,
     changed: &Condvar,
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_begins_far_ahead_of_what_was_taken_or_behind_the_end() {
+    fn tasks_start_only_slightly_ahead_and_never_after_the_end() {
         let begun = AtomicUsize::new(0);
         let work = |number: usize| {
             begun.fetch_max(number, Ordering::Relaxed);

@@ -1,7 +1,7 @@
-//! A run: what is not up to date is drawn, several pictures side by side.
+//! A run: renders the pictures that are not up to date, several in parallel.
 //!
-//! Workers read scenes, one each; all of them draw with the threads of one pool. What must not be beside other work is
-//! left for the end and done alone: scenes that write files, that found too little memory, and very large pictures.
+//! Workers read one scene each; all of them render with the threads of one pool. Scenes that need the machine to
+//! themselves are rendered alone at the end: scenes that write files, that ran out of memory, and very large pictures.
 
 use std::any::Any;
 use std::collections::VecDeque;
@@ -22,91 +22,91 @@ use crate::base::options::{CancelToken, Event, Failure, Input, ReadOptions, Rend
 use crate::base::source::{Code, Dependency, Message, Severity};
 use crate::output::{self, EncodeOptions};
 
-/// Pictures of more pixels are drawn alone: their films take a GiB and more.
+/// Larger pictures are rendered alone: their films take a GiB and more.
 const LARGE: u64 = 1 << 26;
 
-/// A picture to draw.
+/// A picture to render.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The scene.
     pub scene: PathBuf,
-    /// Pictures that follow each other and have the same number are frames of one animation.
+    /// Successive pictures with the same number are frames of one animation.
     pub series: usize,
-    /// Where it goes, below the folder of the run. The ending is that of the format.
+    /// The file, relative to the folder of the run. The ending matches the format.
     pub output: PathBuf,
-    /// How to read the scene.
+    /// Options for reading the scene.
     pub read: ReadOptions,
-    /// How to draw it; `threads` does not count.
+    /// Options for rendering; `threads` is ignored.
     pub render: RenderOptions,
-    /// How to write it; the working space is the scene's to tell.
+    /// Options for encoding; the working colour space comes from the scene.
     pub encode: EncodeOptions,
 }
 
-/// How a run is to be done.
+/// Options of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Batch {
-    /// The folder of the pictures.
+    /// The output folder.
     pub out: PathBuf,
-    /// How many scenes are read side by side; `None` takes as many as there are threads.
+    /// Number of scenes read in parallel; `None` for the number of threads.
     pub jobs: Option<usize>,
-    /// How many threads draw; `None` takes one for each core.
+    /// Number of render threads; `None` for one per core.
     pub threads: Option<usize>,
-    /// After this time a picture counts as failed.
+    /// Time limit for a picture.
     pub timeout: Option<Duration>,
-    /// Which part of the pictures is drawn; `None` draws all.
+    /// The part of the pictures to render; `None` renders all.
     pub shard: Option<Shard>,
-    /// Whether what is up to date is drawn all the same.
+    /// True to render pictures that are up to date as well.
     pub draws_all: bool,
 }
 
-/// What became of a picture.
+/// The outcome of a picture.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Which picture of the list.
+    /// Its index in the list.
     pub picture: usize,
-    /// What became of it.
+    /// Its status.
     pub status: Status,
-    /// How long it took in seconds.
+    /// The time in seconds.
     pub seconds: f64,
-    /// What was found in the scene: errors and warnings.
+    /// Errors and warnings of the scene.
     pub messages: Vec<Message>,
 }
 
-/// What became of a picture.
+/// The status of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// It was drawn.
+    /// It was rendered.
     Drawn,
-    /// It was there, and would have been the same.
+    /// It exists and would have been the same.
     UpToDate,
-    /// It could not be drawn: why not, unless the messages tell.
+    /// It failed; with the reason, unless the messages give it.
     Failed(Option<String>),
 }
 
-/// What happens in a run. Comes from any thread.
+/// Events of a run, sent from any thread.
 #[derive(Clone, Copy, Debug)]
 pub enum News<'a> {
-    /// What is up to date has been told; this is left.
+    /// All pictures that are up to date have been reported; these are left.
     Left {
-        /// Pictures to draw.
+        /// Pictures to render.
         pictures: usize,
         /// Their pixels.
         pixels: u64,
     },
-    /// So many pixels have been finished since the last event of this kind.
+    /// This many pixels have been finished since the last event of this kind.
     Drawn(u64),
-    /// A picture is done with.
+    /// A picture is finished.
     Done(&'a Outcome),
 }
 
-/// Draws what is not up to date. Pictures that fail are told among the news, and the others are drawn.
+/// Renders the pictures that are not up to date. Failed pictures are reported, and the others are rendered.
 ///
 /// # Errors
-/// When the folder cannot be written to at all, or another process is at work there.
+/// When the folder cannot be written to at all, or another process is using it.
 pub fn run(
     pictures: &[Picture],
     batch: &Batch,
-    hear: &(dyn Fn(News<'_>) + Sync),
+    listener: &(dyn Fn(News<'_>) + Sync),
 ) -> Result<(), BatchError> {
     let journal = Journal::open(&batch.out, batch.shard)?;
     let threads = batch
@@ -125,13 +125,13 @@ pub fn run(
         watchdog: Watchdog::new(batch.timeout),
         is_part: batch.shard.is_some_and(|shard| shard.of > 1),
         timeout: batch.timeout,
-        hear,
+        listener,
         state: Mutex::default(),
         changed: Condvar::new(),
     };
     let left = run.left(batch);
     let pixels = left.iter().map(|&index| pixels(&pictures[index])).sum();
-    hear(News::Left {
+    listener(News::Left {
         pictures: left.len(),
         pixels,
     });
@@ -141,71 +141,71 @@ pub fn run(
     run.journal.close()
 }
 
-/// A run under way.
+/// A run in progress.
 struct Run<'a> {
     pictures: &'a [Picture],
     journal: Journal,
     pool: Arc<rayon::ThreadPool>,
     fingerprints: Fingerprints,
     watchdog: Watchdog,
-    /// Whether other pictures of the list are drawn elsewhere.
+    /// True if other pictures of the list are rendered elsewhere.
     is_part: bool,
     timeout: Option<Duration>,
-    hear: &'a (dyn Fn(News<'_>) + Sync),
+    listener: &'a (dyn Fn(News<'_>) + Sync),
     state: Mutex<State>,
     changed: Condvar,
 }
 
-/// What is to be done and what is being done.
+/// Tasks to do and tasks in progress.
 #[derive(Default)]
 struct State {
     waiting: VecDeque<Task>,
-    /// How many tasks are under way; each may bring more.
-    under_way: usize,
-    /// What is to be done alone, in the end.
+    /// Number of tasks in progress; each may add more.
+    in_progress: usize,
+    /// Tasks to do alone at the end.
     alone: Vec<Task>,
 }
 
-/// A scene and the pictures of it that are to be drawn, one after the other.
+/// A scene and those of its pictures that are to be rendered, one after the other.
 #[derive(Debug)]
 struct Task {
     pictures: VecDeque<usize>,
     series: Arc<RenderSession>,
-    /// Whether frames before these were drawn on the understanding that the scene writes no files.
+    /// True if earlier frames were rendered on the assumption that the scene writes no files.
     follows: bool,
 }
 
-/// Whether other work is going on.
+/// Other work in parallel.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Beside {
+enum OtherWork {
     Others,
     Nothing,
 }
 
-/// How an attempt ended.
+/// The end of an attempt.
 enum Ended {
     Done(Outcome),
-    /// It must be tried alone.
+    /// It must be repeated alone.
     Later,
 }
 
 impl Run<'_> {
-    /// The pictures of this part that are not up to date; the others are told.
+    /// The pictures of this part that are not up to date; the others are reported.
     fn left(&self, batch: &Batch) -> Vec<usize> {
         let records = self.journal.records();
         let is_done = |index: &usize| {
             let picture = &self.pictures[*index];
-            let place = self.journal.place(&picture.output);
+            let path = self.journal.path(&picture.output);
             let known = records.get(&picture.output).into_iter().flatten();
             let mut known = known.filter(|_| !batch.draws_all);
-            known.any(|record| self.fingerprints.holds(record, picture, &place))
+            known.any(|record| self.fingerprints.holds(record, picture, &path))
         };
         let is_mine = |index: &usize| batch.shard.is_none_or(|shard| shard.has(*index));
         let mine: Vec<usize> = (0..self.pictures.len()).filter(is_mine).collect();
         let done: Vec<bool> = self.pool.install(|| mine.par_iter().map(is_done).collect());
         let (done, left): (Vec<_>, Vec<_>) = mine.into_iter().zip(done).partition(|one| one.1);
         for (picture, _) in done {
-            self.tell(Outcome {
+            self.report(Outcome {
                 picture,
                 status: Status::UpToDate,
                 seconds: 0.0,
@@ -241,15 +241,15 @@ impl Run<'_> {
                 .map(|_| scope.spawn(|| self.work()))
                 .collect();
             for worker in workers {
-                // A worker cannot panic: what it draws is caught.
+                // A worker cannot panic: panics while rendering are caught.
                 let _ = worker.join();
             }
             let mut alone = std::mem::take(&mut self.lock().alone);
             alone.sort_by_key(|task| task.pictures.front().copied());
             for task in alone {
                 for &index in &task.pictures {
-                    if let Ended::Done(outcome) = self.attempt(index, &task, Beside::Nothing) {
-                        self.tell(outcome);
+                    if let Ended::Done(outcome) = self.attempt(index, &task, OtherWork::Nothing) {
+                        self.report(outcome);
                     }
                 }
             }
@@ -257,17 +257,17 @@ impl Run<'_> {
         });
     }
 
-    /// Does tasks until there are none.
+    /// Works on tasks until none are left.
     fn work(&self) {
         while let Some(mut task) = self.next_task() {
             let Some(&index) = task.pictures.front() else {
                 self.finished(Vec::new(), None);
                 continue;
             };
-            match self.attempt(index, &task, Beside::Others) {
+            match self.attempt(index, &task, OtherWork::Others) {
                 Ended::Later => self.finished(Vec::new(), Some(task)),
                 Ended::Done(outcome) => {
-                    self.tell(outcome);
+                    self.report(outcome);
                     task.pictures.pop_front();
                     let rest = task.pictures.into_iter().map(|index| Task {
                         pictures: [index].into(),
@@ -281,35 +281,35 @@ impl Run<'_> {
     }
 
     fn next_task(&self) -> Option<Task> {
-        let waits = |state: &mut State| state.waiting.is_empty() && state.under_way > 0;
+        let waits = |state: &mut State| state.waiting.is_empty() && state.in_progress > 0;
         let waited = self.changed.wait_while(self.lock(), waits);
         let mut state = waited.unwrap_or_else(PoisonError::into_inner);
         let task = state.waiting.pop_front()?;
-        state.under_way += 1;
+        state.in_progress += 1;
         Some(task)
     }
 
     fn finished(&self, rest: Vec<Task>, alone: Option<Task>) {
         let mut state = self.lock();
-        // Frames go before other scenes: their tokens are held as long as they wait.
+        // Frames go before other scenes: their tokens stay in memory while they wait.
         for task in rest.into_iter().rev() {
             state.waiting.push_front(task);
         }
         state.alone.extend(alone);
-        state.under_way -= 1;
+        state.in_progress -= 1;
         self.changed.notify_all();
     }
 
-    /// Draws a picture and puts it into its place.
-    fn attempt(&self, index: usize, task: &Task, beside: Beside) -> Ended {
+    /// Renders a picture and writes it to its file.
+    fn attempt(&self, index: usize, task: &Task, other_work: OtherWork) -> Ended {
         let started = Instant::now();
         let stop = CancelToken::default();
         self.watchdog.watch(&stop);
-        let heard = Mutex::new(Heard::default());
+        let events = Mutex::new(SceneEvents::default());
         let drawn = catch_unwind(AssertUnwindSafe(|| {
-            self.draw(&self.pictures[index], task, beside, &stop, &heard)
+            self.draw(&self.pictures[index], task, other_work, &stop, &events)
         }));
-        let messages = heard
+        let messages = events
             .into_inner()
             .unwrap_or_else(PoisonError::into_inner)
             .messages;
@@ -331,7 +331,7 @@ impl Run<'_> {
                 ))
             }
             Ok(Err(_))
-                if beside == Beside::Others && (has(Code::WritesFiles) || has(Code::Memory)) =>
+                if other_work == OtherWork::Others && (has(Code::WritesFiles) || has(Code::Memory)) =>
             {
                 return Ended::Later;
             }
@@ -346,19 +346,19 @@ impl Run<'_> {
         })
     }
 
-    /// The same, or why not, unless what was heard tells.
+    /// Renders a picture; the error is `None` if the messages give the reason.
     fn draw(
         &self,
         picture: &Picture,
         task: &Task,
-        beside: Beside,
+        other_work: OtherWork,
         stop: &CancelToken,
-        heard: &Mutex<Heard>,
+        events: &Mutex<SceneEvents>,
     ) -> Result<(), Option<String>> {
         let since = now();
         let mut read = picture.read.clone();
         read.stop = stop.clone();
-        if beside == Beside::Others {
+        if other_work == OtherWork::Others {
             read.writable.clear();
         }
         let mut render = picture.render.clone();
@@ -368,38 +368,38 @@ impl Run<'_> {
         let drawn = task
             .series
             .draw(&input, &read, &render, &|event| match event {
-                Event::Drawn(pixels) => (self.hear)(News::Drawn(pixels)),
-                event => lock(heard).hear(event),
+                Event::Drawn(pixels) => (self.listener)(News::Drawn(pixels)),
+                event => lock(events).record(event),
             });
         let drawn = drawn.map_err(|Failure { .. }| None)?;
         let options = EncodeOptions {
             working: drawn.working,
             ..picture.encode.clone()
         };
-        let told = |refused: &dyn std::fmt::Display| Some(refused.to_string());
-        let bytes = output::encode(&drawn.film, &options).map_err(|refused| told(&refused))?;
+        let reason = |refused: &dyn std::fmt::Display| Some(refused.to_string());
+        let bytes = output::encode(&drawn.film, &options).map_err(|refused| reason(&refused))?;
         if stop.is_asked() {
             return Err(None);
         }
         self.journal
             .put(&picture.output, &bytes)
-            .map_err(|refused| told(&refused))?;
-        let heard = lock(heard);
+            .map_err(|refused| reason(&refused))?;
+        let events = lock(events);
         let record = self
             .fingerprints
-            .record(picture, &bytes, &heard.dependencies, since);
-        if let Some(record) = record.filter(|_| !heard.wrote_files) {
-            // Without the note the picture is there all the same; the next run draws it again.
+            .record(picture, &bytes, &events.dependencies, since);
+        if let Some(record) = record.filter(|_| !events.wrote_files) {
+            // Without the record the picture is still there; the next run renders it again.
             let _ = self.journal.note(&record);
         }
         Ok(())
     }
 
-    fn tell(&self, outcome: Outcome) {
-        (self.hear)(News::Done(&outcome));
+    fn report(&self, outcome: Outcome) {
+        (self.listener)(News::Done(&outcome));
     }
 
-    /// Whether a picture is one of several of its scene.
+    /// True for one of several pictures of a scene.
     fn is_frame(&self, index: usize) -> bool {
         let series = |index: usize| self.pictures.get(index).map(|picture| picture.series);
         let own = series(index);
@@ -415,16 +415,16 @@ impl Run<'_> {
     }
 }
 
-/// What a scene said and asked for.
+/// Messages and requests of a scene.
 #[derive(Default)]
-struct Heard {
+struct SceneEvents {
     messages: Vec<Message>,
     dependencies: Vec<Dependency>,
     wrote_files: bool,
 }
 
-impl Heard {
-    fn hear(&mut self, event: Event<'_>) {
+impl SceneEvents {
+    fn record(&mut self, event: Event<'_>) {
         match event {
             Event::Found(message) if message.severity == Severity::Error => {
                 self.messages.push(message.clone());
@@ -445,7 +445,7 @@ fn pixels(picture: &Picture) -> u64 {
     picture.render.columns.len() as u64 * picture.render.rows.len() as u64
 }
 
-/// The words of a panic.
+/// The message of a panic.
 fn words(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied())

@@ -2,18 +2,18 @@
 
 use std::str::FromStr;
 
-/// One of so many parts that together are the whole.
+/// One of several parts that make up the whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which, from 1.
+    /// The number of this part, from 1.
     pub number: usize,
-    /// Of how many.
+    /// The number of parts.
     pub of: usize,
 }
 
 impl Shard {
-    /// The part that a task of Slurm's array is, by the variables it has: number, first and step of the array and how
-    /// many tasks there are.
+    /// The part for a task of a Slurm array, from its environment variables: number, first, step and count of the
+    /// array's tasks.
     #[must_use]
     pub fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Option<Self> {
         let number = |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse().ok();
@@ -24,18 +24,18 @@ impl Shard {
             number: id.checked_sub(first)? / step + 1,
             of,
         };
-        // An array like 1,2,7 has no even steps: which part a task is cannot be told.
+        // An array like 1,2,7 has no even steps: the part of a task cannot be derived.
         (shard.number <= of).then_some(shard)
     }
 
-    /// Whether an item of the list of all work is in this part: every so many is, so that large scenes beside each
-    /// other are shared out.
+    /// True if an item of the work list is in this part. Items are interleaved, so that large neighbouring scenes go to
+    /// different parts.
     #[must_use]
     pub fn has(self, index: usize) -> bool {
         index % self.of == self.number - 1
     }
 
-    /// What its files are called.
+    /// The name of its files.
     pub(super) fn name(shard: Option<Shard>) -> String {
         match shard {
             None | Some(Shard { of: 1, .. }) => "all".to_owned(),
@@ -86,8 +86,8 @@ mod tests {
         let part = |id: &str, min: &str, step: &str, count: &str| {
             let values = [("ID", id), ("MIN", min), ("STEP", step), ("COUNT", count)];
             Shard::of_slurm(|name| {
-                let found = values.iter().find(|(end, _)| name.ends_with(end))?;
-                (!found.1.is_empty()).then(|| found.1.to_owned())
+                let value = values.iter().find(|(end, _)| name.ends_with(end))?;
+                (!value.1.is_empty()).then(|| value.1.to_owned())
             })
         };
         let shard = |number, of| Some(Shard { number, of });

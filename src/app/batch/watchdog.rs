@@ -1,11 +1,11 @@
-//! Stops what takes too long.
+//! Cancels renders that exceed a time limit.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::base::options::CancelToken;
 
-/// Watches over what is under way, if there is a limit.
+/// Watches renders in progress, if there is a limit.
 #[derive(Debug)]
 pub(super) struct Watchdog {
     limit: Option<Duration>,
@@ -28,7 +28,7 @@ impl Watchdog {
         }
     }
 
-    /// From now on `stop` is watched; it is asked to stop when the time is over, unless it is dropped before.
+    /// Watches `stop` from now on; cancels it at the time limit unless it is dropped before.
     pub(super) fn watch(&self, stop: &CancelToken) {
         let deadline = self
             .limit
@@ -45,7 +45,7 @@ impl Watchdog {
         self.changed.notify_all();
     }
 
-    /// Watches, until it is ended.
+    /// Watches until it is ended.
     pub(super) fn run(&self) {
         let mut state = self.lock();
         while !state.is_over {
@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_takes_too_long_is_stopped_and_nothing_else() {
+    fn only_slow_tasks_are_stopped() {
         let watchdog = Watchdog::new(Some(Duration::from_millis(40)));
         std::thread::scope(|scope| {
             scope.spawn(|| watchdog.run());

@@ -1,7 +1,7 @@
-//! `povr batch`: draws all scenes of folders into a tree like theirs, and what is up to date not again.
+//! `povr batch`: renders all scenes of folders into a parallel tree, and skips pictures that are up to date.
 //!
-//! Standard output takes the log of `--json`; all else goes to standard error. Exit code 0: all pictures are there; 1:
-//! some are not; 2: the command line is at fault.
+//! Standard output receives the log of `--json`; all else goes to standard error. Exit code 0: all pictures are there;
+//! 1: some are not; 2: the command line is wrong.
 
 mod list;
 mod tell;
@@ -13,7 +13,7 @@ use std::time::Duration;
 use clap::Parser;
 
 use self::list::List;
-use self::tell::Teller;
+use self::tell::BatchReporter;
 use super::Command;
 use super::draw::report::{MessageFormat, say};
 use super::options::arg_words;
@@ -28,7 +28,7 @@ pub(super) const COMMAND: Command = Command {
     name: "batch",
     about: "render every scene in a folder, skipping those already up to date",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Draws all scenes of folders into a tree like theirs.
@@ -44,7 +44,7 @@ A picture is up to date if it and the scene, every file read or looked for, the 
 as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it goes on where it was.
 Exit code 0: all pictures are there; 1: some are not; 2: the command line is at fault."
 )]
-struct Face {
+struct CommandOptions {
     /// The folder of the pictures; it is made if it is missing
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
@@ -105,7 +105,7 @@ struct Wanted {
     format: Option<MessageFormat>,
 }
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
     let mut wanted = match read_arguments(arguments)? {
         Ok(wanted) => wanted,
         Err(help) => {
@@ -119,12 +119,12 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
             say(format_args!("povr: part {number} of {of}, as Slurm has it"));
         }
     }
-    let List { pictures, refused } = list::list(&wanted, around)?;
-    let teller = Teller::new(&wanted, &pictures, around);
+    let List { pictures, refused } = list::list(&wanted, environment)?;
+    let teller = BatchReporter::new(&wanted, &pictures, environment);
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);
     }
-    batch::run(&pictures, &wanted.batch, &|news| teller.hear(news)).map_err(list::refused)?;
+    batch::run(&pictures, &wanted.batch, &|news| teller.report(news)).map_err(list::refused)?;
     let failed = teller.finish();
     if wanted.has_sheet {
         let figures: Vec<Figure> = pictures
@@ -149,7 +149,7 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
     })
 }
 
-/// What the arguments say, or the help they ask for.
+/// Parses the arguments; returns the help text if requested.
 fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliError> {
     let mut wanted = Wanted::default();
     let mut out = None;
@@ -159,19 +159,19 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             wanted.names.extend_from_slice(others);
             break;
         }
-        let long = long_options::length::<Face>(rest);
+        let long = long_options::length::<CommandOptions>(rest);
         if long == 0 {
             wanted.word(first);
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<Face>(option) {
-            Ok(face) => {
-                out = face.output.clone().or(out);
-                wanted.take_in(face);
+        match long_options::parse::<CommandOptions>(option) {
+            Ok(options) => {
+                out = options.output.clone().or(out);
+                wanted.take_in(options);
             }
-            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }
@@ -199,20 +199,20 @@ impl Wanted {
         }
     }
 
-    fn take_in(&mut self, face: Face) {
-        self.only.extend(face.only);
-        self.except.extend(face.exclude);
-        self.size = face.size.or(self.size);
-        self.memory = face.memory.or(self.memory);
-        self.format = face.message_format.or(self.format);
-        self.has_sheet |= face.sheet;
-        self.is_json |= face.json;
-        self.is_quiet |= face.quiet;
+    fn take_in(&mut self, options: CommandOptions) {
+        self.only.extend(options.only);
+        self.except.extend(options.exclude);
+        self.size = options.size.or(self.size);
+        self.memory = options.memory.or(self.memory);
+        self.format = options.message_format.or(self.format);
+        self.has_sheet |= options.sheet;
+        self.is_json |= options.json;
+        self.is_quiet |= options.quiet;
         let batch = &mut self.batch;
-        batch.jobs = face.jobs.map(usize::from).or(batch.jobs);
-        batch.threads = face.threads.map(usize::from).or(batch.threads);
-        batch.timeout = face.timeout.or(batch.timeout);
-        batch.shard = face.shard.or(batch.shard);
-        batch.draws_all |= face.again;
+        batch.jobs = options.jobs.map(usize::from).or(batch.jobs);
+        batch.threads = options.threads.map(usize::from).or(batch.threads);
+        batch.timeout = options.timeout.or(batch.timeout);
+        batch.shard = options.shard.or(batch.shard);
+        batch.draws_all |= options.again;
     }
 }

@@ -1,8 +1,8 @@
-//! `povr check`: reads scenes to their end and says what is wrong with them, without drawing and without writing files:
-//! what scenes write, they find in memory.
+//! `povr check`: reads scenes to their end and reports their errors, without rendering and without writing files: files
+//! that scenes write are stored in memory.
 //!
-//! Findings and counts go to standard output, for they are what the command is for; what scenes write by `#debug` goes
-//! to standard error. Exit code 0: every scene could be drawn; 1: some could not; 2: the command line is at fault.
+//! Findings and counts go to standard output, as the result of the command; `#debug` output of scenes goes to standard
+//! error. Exit code 0: every scene could be rendered; 1: some could not; 2: the command line is wrong.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -26,7 +26,7 @@ pub(super) const COMMAND: Command = Command {
     name: "check",
     about: "read scenes and say what is wrong with them",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Reads scenes without drawing them and says what is wrong with them.
@@ -43,7 +43,7 @@ With `short` a finding is a line `file:line:column: error: message`. With `json`
 is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `said` (text of #debug), \
 `file` or `total` (counts of errors and warnings)."
 )]
-struct Face {
+struct CommandOptions {
     /// How to print errors and warnings: povray, human, short or json
     #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
@@ -60,30 +60,30 @@ struct Wanted {
     is_quiet: bool,
 }
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
-    let standard_folders = around.standard_folders()?;
-    let mut typed = around.typed(&standard_folders)?;
-    let wanted = match read_arguments(arguments, &mut typed, &standard_folders)? {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
+    let standard_folders = environment.standard_folders()?;
+    let mut raw_args = environment.raw_args(&standard_folders)?;
+    let wanted = match read_arguments(arguments, &mut raw_args, &standard_folders)? {
         Ok(wanted) => wanted,
         Err(help) => {
             say(help.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let library_paths = [typed.library_paths.as_slice(), &standard_folders].concat();
+    let library_paths = [raw_args.library_paths.as_slice(), &standard_folders].concat();
     let scenes = find_scenes(&wanted.scenes, &library_paths)?;
     let mut reporter = Reporter::new(wanted.format.unwrap_or(MessageFormat::Human), Stream::Out);
-    let is_quiet = wanted.is_quiet || typed.quiet;
-    reporter.warns = typed.warnings && !is_quiet;
-    reporter.debugs = typed.debugs && !is_quiet;
+    let is_quiet = wanted.is_quiet || raw_args.quiet;
+    reporter.warns = raw_args.warnings && !is_quiet;
+    reporter.debugs = raw_args.debugs && !is_quiet;
     if reporter.warns {
-        for doubt in &typed.doubts {
+        for doubt in &raw_args.doubts {
             say(format_args!("povr: warning: {doubt}"));
         }
     }
     let are_right = check(
         &scenes,
-        &read_options(&typed, library_paths),
+        &read_options(&raw_args, library_paths),
         &reporter,
         is_quiet,
     );
@@ -94,39 +94,39 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
     })
 }
 
-/// What the arguments say, or the help they ask for.
+/// Parses the arguments; returns the help text if requested.
 fn read_arguments(
     arguments: &[String],
-    typed: &mut RawArgs,
+    raw_args: &mut RawArgs,
     standard_folders: &[PathBuf],
 ) -> Result<Result<Wanted, String>, CliError> {
     let mut wanted = Wanted::default();
-    let mut reader = Reader::new(typed, standard_folders);
+    let mut reader = Reader::new(raw_args, standard_folders);
     let mut rest = arguments;
     while let Some((first, others)) = rest.split_first() {
         if first == "--" {
             wanted.scenes.extend_from_slice(others);
             break;
         }
-        let long = long_options::length::<Face>(rest);
+        let long = long_options::length::<CommandOptions>(rest);
         if long == 0 {
             read_word(first, &mut reader, &mut wanted.scenes)?;
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<Face>(option) {
-            Ok(face) => {
-                wanted.is_quiet |= face.quiet;
-                wanted.format = face.message_format.or(wanted.format);
+        match long_options::parse::<CommandOptions>(option) {
+            Ok(options) => {
+                wanted.is_quiet |= options.quiet;
+                wanted.format = options.message_format.or(wanted.format);
             }
-            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }
     if wanted.scenes.is_empty() {
-        // Of an ini file, or of `+I`.
-        wanted.scenes.extend(typed.scene.take());
+        // From an ini file, or from `+I`.
+        wanted.scenes.extend(raw_args.scene.take());
     }
     if wanted.scenes.is_empty() {
         return Err(CliError::new("no scene is named")
@@ -156,7 +156,7 @@ fn read_word(
         .try_for_each(|word| arg_words::read(reader, word))
 }
 
-/// The scenes that the names stand for: files in the order given, those of a folder sorted, none twice.
+/// The scenes for some names: files in the order given, those of a folder sorted, without duplicates.
 pub(super) fn find_scenes(
     names: &[String],
     library_paths: &[PathBuf],
@@ -164,7 +164,7 @@ pub(super) fn find_scenes(
     let mut scenes = Vec::new();
     for name in names {
         let path = Path::new(name);
-        let found = if name == "-" {
+        let scenes_named = if name == "-" {
             vec![Scene::Stdin]
         } else if path.is_dir() {
             let files = scenes_below(path).map_err(|error| CliError::new(error.to_string()))?;
@@ -173,11 +173,11 @@ pub(super) fn find_scenes(
             }
             files.into_iter().map(Scene::File).collect()
         } else {
-            // A file that is missing is told among the findings: the others are read all the same.
+            // A missing file is reported among the findings: the others are read anyway.
             let file = find_scene(name, library_paths).unwrap_or_else(|_| path.to_owned());
             vec![Scene::File(file)]
         };
-        for scene in found {
+        for scene in scenes_named {
             if !scenes.contains(&scene) {
                 scenes.push(scene);
             }
@@ -186,14 +186,14 @@ pub(super) fn find_scenes(
     Ok(scenes)
 }
 
-/// Reads all scenes, with a line about each and one about all; whether they could be drawn.
+/// Reads all scenes, with a line about each and one total; true if all could be rendered.
 fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet: bool) -> bool {
     let is_json = reporter.format == MessageFormat::Json;
     let (mut errors, mut warnings, mut faulty) = (0, 0, 0);
     for scene in scenes {
-        let listen = |event: Event<'_>| reporter.hear(event);
+        let listen = |event: Event<'_>| reporter.report(event);
         match scene.input() {
-            // Why not has been heard.
+            // The reason has already been reported.
             Ok(input) => drop(crate::check(&input, options, &listen)),
             Err(refusal) => {
                 let error = Diagnostic::error(None, refusal.to_string());
@@ -234,7 +234,7 @@ fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet:
 }
 
 impl Scene {
-    /// What messages call it.
+    /// The name for messages.
     pub(super) fn name(&self) -> String {
         match self {
             Scene::File(path) => path.display().to_string(),

@@ -1,4 +1,5 @@
-//! `povr compare`: scenes drawn by POV-Ray and by povr, or two pictures: what differs, as a table, as JSON, as a page.
+//! `povr compare`: compares scenes rendered by POV-Ray and by povr, or two pictures; reports as a table, as JSON, or as
+//! a page.
 //!
 //! Thresholds and exit codes are those of OpenImageIO's `idiff`.
 
@@ -33,7 +34,7 @@ pub(super) const COMMAND: Command = Command {
     name: "compare",
     about: "compare with POV-Ray's pictures, or two pictures",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Draws scenes with POV-Ray and with povr and compares the pictures; or compares two pictures.
@@ -51,7 +52,7 @@ Pictures of unlike kinds are compared as the one with fewer bits; linear light c
 Exit code: 0 PASS, 1 WARNING, 2 FAILURE, 3 sizes differ, 4 a file cannot be read or a scene is not drawn; the command \
 line at fault: 2."
 )]
-pub(super) struct Face {
+pub(super) struct CommandOptions {
     /// Pixels that differ by more than this share of full intensity fail: 0.01 or 2/255
     #[arg(long, value_name = "A", value_parser = share)]
     fail: Option<f64>,
@@ -96,14 +97,14 @@ pub(super) struct Face {
     quiet: bool,
 }
 
-/// The size of pictures whose scenes ask for none.
+/// Size of pictures whose scenes request none.
 const SIZE: (u32, u32) = (160, 120);
 const PATIENCE: Duration = Duration::from_secs(60);
 const SHOWN: u32 = 320;
-/// A file that is there but no picture, as `idiff` says it.
+/// Exit code for a file that is not a picture, as in `idiff`.
 const UNREAD: u8 = 4;
 
-/// What was asked for.
+/// The parsed command line.
 #[derive(Debug, Default)]
 struct Wanted {
     names: Vec<String>,
@@ -149,11 +150,15 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
             ),
         );
     };
-    tell(&wanted, rows, &about)
+    write_report(&wanted, rows, &about)
 }
 
 /// Sorts, writes the page, prints.
-fn tell(wanted: &Wanted, mut rows: Vec<Row>, about: &About<'_>) -> Result<ExitCode, CliError> {
+fn write_report(
+    wanted: &Wanted,
+    mut rows: Vec<Row>,
+    about: &About<'_>,
+) -> Result<ExitCode, CliError> {
     let order = |a: &Row, b: &Row| {
         let worst = b.badness().total_cmp(&a.badness());
         worst.then_with(|| a.name.cmp(&b.name))
@@ -173,12 +178,12 @@ fn tell(wanted: &Wanted, mut rows: Vec<Row>, about: &About<'_>) -> Result<ExitCo
     } else {
         table::text(&rows, &total)
     };
-    // A reader that has gone away is no reason to fail.
+    // A closed pipe is no reason to fail.
     let _ = std::io::stdout().write_all(text.as_bytes());
     Ok(ExitCode::from(total.exit_code()))
 }
 
-/// What the arguments say, or the help they ask for.
+/// Parses the arguments; returns the help text if requested.
 fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliError> {
     let mut wanted = Wanted::default();
     let mut rest = arguments;
@@ -187,16 +192,16 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             wanted.names.extend_from_slice(others);
             break;
         }
-        let long = long_options::length::<Face>(rest);
+        let long = long_options::length::<CommandOptions>(rest);
         if long == 0 {
             wanted.word(first);
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<Face>(option) {
-            Ok(face) => wanted.set(face),
-            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+        match long_options::parse::<CommandOptions>(option) {
+            Ok(options) => wanted.set(options),
+            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }
@@ -208,7 +213,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
 }
 
 impl Wanted {
-    /// A name, or switches for both renderers. Files that switches name are seen from here, wherever renderers run.
+    /// A name, or a switch for both renderers. File names in switches are relative to here, wherever renderers run.
     fn word(&mut self, argument: &str) {
         let is_switch =
             argument.starts_with(['+', '-']) || arg_words::assignment(argument).is_some();
@@ -229,14 +234,14 @@ impl Wanted {
         }
     }
 
-    fn set(&mut self, face: Face) {
+    fn set(&mut self, options: CommandOptions) {
         let given = [
-            face.fail,
-            face.failpercent,
-            face.hardfail,
-            face.warn,
-            face.warnpercent,
-            face.hardwarn,
+            options.fail,
+            options.failpercent,
+            options.hardfail,
+            options.warn,
+            options.warnpercent,
+            options.hardwarn,
         ];
         if given.iter().any(Option::is_some) {
             let set = self.thresholds.get_or_insert_default();
@@ -248,18 +253,18 @@ impl Wanted {
             set.warn_percent = warn_percent.unwrap_or(set.warn_percent);
             set.hard_warn = hard_warn.unwrap_or(set.hard_warn);
         }
-        self.html = face.html.or(self.html.take());
-        self.output = face.output.or(self.output.take());
-        self.keep = face.keep.or(self.keep.take());
-        self.timeout = face.timeout.or(self.timeout);
-        self.jobs = face.jobs.or(self.jobs);
-        self.shown = face.shown.or(self.shown);
-        self.is_json |= face.json;
-        self.is_quiet |= face.quiet;
+        self.html = options.html.or(self.html.take());
+        self.output = options.output.or(self.output.take());
+        self.keep = options.keep.or(self.keep.take());
+        self.timeout = options.timeout.or(self.timeout);
+        self.jobs = options.jobs.or(self.jobs);
+        self.shown = options.shown.or(self.shown);
+        self.is_json |= options.json;
+        self.is_quiet |= options.quiet;
     }
 }
 
-/// Two pictures.
+/// Compares two pictures.
 fn pictures<'a>(
     wanted: &Wanted,
     expected: &'a str,
@@ -291,11 +296,11 @@ fn pictures<'a>(
             CliError::new(format!("cannot write `{}`: {error}", file.display()))
         })?;
     }
-    let row = Row::of_pictures(&name, (&first, &second), &compared, side);
+    let row = Row::of_pictures(&name, &first, &second, &compared, side);
     Ok((vec![row], about))
 }
 
-/// All scenes that are named.
+/// Compares all scenes named.
 fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     let povray = Renderer::povray().map_err(|error| {
         CliError::new(format!("`povray` does not run: {error}"))
@@ -352,11 +357,11 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     Ok((rows, about))
 }
 
-/// A case, and the folder that holds it and all it reads.
-type Placed = (Case, PathBuf);
+/// A case, and the folder that contains it and all files it reads.
+type CaseInRoot = (Case, PathBuf);
 
-/// The cases of all scenes that are named; what cannot be read is a row already.
-fn cases(names: &[String]) -> Result<(Vec<Placed>, Vec<Row>), CliError> {
+/// The cases of all scenes named; a scene that cannot be read gets its row at once.
+fn cases(names: &[String]) -> Result<(Vec<CaseInRoot>, Vec<Row>), CliError> {
     let (mut cases, mut rows) = (Vec::new(), Vec::new());
     for name in names {
         let root = match Path::new(name) {
@@ -374,7 +379,7 @@ fn cases(names: &[String]) -> Result<(Vec<Placed>, Vec<Row>), CliError> {
                 continue;
             }
             let called = inside.with_extension("").display().to_string();
-            // A comment that only looks like one of ours is no reason not to compare.
+            // A comment that only resembles one of ours must not prevent a comparison.
             match Case::of(&path, &called)
                 .or_else(|_| Case::plain(&path, &called).map(|case| vec![case]))
             {
@@ -389,8 +394,8 @@ fn cases(names: &[String]) -> Result<(Vec<Placed>, Vec<Row>), CliError> {
     Ok((cases, rows))
 }
 
-/// Draws and compares all cases, some side by side.
-fn drawn(wanted: &Wanted, bench: &Bench, cases: &[Placed]) -> Result<Vec<Row>, CliError> {
+/// Renders and compares all cases, some in parallel.
+fn drawn(wanted: &Wanted, bench: &Bench, cases: &[CaseInRoot]) -> Result<Vec<Row>, CliError> {
     let jobs = wanted.jobs.map_or_else(
         || std::thread::available_parallelism().map_or(1, usize::from),
         usize::from,
@@ -409,7 +414,7 @@ fn drawn(wanted: &Wanted, bench: &Bench, cases: &[Placed]) -> Result<Vec<Row>, C
         bar
     });
     let side = wanted.shown.unwrap_or(SHOWN);
-    let compared = |(case, root): &Placed| {
+    let compared = |(case, root): &CaseInRoot| {
         if let Some(bar) = &bar {
             bar.set_message(case.name.clone());
         }
@@ -466,7 +471,7 @@ mod tests {
 
     #[test]
     fn switches_go_to_both_and_names_are_compared() {
-        let typed = [
+        let raw_args = [
             "a.pov",
             "+W320 +H240",
             "--fail",
@@ -476,7 +481,9 @@ mod tests {
             "--jobs=3",
             "dir",
         ];
-        let wanted = read_arguments(&typed.map(str::to_owned)).unwrap().unwrap();
+        let wanted = read_arguments(&raw_args.map(str::to_owned))
+            .unwrap()
+            .unwrap();
         assert_eq!(wanted.names, ["a.pov", "dir"]);
         assert_eq!(wanted.switches, ["+W320", "+H240", "Declare=A=1", "-J"]);
         assert_eq!(

@@ -1,4 +1,4 @@
-//! `povr completions`: what a shell needs to complete command lines, POV-Ray's switches included.
+//! `povr completions`: shell scripts that complete command lines, POV-Ray's switches included.
 
 use std::process::ExitCode;
 
@@ -17,7 +17,7 @@ pub(super) const COMMAND: Command = Command {
     name: "completions",
     about: "print what a shell needs to complete command lines",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Prints what a shell needs to complete command lines of povr.
@@ -29,7 +29,7 @@ bash: povr completions bash > ~/.local/share/bash-completion/completions/povr
 zsh:  povr completions zsh > a folder of $fpath, as _povr
 fish: povr completions fish > ~/.config/fish/completions/povr.fish"
 )]
-struct Face {
+struct CommandOptions {
     /// The shell
     #[arg(value_enum)]
     shell: Shell,
@@ -37,14 +37,14 @@ struct Face {
 
 fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr completions".to_owned());
-    match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
-        Ok(face) => put(&script(face.shell)),
-        Err(said) => say(long_options::printed::<Face>(&said)?.trim_end()),
+    match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(options) => put(&script(options.shell)),
+        Err(said) => say(long_options::printed::<CommandOptions>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// The script: clap's, and behind it POV-Ray's switches, of which clap knows nothing.
+/// The script: clap's, followed by POV-Ray's switches, which clap does not know.
 fn script(shell: Shell) -> String {
     let mut bytes = Vec::new();
     clap_complete::generate(shell, &mut long_options::everything(), "povr", &mut bytes);

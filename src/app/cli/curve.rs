@@ -1,4 +1,4 @@
-//! `povr curve`: draws a scene with many settings and reports error against run time.
+//! `povr curve`: renders a scene with many settings and reports error against run time.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::IsTerminal;
@@ -22,7 +22,7 @@ pub(super) const COMMAND: Command = Command {
     name: "curve",
     about: "draw with many settings: error against run time",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Draws a scene with many settings and reports error against run time.
@@ -35,7 +35,7 @@ POV-Ray's switches and ini files count, but for those of antialiasing: +W320 +H2
 Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, the pictures, and the \
 truth that they are measured against. Run again, it measures only what is missing."
 )]
-struct Face {
+struct CommandOptions {
     /// Folder for all files [default: SCENE-curve]
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
@@ -56,10 +56,10 @@ struct Face {
     fresh: bool,
 }
 
-/// How often each setting is drawn unless somebody chooses.
+/// Default number of renderings for each setting.
 const RUNS: u16 = 3;
 
-/// What was asked for beside the switches of drawing.
+/// The options beside the render switches.
 #[derive(Debug, Default)]
 struct Wanted {
     out: Option<PathBuf>,
@@ -70,7 +70,7 @@ struct Wanted {
     is_fresh: bool,
 }
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
     let (wanted, rest) = match read_arguments(arguments)? {
         Ok(read) => read,
         Err(help) => {
@@ -78,7 +78,7 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request_of("povr curve", &rest, around)? {
+    let settings = match request_of("povr curve", &rest, environment)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
@@ -90,14 +90,14 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
             "a curve is drawn of a file, not of standard input",
         ));
     };
-    let sweep = sweep(&wanted, &settings, file, around)?;
+    let sweep = sweep(&wanted, &settings, file, environment)?;
     if wanted.is_fresh && sweep.folder.is_dir() {
-        // What is not there need not go.
+        // Missing files need not be removed.
         let _ = std::fs::remove_file(sweep.folder.join("curve.json"));
         let _ = std::fs::remove_file(sweep.folder.join("truth.json"));
     }
     let report = measured(&sweep, &settings, file)?;
-    if !settings.talk.quiet {
+    if !settings.verbosity.quiet {
         say(summary(&report, &sweep.folder));
     }
     Ok(ExitCode::SUCCESS)
@@ -123,7 +123,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             .contains(&name)
         });
         let length = if is_own {
-            long_options::length::<Face>(rest)
+            long_options::length::<CommandOptions>(rest)
         } else {
             0
         };
@@ -133,28 +133,28 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match long_options::parse::<Face>(option) {
-            Ok(face) => {
-                wanted.out = face.out.or(wanted.out);
-                wanted.settings = face.settings.or(wanted.settings);
-                wanted.has_povray |= face.povray;
-                wanted.runs = face.runs.or(wanted.runs);
-                wanted.truth = face.truth.or(wanted.truth);
-                wanted.is_fresh |= face.fresh;
+        match long_options::parse::<CommandOptions>(option) {
+            Ok(options) => {
+                wanted.out = options.out.or(wanted.out);
+                wanted.settings = options.settings.or(wanted.settings);
+                wanted.has_povray |= options.povray;
+                wanted.runs = options.runs.or(wanted.runs);
+                wanted.truth = options.truth.or(wanted.truth);
+                wanted.is_fresh |= options.fresh;
             }
-            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
         }
         rest = behind;
     }
     Ok(Ok((wanted, others)))
 }
 
-/// What is to be measured.
+/// The measurements to make.
 fn sweep(
     wanted: &Wanted,
     settings: &Settings,
     file: &Path,
-    around: &Environment,
+    environment: &Environment,
 ) -> Result<Sweep, CliError> {
     let list = match &wanted.settings {
         Some(list) => list.split(';').map(str::trim).map(str::to_owned).collect(),
@@ -165,7 +165,7 @@ fn sweep(
     };
     let mut chosen = Vec::new();
     for switches in list.iter().filter(|switches| !switches.is_empty()) {
-        let setting = setting(switches, file, around)?;
+        let setting = setting(switches, file, environment)?;
         let is_known = !matches!(setting.sampling, Sampling::Converging(_));
         let theirs = Setting {
             family: Family::PovRay,
@@ -206,11 +206,11 @@ fn sweep(
     })
 }
 
-/// A setting by its switches, which are read as those of drawing are.
-fn setting(switches: &str, file: &Path, around: &Environment) -> Result<Setting, CliError> {
+/// Parses the switches of a setting like those of a rendering.
+fn setting(switches: &str, file: &Path, environment: &Environment) -> Result<Setting, CliError> {
     let mut arguments: Vec<String> = switches.split_whitespace().map(str::to_owned).collect();
     arguments.push(format!("+I{}", file.display()));
-    let Request::Draw(settings) = request(&arguments, around)? else {
+    let Request::Draw(settings) = request(&arguments, environment)? else {
         return Err(CliError::new(format!("`{switches}` is no setting"))
             .with_hint("write switches of antialiasing, like `--error 1` or `+A0.3 +AM2 +R3`"));
     };
@@ -228,7 +228,7 @@ fn setting(switches: &str, file: &Path, around: &Environment) -> Result<Setting,
 
 /// Measures, with a bar on a terminal and a line for each setting elsewhere.
 fn measured(sweep: &Sweep, settings: &Settings, file: &Path) -> Result<Report, CliError> {
-    let mut reporter = Reporter::new(settings.talk.format, Stream::Err);
+    let mut reporter = Reporter::new(settings.verbosity.format, Stream::Err);
     reporter.warns = false;
     reporter.debugs = false;
     let input = Input::File(file.to_owned());
@@ -238,13 +238,13 @@ fn measured(sweep: &Sweep, settings: &Settings, file: &Path) -> Result<Report, C
             threads: Some(sweep.povray.threads),
             ..settings.render.clone()
         };
-        let heard = |event: Event<'_>| reporter.hear(event);
-        match crate::draw(&input, &settings.read, &render, &heard) {
+        let listen = |event: Event<'_>| reporter.report(event);
+        match crate::draw(&input, &settings.read, &render, &listen) {
             Ok(picture) => Ok(Drawn::of(&picture)),
             Err(_) => Err(CurveError::new("the scene cannot be drawn")),
         }
     };
-    let is_quiet = settings.talk.quiet;
+    let is_quiet = settings.verbosity.quiet;
     let bar = (!is_quiet && std::io::stderr().is_terminal()).then(|| {
         let bar = ProgressBar::new(sweep.settings.len() as u64 + 1);
         let style = ProgressStyle::with_template("{bar:30} {pos}/{len}  {elapsed}  {msg}");
@@ -272,7 +272,7 @@ fn measured(sweep: &Sweep, settings: &Settings, file: &Path) -> Result<Report, C
     })
 }
 
-/// The table for people, and where the page is.
+/// The table for people, and the path of the page.
 fn summary(report: &Report, folder: &Path) -> String {
     let mut text = format!(
         "{:<34} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8}\n",

@@ -1,4 +1,4 @@
-//! The command without a name: draws a scene as POV-Ray would, by POV-Ray's switches and ini files.
+//! The default command: renders a scene as POV-Ray would, by POV-Ray's switches and ini files.
 
 pub(super) mod animate;
 pub(super) mod console;
@@ -32,7 +32,7 @@ use super::draw::streams::Files;
 use super::options::long_options;
 use super::options::long_options::LongOptions;
 use super::options::settings;
-use super::options::settings::{Scene, Settings, Talk};
+use super::options::settings::{Scene, Settings, Verbosity};
 
 use crate::base::options::{
     AdaptiveOutcome, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
@@ -41,24 +41,24 @@ use crate::base::options::{
 use crate::base::source::MAX_FILE_BYTES;
 use crate::output::{self, OutputError};
 
-/// Draws a scene: what the stages do together.
+/// Renders a scene with all stages.
 pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &EventHandler<'_>) -> Result<Picture, Failure>
     + Sync
     + 'a;
 
-/// What a command line asks for.
+/// A request on the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// To draw.
+    /// Render a scene.
     Draw(Box<Settings>),
-    /// To print a text: help, or the version.
+    /// Print a text: help, or the version.
     Print(String),
 }
 
-/// Does what the arguments ask for. Every message goes to standard error; standard output takes the picture, if that
-/// is where it is to go, and nothing else.
-pub(super) fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
-    match request(arguments, around)? {
+/// Executes the command line. Every message goes to standard error; standard output receives the picture, if requested,
+/// and nothing else.
+pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
+    match request(arguments, environment)? {
         Request::Print(text) => {
             say(text.trim_end());
             Ok(ExitCode::SUCCESS)
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &[String], around: &Environment) -> Result<ExitCode
                 None => {
                     unfinished::keep(&mut settings);
                     carry_out(&settings, &|input, read, render, listen| {
-                        interrupt::heed(&render.stop);
+                        interrupt::cancel_on_signals(&render.stop);
                         crate::draw(input, read, render, listen)
                     })
                 }
@@ -80,28 +80,28 @@ pub(super) fn run(arguments: &[String], around: &Environment) -> Result<ExitCode
     }
 }
 
-/// What the arguments, without the program's own name, ask for.
+/// Parses the arguments, without the program's own name.
 ///
 /// # Errors
-/// When an option is unknown, has no sense, or asks for what is not built; when a named file is not there.
-pub fn request(arguments: &[String], around: &Environment) -> Result<Request, CliError> {
-    request_of("povr", arguments, around)
+/// When an option is unknown, malformed, or requests a feature that is not built; when a named file is missing.
+pub fn request(arguments: &[String], environment: &Environment) -> Result<Request, CliError> {
+    request_of("povr", arguments, environment)
 }
 
-/// The same for a command that draws, which remedies name.
+/// The same for another command that renders; hints name it.
 pub(super) fn request_of(
     command: &str,
     arguments: &[String],
-    around: &Environment,
+    environment: &Environment,
 ) -> Result<Request, CliError> {
-    let standard_folders: Vec<PathBuf> = around.standard_folders()?;
-    let mut typed = around.typed(&standard_folders)?;
-    let mut reader = Reader::new(&mut typed, &standard_folders);
+    let standard_folders: Vec<PathBuf> = environment.standard_folders()?;
+    let mut raw_args = environment.raw_args(&standard_folders)?;
+    let mut reader = Reader::new(&mut raw_args, &standard_folders);
     let mut rest = arguments;
     while let Some((first, others)) = rest.split_first() {
         if first == "--" {
             if let Some(scene) = others.last() {
-                reader.typed.scene = Some(scene.clone());
+                reader.raw_args.scene = Some(scene.clone());
             }
             break;
         }
@@ -109,8 +109,8 @@ pub(super) fn request_of(
         if modern > 0 {
             let (option, others) = rest.split_at(modern);
             match long_options::parse::<LongOptions>(option) {
-                Ok(given) => given.set(reader.typed),
-                Err(said) if said.kind() == DisplayVersion && around.is_povray => {
+                Ok(given) => given.set(reader.raw_args),
+                Err(said) if said.kind() == DisplayVersion && environment.is_povray => {
                     return Ok(Request::Print(console::version()));
                 }
                 Err(said) => {
@@ -125,16 +125,16 @@ pub(super) fn request_of(
             rest = others;
         }
     }
-    let settings = settings::settle(typed, &standard_folders, around, command)?;
+    let settings = settings::settle(raw_args, &standard_folders, environment, command)?;
     Ok(Request::Draw(Box::new(settings)))
 }
 
-/// Draws and writes.
+/// Renders and writes.
 ///
 /// # Errors
-/// When the scene cannot be had, or the picture cannot be written. What is wrong with a faulty scene has been said.
+/// When the scene cannot be read, or the picture cannot be written. Errors in the scene have already been reported.
 pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
-    let talk = settings.talk;
+    let verbosity = settings.verbosity;
     let started = Instant::now();
     let input = settings.scene.input()?;
     let render = RenderOptions {
@@ -144,18 +144,18 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let mut reporter = reporter(settings);
     reporter.files = Files::create(&settings.streams)?;
     reporter.files.begin(settings);
-    let console = Console::new(talk);
+    let console = Console::new(verbosity);
     console.begin(settings);
     console.parsing();
-    let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
-    let kept = AtomicU64::new(0);
+    let progress = Progress::new(progress_kind(verbosity), pixels(&settings.render));
+    let resumable = AtomicU64::new(0);
     let drawn = draw(&input, &settings.read, &render, &|event| match event {
-        Event::Kept(pixels) => kept.store(pixels, Ordering::Relaxed),
-        // What comes of stopping: tiles that are left out count as drawn, and the end is a failure.
+        Event::Kept(pixels) => resumable.store(pixels, Ordering::Relaxed),
+        // Consequences of a cancellation: skipped tiles count as rendered, and the end is a failure.
         _ if render.stop.is_asked() => {}
         Event::Drawn(pixels) => progress.advance(pixels),
         event => {
-            reporter.hear(event);
+            reporter.report(event);
             if matches!(event, Event::Read { .. }) && reporter.counts().errors == 0 {
                 console.rendering(settings, Some(started.elapsed()));
             }
@@ -165,7 +165,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let counts = reporter.take_counts();
     let Ok(picture) = drawn else {
         if render.stop.is_asked() {
-            interrupt::tell(settings, kept.into_inner(), pixels(&settings.render));
+            interrupt::report_cancelled(settings, resumable.into_inner(), pixels(&settings.render));
             console.cancelled();
             return Ok(ExitCode::from(interrupt::INTERRUPTED));
         }
@@ -173,8 +173,8 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         console.failed();
         return Ok(ExitCode::FAILURE);
     };
-    if let Some(reached) = picture.statistics.reached.filter(|_| !talk.quiet) {
-        say(told(&reached, pixels(&settings.render)));
+    if let Some(reached) = picture.statistics.reached.filter(|_| !verbosity.quiet) {
+        say(error_reached(&reached, pixels(&settings.render)));
     }
     if let Some((target, options)) = &settings.output {
         let options = output::EncodeOptions {
@@ -184,36 +184,36 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         let write = || output::write(&picture.film, target, &options);
         let mut written = write();
         if written.as_ref().is_err_and(OutputError::lacks_room) {
-            // What was kept of the drawing takes the room that its picture needs.
+            // The checkpoint takes the disk space that its picture needs.
             unfinished::forget(settings);
             written = write();
         }
         written.map_err(refused)?;
         unfinished::forget(settings);
     }
-    done::tell(settings, started.elapsed());
-    tell_statistics(&picture.statistics, talk, &reporter);
+    done::report(settings, started.elapsed());
+    report_statistics(&picture.statistics, verbosity, &reporter);
     console.drawn(settings, &picture.statistics);
     console.finished();
     Ok(ExitCode::SUCCESS)
 }
 
-/// Who tells of the scene, once it has told of the command line.
+/// A reporter for the scene, after it has reported the warnings about the command line.
 pub(super) fn reporter(settings: &Settings) -> Reporter {
-    let talk = settings.talk;
-    let mut reporter = Reporter::new(talk.format, Stream::Err);
-    reporter.warns = talk.warnings && !talk.quiet;
-    reporter.debugs = talk.debugs && !talk.quiet;
+    let verbosity = settings.verbosity;
+    let mut reporter = Reporter::new(verbosity.format, Stream::Err);
+    reporter.warns = verbosity.warnings && !verbosity.quiet;
+    reporter.debugs = verbosity.debugs && !verbosity.quiet;
     if reporter.warns {
         settings.warnings.iter().for_each(say);
     }
-    if talk.verbose && !talk.quiet {
+    if verbosity.verbose && !verbosity.quiet {
         settings.notes.iter().for_each(say);
     }
     reporter
 }
 
-/// A refusal to write, as this program says it.
+/// Converts an error of the output module.
 pub(super) fn refused(refused: output::OutputError) -> CliError {
     let error = CliError::new(refused.to_string());
     match refused.hint() {
@@ -222,21 +222,25 @@ pub(super) fn refused(refused: output::OutputError) -> CliError {
     }
 }
 
-/// What `--stats` and `--json` ask for.
-pub(super) fn tell_statistics(statistics: &Statistics, talk: Talk, reporter: &Reporter) {
+/// Prints statistics for `--stats` and `--json`.
+pub(super) fn report_statistics(
+    statistics: &Statistics,
+    verbosity: Verbosity,
+    reporter: &Reporter,
+) {
     reporter
         .files
         .write(streams::Stream::Statistics, &statistics.to_string());
-    if talk.stats {
+    if verbosity.stats {
         say(statistics.to_string().trim_end());
     }
-    if talk.json {
+    if verbosity.json {
         reporter.json(&Line::Statistics(statistics));
     }
 }
 
 impl Scene {
-    /// The scene as reading takes it; standard input is read to its end.
+    /// The input for reading; standard input is read to its end.
     pub(super) fn input(&self) -> Result<Input, CliError> {
         let Scene::File(path) = self else {
             let mut text = Vec::new();
@@ -257,8 +261,8 @@ impl Scene {
     }
 }
 
-/// What a picture that was sampled until its error is small came to.
-pub(super) fn told(reached: &AdaptiveOutcome, pixels: u64) -> String {
+/// The message about the error reached with adaptive sampling.
+pub(super) fn error_reached(reached: &AdaptiveOutcome, pixels: u64) -> String {
     #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
     let samples = reached.samples as f64 / pixels.max(1) as f64;
     let AdaptiveOutcome {
@@ -280,14 +284,14 @@ pub(super) fn told(reached: &AdaptiveOutcome, pixels: u64) -> String {
     )
 }
 
-pub(super) fn progress_kind(talk: Talk) -> ProgressKind {
-    if talk.is_povray && !talk.is_silent {
+pub(super) fn progress_kind(verbosity: Verbosity) -> ProgressKind {
+    if verbosity.is_povray && !verbosity.is_silent {
         ProgressKind::Lines
-    } else if talk.quiet || talk.format == MessageFormat::Json {
+    } else if verbosity.quiet || verbosity.format == MessageFormat::Json {
         ProgressKind::Nothing
-    } else if talk.is_terminal {
+    } else if verbosity.is_terminal {
         ProgressKind::Bar
-    } else if talk.verbose {
+    } else if verbosity.verbose {
         ProgressKind::Lines
     } else {
         ProgressKind::Nothing

@@ -15,34 +15,34 @@ pub(super) const COMMAND: Command = Command {
     name: "help",
     about: "print this text, or that of a command",
     run,
-    face: <Face as CommandFactory>::command,
+    options: <CommandOptions as CommandFactory>::command,
 };
 
 /// Prints what povr, or one of its commands, can do.
 #[derive(Debug, Parser)]
 #[command(name = "povr help")]
-struct Face {
+struct CommandOptions {
     /// The command; without one the text is that of povr itself
     command: Option<String>,
 }
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr help".to_owned());
-    let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
-        Ok(face) => face,
+    let options = match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(options) => options,
         Err(said) => {
-            say(long_options::printed::<Face>(&said)?.trim_end());
+            say(long_options::printed::<CommandOptions>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };
     let help = ["--help".to_owned()];
-    match face.command {
-        None => draw::run(&help, around),
-        Some(name) => (named(&name)?.run)(&help, around),
+    match options.command {
+        None => draw::run(&help, environment),
+        Some(name) => (named(&name)?.run)(&help, environment),
     }
 }
 
-/// The command of a name.
+/// The command with a name.
 ///
 /// # Errors
 /// When there is none.

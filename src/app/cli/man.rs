@@ -1,4 +1,4 @@
-//! `povr man`: the manual page, made of the lists from which the program reads its options.
+//! `povr man`: the manual page, generated from the lists of options that the program itself uses.
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -17,7 +17,7 @@ pub(super) const COMMAND: Command = Command {
     name: "man",
     about: "print the manual page, or that of a command",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Prints the manual page of povr, or of one of its commands.
@@ -26,21 +26,21 @@ pub(super) const COMMAND: Command = Command {
     name = "povr man",
     after_help = "`povr man | man -l -` shows it; `povr man > ~/.local/share/man/man1/povr.1` installs it."
 )]
-struct Face {
+struct CommandOptions {
     /// The command; without one the page is that of povr itself
     command: Option<String>,
 }
 
 fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr man".to_owned());
-    match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
-        Ok(face) => put(&page(face.command.as_deref())?),
-        Err(said) => say(long_options::printed::<Face>(&said)?.trim_end()),
+    match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(options) => put(&page(options.command.as_deref())?),
+        Err(said) => say(long_options::printed::<CommandOptions>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes what a command is for. A reader that has gone away is no reason to fail.
+/// Prints the output of a command. A closed pipe is no reason to fail.
 pub(super) fn put(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }
@@ -50,8 +50,8 @@ fn page(command: Option<&str>) -> Result<String, CliError> {
     let made = match command {
         None => whole(&mut bytes),
         Some(name) => {
-            let face = (help::named(name)?.face)();
-            Man::new(face.version(env!("CARGO_PKG_VERSION"))).render(&mut bytes)
+            let options = (help::named(name)?.options)();
+            Man::new(options.version(env!("CARGO_PKG_VERSION"))).render(&mut bytes)
         }
     };
     made.map_err(|error| CliError::new(format!("cannot make the page: {error}")))?;
@@ -144,7 +144,7 @@ mod tests {
     fn every_command_has_a_page() {
         for command in COMMANDS {
             let text = page(Some(command.name)).unwrap().replace("\\-", "-");
-            for argument in (command.face)().get_arguments() {
+            for argument in (command.options)().get_arguments() {
                 if let Some(long) = argument.get_long() {
                     assert!(
                         text.contains(&format!("--{long}")),

@@ -1,9 +1,9 @@
 //! The command line: POV-Ray's switches and ini files, a few long options beside them, and commands by name.
 //!
-//! `povr scene.pov +W320 ...` draws, as `povray` would. `povr NAME ...` is the command of that name in `COMMANDS`: one
-//! file each. What was typed goes into `Typed` option by option, later ones winning; `settings` decides what that means.
-//! Arguments that begin with `--`, and `-o`, are read by clap; all others as POV-Ray reads them. Both kinds may be mixed.
-//! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
+//! `povr scene.pov +W320 ...` renders, as `povray` would. `povr NAME ...` runs the command of that name in `COMMANDS`:
+//! one file each. Options are collected in `RawArgs`, later ones winning; `settings` interprets them. Arguments that
+//! begin with `--`, and `-o`, are parsed by clap; all others as in POV-Ray. Both kinds may be mixed. Exit codes:
+//! POV-Ray's 0 and 1 for rendering; commands end with 2 when the command line itself is wrong.
 
 mod batch;
 mod check;
@@ -23,7 +23,7 @@ pub use draw::report::MessageFormat;
 pub use draw::{Request, request};
 pub use options::environment::Environment;
 pub use options::error::CliError;
-pub use options::settings::{Scene, Settings, Talk};
+pub use options::settings::{Scene, Settings, Verbosity};
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -34,17 +34,17 @@ use draw::report::say;
 struct Command {
     /// The first argument.
     name: &'static str,
-    /// What it does, in a line of `--help`.
+    /// A one-line description for `--help`.
     about: &'static str,
-    /// Does it, with the arguments behind the name.
+    /// Runs it with the arguments after the name.
     run: Run,
     /// Its options.
-    face: fn() -> clap::Command,
+    options: fn() -> clap::Command,
 }
 
 type Run = fn(&[String], &Environment) -> Result<ExitCode, CliError>;
 
-/// The commands beside drawing.
+/// The commands beside rendering.
 const COMMANDS: &[Command] = &[
     batch::COMMAND,
     check::COMMAND,
@@ -57,23 +57,23 @@ const COMMANDS: &[Command] = &[
     watch::COMMAND,
 ];
 
-/// The exit code of a command that could not begin.
+/// The exit code of a command that could not start.
 const MISUSED: u8 = 2;
 
-/// Does what the arguments ask for, of which the first is the name by which the program was called. By the name `povray`
-/// it has no commands, and writes to standard error what POV-Ray writes there.
+/// Executes the arguments, the first of which is the name by which the program was called. By the name `povray` it has
+/// no commands, and its standard error has POV-Ray's format.
 pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     draw::limits::outlive_file_limit();
     let mut arguments = arguments.into_iter();
     let program = arguments.next().unwrap_or_default();
     let arguments: Vec<String> = arguments.collect();
-    let around = Environment {
+    let environment = Environment {
         is_povray: is_povray(&program),
         ..Environment::of_this_process()
     };
-    let (done, refused) = match named(&arguments).filter(|_| !around.is_povray) {
-        Some((command, rest)) => ((command.run)(rest, &around), ExitCode::from(MISUSED)),
-        None => (draw::run(&arguments, &around), ExitCode::FAILURE),
+    let (done, refused) = match named(&arguments).filter(|_| !environment.is_povray) {
+        Some((command, rest)) => ((command.run)(rest, &environment), ExitCode::from(MISUSED)),
+        None => (draw::run(&arguments, &environment), ExitCode::FAILURE),
     };
     done.unwrap_or_else(|refusal| {
         say(format_args!("povr: {refusal}"));
@@ -81,13 +81,13 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     })
 }
 
-/// Returns true if a program of this path is called as POV-Ray is.
+/// True if the program at this path is called as POV-Ray is.
 fn is_povray(program: &str) -> bool {
     let name = Path::new(program).file_stem();
     name.is_some_and(|name| name.eq_ignore_ascii_case("povray"))
 }
 
-/// The command that the first argument names, and the arguments behind it. A file of that name is `./check`.
+/// The command named by the first argument, and the arguments after it. A file of that name is `./check`.
 fn named(arguments: &[String]) -> Option<(&'static Command, &[String])> {
     let (name, rest) = arguments.split_first()?;
     let command = COMMANDS.iter().find(|command| command.name == name)?;

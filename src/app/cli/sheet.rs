@@ -1,7 +1,7 @@
-//! `povr sheet`: draws a shape under all transforms, each in a scene and a picture of its own, with a contact sheet as a
-//! picture and as a page; where POV-Ray is installed every picture is compared with its own.
+//! `povr sheet`: renders a shape under all transforms, each as a scene and a picture, with a contact sheet as a picture
+//! and as a page. Where POV-Ray is installed every picture is compared with POV-Ray's.
 //!
-//! Exit code 0: all pictures are there and agree; 1: some do not; 2: the command line is at fault.
+//! Exit code 0: all pictures are there and agree; 1: some do not; 2: the command line is wrong.
 
 mod contact;
 mod judge;
@@ -32,7 +32,7 @@ pub(super) const COMMAND: Command = Command {
     name: "sheet",
     about: "draw a shape under all transforms, with a contact sheet",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Draws a shape under all transforms and makes contact sheets.
@@ -44,7 +44,7 @@ In DIR a folder for each shape gets a scene and a picture for each transform, `o
 `sheet.png` and `sheet.html`. x is blue, y is yellow, z is red.
 Exit code 0: all pictures agree with POV-Ray's, or it is not installed; 1: some do not; 2: the command line is at fault."
 )]
-struct Face {
+struct CommandOptions {
     /// A primitive or combination by its word, `all`, or a file with an object or the declaration of one
     shape: String,
     /// Size of each picture in pixels
@@ -67,44 +67,44 @@ struct Face {
 /// A picture of a sheet.
 struct Entry {
     folder: PathBuf,
-    /// Of its files, without ending.
+    /// The name of its files, without ending.
     name: String,
-    /// The transform as a scene writes it.
+    /// The transform in the scene language.
     text: String,
     verdict: Verdict,
 }
 
-/// The scene of all transforms, which is larger than the others by this.
+/// The scene of all transforms, and the factor by which it is larger than the others.
 const OVERVIEW: (&str, u32) = ("overview", 2);
-/// POV-Ray spends most of the time of a small picture asleep, so many run at once on each processor.
+/// Pictures at once for each processor: POV-Ray spends most of the time of a small picture asleep.
 const AT_ONCE: usize = 8;
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr sheet".to_owned());
-    let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
-        Ok(face) => face,
+    let options = match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(options) => options,
         Err(said) => {
-            say(long_options::printed::<Face>(&said)?.trim_end());
+            say(long_options::printed::<CommandOptions>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let subjects = subjects(&face)?;
-    let judge = (!face.alone).then(Comparer::find).flatten();
-    if judge.is_none() && !face.alone {
+    let subjects = subjects(&options)?;
+    let comparer = (!options.alone).then(Comparer::find).flatten();
+    if comparer.is_none() && !options.alone {
         say("povr: POV-Ray is not installed, so nothing is compared");
     }
     let mut pictures = Vec::new();
     for subject in &subjects {
-        pictures.extend(drawn(&face, subject, around)?);
+        pictures.extend(drawn(&options, subject, environment)?);
     }
-    let entries = judged(pictures, judge.as_ref())?;
+    let entries = compared(pictures, comparer.as_ref())?;
     let mut sheets = Vec::new();
     let mut wrong = 0;
     for (subject, entries) in subjects
         .iter()
         .zip(entries.chunk_by(|a, b| a.folder == b.folder))
     {
-        let folder = face.output.join(&subject.name);
+        let folder = options.output.join(&subject.name);
         let differing: Vec<&Entry> = entries
             .iter()
             .filter(|one| one.verdict.is_wrong())
@@ -122,11 +122,11 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
             entries.len(),
             differing.len()
         ));
-        contact::write(&folder, &subject.name, entries, face.size.0)?;
+        contact::write(&folder, &subject.name, entries, options.size.0)?;
         sheets.push(subject.name.clone());
     }
     if sheets.len() > 1 {
-        contact::write_index(&face.output, &sheets)?;
+        contact::write_index(&options.output, &sheets)?;
     }
     Ok(if wrong == 0 {
         ExitCode::SUCCESS
@@ -135,11 +135,11 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
     })
 }
 
-/// The shapes that are asked for.
-fn subjects(face: &Face) -> Result<Vec<Subject>, CliError> {
+/// The requested shapes.
+fn subjects(options: &CommandOptions) -> Result<Vec<Subject>, CliError> {
     let known: Vec<Subject> = SHAPES
         .iter()
-        .filter(|sample| face.shape == "all" || face.shape == sample.name)
+        .filter(|sample| options.shape == "all" || options.shape == sample.name)
         .map(|sample| Subject {
             name: sample.name.to_owned(),
             declaration: format!("#declare Shape = {}\n", sample.text),
@@ -150,12 +150,15 @@ fn subjects(face: &Face) -> Result<Vec<Subject>, CliError> {
         })
         .collect();
     if known.is_empty() {
-        return Ok(vec![own(Path::new(&face.shape), face.object.as_deref())?]);
+        return Ok(vec![own(
+            Path::new(&options.shape),
+            options.object.as_deref(),
+        )?]);
     }
     Ok(known)
 }
 
-/// An object of the user's own. The scenes get a copy of its file, so that their folder is whole.
+/// The user's own object. The scenes get a copy of its file, so that their folder is complete.
 fn own(path: &Path, object: Option<&str>) -> Result<Subject, CliError> {
     let stem = path.file_stem().filter(|_| path.is_file());
     let Some(stem) = stem.and_then(|stem| stem.to_str()) else {
@@ -184,38 +187,42 @@ fn own(path: &Path, object: Option<&str>) -> Result<Subject, CliError> {
     })
 }
 
-/// A picture of a shape, as it is drawn.
+/// A rendered picture of a shape.
 struct Drawn {
     folder: PathBuf,
     of: Move,
     size: Size,
 }
 
-/// Writes and draws all pictures of one shape.
-fn drawn(face: &Face, subject: &Subject, around: &Environment) -> Result<Vec<Drawn>, CliError> {
-    let folder = face.output.join(&subject.name);
+/// Writes and renders all pictures of one shape.
+fn drawn(
+    options: &CommandOptions,
+    subject: &Subject,
+    environment: &Environment,
+) -> Result<Vec<Drawn>, CliError> {
+    let folder = options.output.join(&subject.name);
     make_folder(&folder)?;
     if let Some((name, text)) = &subject.file {
         write(&folder.join(name), text)?;
     }
     let moves = transforms::all();
-    let large = Size(face.size.0 * OVERVIEW.1, face.size.1 * OVERVIEW.1);
+    let large = Size(options.size.0 * OVERVIEW.1, options.size.1 * OVERVIEW.1);
     let overview = Move {
         name: OVERVIEW.0.to_owned(),
         text: "all transforms".to_owned(),
     };
     let mut jobs = vec![(overview, subject.overview(&moves, large), large)];
-    if !face.overview {
+    if !options.overview {
         jobs.extend(moves.into_iter().map(|one| {
-            let text = subject.scene(&one, face.size);
-            (one, text, face.size)
+            let text = subject.scene(&one, options.size);
+            (one, text, options.size)
         }));
     }
     jobs.into_iter()
         .map(|(of, text, size)| {
             let scene = folder.join(format!("{}.pov", of.name));
             write(&scene, &text)?;
-            draw(&scene, size, around)?;
+            draw(&scene, size, environment)?;
             Ok(Drawn {
                 folder: folder.clone(),
                 of,
@@ -226,16 +233,16 @@ fn drawn(face: &Face, subject: &Subject, around: &Environment) -> Result<Vec<Dra
 }
 
 /// Compares pictures with POV-Ray's.
-fn judged(pictures: Vec<Drawn>, judge: Option<&Comparer>) -> Result<Vec<Entry>, CliError> {
+fn compared(pictures: Vec<Drawn>, comparer: Option<&Comparer>) -> Result<Vec<Entry>, CliError> {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let at_once = judge.map_or(1, |_| AT_ONCE * processors);
+    let at_once = comparer.map_or(1, |_| AT_ONCE * processors);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(at_once)
         .build()
         .map_err(|error| CliError::new(format!("no threads to compare with: {error}")))?;
     let entry = |Drawn { folder, of, size }| {
-        let verdict = match judge {
-            Some(judge) => judge.compare(&folder, &of.name, size)?,
+        let verdict = match comparer {
+            Some(comparer) => comparer.compare(&folder, &of.name, size)?,
             None => Verdict::NotCompared,
         };
         Ok(Entry {
@@ -254,8 +261,8 @@ fn judged(pictures: Vec<Drawn>, judge: Option<&Comparer>) -> Result<Vec<Entry>, 
     })
 }
 
-/// Draws a scene beside itself.
-fn draw(scene: &Path, size: Size, around: &Environment) -> Result<(), CliError> {
+/// Renders a scene to a file beside it.
+fn draw(scene: &Path, size: Size, environment: &Environment) -> Result<(), CliError> {
     let arguments = [
         format!("+I{}", scene.display()),
         format!("+O{}", scene.with_extension("png").display()),
@@ -265,7 +272,7 @@ fn draw(scene: &Path, size: Size, around: &Environment) -> Result<(), CliError> 
         "-D".to_owned(),
         "--quiet".to_owned(),
     ];
-    if let Request::Draw(settings) = draw::request(&arguments, around)?
+    if let Request::Draw(settings) = draw::request(&arguments, environment)?
         && draw::carry_out(&settings, &crate::draw)? != ExitCode::SUCCESS
     {
         return Err(CliError::new(format!("cannot draw `{}`", scene.display()))

@@ -49,7 +49,7 @@ fn file_of(settings: &Settings) -> (PathBuf, EncodeOptions) {
     }
 }
 
-/// What a client's call comes to, in short: scene, size, file, type, bits, alpha.
+/// The result of a client's call in short: scene, size, file, type, bits, alpha.
 fn summary(settings: &Settings, folder: &Path) -> String {
     let short = |path: &Path| {
         let inside = path.strip_prefix(folder).unwrap_or(path);
@@ -329,7 +329,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
 }
 
 #[test]
-fn a_wish_for_what_is_not_built_can_be_taken_back() {
+fn a_request_for_an_unbuilt_feature_can_be_withdrawn() {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
     settings(&[&scene, "+UF", "+UO", "-UO", "-UF"]);
@@ -418,17 +418,17 @@ fn the_system_gives_folders_and_the_user_settings() {
         ("user.ini", "Width=33\nLibrary_Path=/mine\n"),
         ("s.pov", ""),
     ]);
-    let around = Environment {
+    let environment = Environment {
         system_ini: Some(here.path().join("system.ini")),
         user_ini: Some(here.path().join("user.ini")),
         ..Environment::default()
     };
     let scene = here.path().join("s.pov").display().to_string();
-    let Ok(Request::Draw(settings)) = request(&[scene, "+La".to_owned()], &around) else {
+    let Ok(Request::Draw(settings)) = request(&[scene, "+La".to_owned()], &environment) else {
         panic!("a scene is named");
     };
     assert_eq!(settings.read.width, 33);
-    assert!(!settings.talk.verbose);
+    assert!(!settings.verbosity.verbose);
     assert_eq!(
         settings.read.library_paths,
         ["/mine", "a", "/lib"].map(PathBuf::from)
@@ -461,7 +461,7 @@ fn a_scene_behind_two_dashes_may_have_any_name() {
 }
 
 #[test]
-fn the_output_named_in_the_modern_way_is_that_very_file() {
+fn the_output_of_the_short_option_is_that_very_file() {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
     let at = here.path().to_str().unwrap();
@@ -477,9 +477,9 @@ fn the_output_named_in_the_modern_way_is_that_very_file() {
         (vec!["-o", "q.png", "-F"], "nowhere"),
     ] {
         let arguments = [arguments, vec![&scene]].concat();
-        let found = summary(&settings(&arguments), here.path());
+        let result = summary(&settings(&arguments), here.path());
         assert_eq!(
-            found,
+            result,
             format!("s.pov 800x600 > {expected}"),
             "{arguments:?}"
         );
@@ -520,7 +520,7 @@ fn help_and_version_are_texts() {
     }
 }
 
-/// The settings of a scene in a temporary folder, and what carrying them out with a small film says.
+/// The settings of a scene in a temporary folder, and the result of running them with a small film.
 fn carried_out(extra: &[&str], draw: &Draw) -> (tempfile::TempDir, Result<ExitCode, CliError>) {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();

@@ -1,8 +1,8 @@
-//! `povr watch`: draws a scene again whenever it or anything it read, or looked for, changes.
+//! `povr watch`: renders a scene again whenever it or a file that it read, or looked for, changes.
 //!
-//! A picture of a quarter of the side comes first, then the whole one, which is written as drawing writes it. A change in
-//! the middle ends the drawing and begins the next. What is wrong is printed as drawing prints it, and the last good
-//! picture stays where it is.
+//! A preview of a quarter of the side comes first, then the whole picture, which is written as in a normal rendering. A
+//! change in the middle cancels the rendering and starts the next. Errors are printed as in a normal rendering, and the
+//! last good picture stays.
 
 mod files;
 mod page;
@@ -35,7 +35,7 @@ pub(super) const COMMAND: Command = Command {
     name: "watch",
     about: "draw again whenever the scene or its files change",
     run,
-    face: <Face as clap::CommandFactory>::command,
+    options: <CommandOptions as clap::CommandFactory>::command,
 };
 
 /// Draws a scene again whenever it, or a file that it read or looked for, changes.
@@ -48,7 +48,7 @@ All options and switches of drawing count: `povr watch scene.pov +W640 +H480 +A0
 where the terminal can draw (kitty, iTerm, sixel; elsewhere with half characters), and with --serve on a page that only \
 this machine can see; no browser is opened. Ctrl-C ends it."
 )]
-struct Face {
+struct CommandOptions {
     /// Serve a live page on localhost and print its address
     #[arg(long)]
     serve: bool,
@@ -63,14 +63,14 @@ struct Face {
     times: Option<u32>,
 }
 
-/// Where the system tells of no changes, files are looked at so often.
+/// Polling interval for file systems that report no changes.
 const LOOK: Duration = Duration::from_millis(500);
-/// An editor may write a file in several steps: it is read when nothing has changed for so long,
+/// An editor may write a file in several steps: it is read after this time without changes,
 const CALM: Duration = Duration::from_millis(40);
 /// but no later than this.
 const IMPATIENCE: Duration = Duration::from_secs(1);
 
-/// What was asked for beside the switches of drawing.
+/// The options beside the render switches.
 #[derive(Debug, Default)]
 struct Wanted {
     is_served: bool,
@@ -79,16 +79,16 @@ struct Wanted {
     times: Option<u32>,
 }
 
-/// What the loop waits for.
+/// Events that the loop waits for.
 #[derive(Debug)]
-enum Happened {
+enum WatchEvent {
     /// Something in a watched folder.
     Change,
-    /// The drawing has come to its end.
+    /// The rendering has ended.
     End,
 }
 
-fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
     let (wanted, rest) = match read_arguments(arguments)? {
         Ok(read) => read,
         Err(help) => {
@@ -96,7 +96,7 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request_of("povr watch", &rest, around)? {
+    let settings = match request_of("povr watch", &rest, environment)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
@@ -114,7 +114,7 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
     if wanted.is_served || wanted.port.is_some() {
         serve(&wanted, &shown, &file.display().to_string())?;
     }
-    let (tell, hear) = mpsc::channel();
+    let (sender, receiver) = mpsc::channel();
     let painter = Painter {
         input: Input::File(file.clone()),
         reporter: reporter(&settings),
@@ -124,9 +124,9 @@ fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError>
     };
     let mut watch = Watch {
         painter,
-        tell: tell.clone(),
-        hear,
-        watched: Watched::new(move || drop(tell.send(Happened::Change))),
+        sender: sender.clone(),
+        receiver,
+        watched: Watched::new(move || drop(sender.send(WatchEvent::Change))),
         known: Known::of([file], SystemTime::now()),
     };
     let mut left = wanted.times;
@@ -156,7 +156,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
     while let Some((first, behind)) = rest.split_first() {
         let name = first.split('=').next().unwrap_or_default();
         let length = match OWN.contains(&name) {
-            true => long_options::length::<Face>(rest),
+            true => long_options::length::<CommandOptions>(rest),
             false => 0,
         };
         if length == 0 {
@@ -165,21 +165,21 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match long_options::parse::<Face>(option) {
-            Ok(face) => {
-                wanted.is_served |= face.serve;
-                wanted.port = face.port.or(wanted.port);
-                wanted.is_silent |= face.no_terminal;
-                wanted.times = face.times.or(wanted.times);
+        match long_options::parse::<CommandOptions>(option) {
+            Ok(options) => {
+                wanted.is_served |= options.serve;
+                wanted.port = options.port.or(wanted.port);
+                wanted.is_silent |= options.no_terminal;
+                wanted.times = options.times.or(wanted.times);
             }
-            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
         }
         rest = behind;
     }
     Ok(Ok((wanted, others)))
 }
 
-/// Opens the page, on this machine only.
+/// Serves the page, on this machine only.
 fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliError> {
     let port = wanted.port.unwrap_or(0);
     let cannot = |error: std::io::Error| {
@@ -192,39 +192,39 @@ fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliErro
     page::serve(listener, Arc::clone(shown), title.to_owned()).map_err(cannot)
 }
 
-/// A scene that is watched.
+/// A watched scene.
 struct Watch {
     painter: Painter,
-    tell: Sender<Happened>,
-    hear: Receiver<Happened>,
+    sender: Sender<WatchEvent>,
+    receiver: Receiver<WatchEvent>,
     watched: Watched,
     /// The files that the picture depends on.
     known: Known,
 }
 
 impl Watch {
-    /// Draws, again and again until nothing changes meanwhile.
+    /// Renders again and again until nothing changes meanwhile.
     fn draw(&mut self) {
-        while !self.drawn_in_peace() {
-            self.calm_down();
+        while !self.render_once() {
+            self.wait_until_stable();
         }
     }
 
     /// Waits for a change.
     fn wait(&mut self) {
         while self.known.changed().is_none() {
-            // Whatever ends the waiting, the files are looked at.
-            let _ = self.hear.recv_timeout(LOOK);
+            // Whatever ends the wait, the files are checked.
+            let _ = self.receiver.recv_timeout(LOOK);
         }
-        self.calm_down();
+        self.wait_until_stable();
     }
 
-    /// Waits until nothing changes any more, and says what has changed.
-    fn calm_down(&mut self) {
+    /// Waits until nothing changes any more, and reports the change.
+    fn wait_until_stable(&mut self) {
         if let Some(file) = self
             .known
             .changed()
-            .filter(|_| !self.painter.settings.talk.quiet)
+            .filter(|_| !self.painter.settings.verbosity.quiet)
         {
             say(format_args!("povr: `{}` has changed", file.display()));
         }
@@ -238,28 +238,28 @@ impl Watch {
             }
             before = now;
         }
-        while self.hear.try_recv().is_ok() {}
+        while self.receiver.try_recv().is_ok() {}
     }
 
-    /// Draws once. `false` if files changed before it was done.
-    fn drawn_in_peace(&mut self) -> bool {
+    /// Renders once. `false` if files changed before it was done.
+    fn render_once(&mut self) -> bool {
         let began = SystemTime::now();
         let stop = CancelToken::default();
         let read: Mutex<Option<Known>> = Mutex::new(None);
         let take = || read.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut is_changed = false;
-        // Until the scene has been read, what counts is what counted before.
+        // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
-        let (painter, tell, hear) = (&self.painter, self.tell.clone(), &self.hear);
+        let (painter, sender, receiver) = (&self.painter, self.sender.clone(), &self.receiver);
         thread::scope(|scope| {
             let (stop, read) = (&stop, &read);
             scope.spawn(move || {
                 painter.draw(stop, began, read);
-                // The loop is there as long as this thread.
-                let _ = tell.send(Happened::End);
+                // The loop runs as long as this thread.
+                let _ = sender.send(WatchEvent::End);
             });
             loop {
-                let happened = hear.recv_timeout(LOOK);
+                let happened = receiver.recv_timeout(LOOK);
                 if let Some(now) = take() {
                     known = now;
                 }
@@ -267,14 +267,14 @@ impl Watch {
                     is_changed = true;
                     stop.ask();
                 }
-                if matches!(happened, Ok(Happened::End)) {
+                if matches!(happened, Ok(WatchEvent::End)) {
                     break;
                 }
             }
         });
         self.watched.watch(&known);
         self.known = known;
-        // The last look: from now on the system tells.
+        // A last check: from now on the system reports changes.
         !is_changed && self.known.changed().is_none()
     }
 }

@@ -1,8 +1,8 @@
-//! A scene and what its comments say about comparing it.
+//! A scene and the comments in it that control its comparison.
 //!
-//! `// size: 320x240`, switches for both renderers, `// switches: +A0.3 +AM2` (several such lines: the scene is drawn
-//! with each), and limits with their reason, `// compare: channel<=2 pixels<=0.5% because "..."`. Switches of a scene can
-//! set nothing but antialiasing, quality, the clock and transparency: a scene from elsewhere shall not name files.
+//! `// size: 320x240`, switches for both renderers, `// switches: +A0.3 +AM2` (several such lines: the scene is
+//! rendered with each), and limits with their reason, `// compare: channel<=2 pixels<=0.5% because "..."`. Switches of
+//! a scene may only set antialiasing, quality, the clock and transparency: an untrusted scene must not name files.
 
 use super::renderer::library;
 use super::{LimitError, Limits};
@@ -11,7 +11,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What the switches of a scene may be about.
+/// The switches that a scene may use.
 const SWITCHES: [&str; 8] = ["A", "AM", "AG", "J", "R", "Q", "K", "UA"];
 
 /// A scene to be compared.
@@ -19,30 +19,30 @@ const SWITCHES: [&str; 8] = ["A", "AM", "AG", "J", "R", "Q", "K", "UA"];
 pub struct Case {
     /// The scene, as a path from the root.
     pub scene: PathBuf,
-    /// What reports call it; names the switches if there are several lines of them.
+    /// The name in reports; includes the switches if the scene has several lines of them.
     pub name: String,
     /// The text of the scene.
     pub text: String,
-    /// The size that the scene asks for.
+    /// The size in the scene.
     pub size: Option<(u32, u32)>,
-    /// The limits that the scene states.
+    /// The limits in the scene.
     pub limits: Option<Limits>,
-    /// The switches that the scene states, behind the usual ones.
+    /// The switches in the scene, which follow the usual ones.
     pub switches: Vec<String>,
 }
 
-/// Why a scene cannot be compared, or what its comments say cannot be understood.
+/// Errors in a scene to be compared or in its comments.
 #[derive(Debug)]
 pub enum CaseError {
     /// The file cannot be read.
     Read(PathBuf, io::Error),
-    /// The limits have another form.
+    /// The limits are malformed.
     Limits(LimitError),
     /// The limits are stated twice.
     LimitsTwice,
-    /// A size has another form; holds what stands there.
+    /// A malformed size.
     Size(String),
-    /// A switch that a scene may not set.
+    /// A switch that a scene may not use.
     Switch(String),
 }
 
@@ -71,8 +71,8 @@ impl Case {
                     return Err(CaseError::LimitsTwice);
                 }
             } else if let Some(size) = comment.strip_prefix("size:") {
-                let found = read_size(size).ok_or_else(|| CaseError::Size(size.to_owned()))?;
-                case.size = Some(found);
+                let parsed = read_size(size).ok_or_else(|| CaseError::Size(size.to_owned()))?;
+                case.size = Some(parsed);
             } else if let Some(switches) = comment.strip_prefix("switches:") {
                 let switches: Vec<String> =
                     switches.split_whitespace().map(str::to_owned).collect();
@@ -98,7 +98,7 @@ impl Case {
         Ok(lines.into_iter().map(with).collect())
     }
 
-    /// The scene without what its comments say.
+    /// The scene without its comments on comparison.
     ///
     /// # Errors
     /// When the scene cannot be read.
@@ -126,14 +126,14 @@ impl Case {
         switches
     }
 
-    /// Its name as that of a file.
+    /// A file name for the case.
     #[must_use]
     pub fn file_name(&self, extension: &str) -> String {
         format!("{}.{extension}", self.name.replace(['/', ' '], "-"))
     }
 }
 
-/// The texts of the comments that are lines of their own.
+/// The texts of the comments on lines of their own.
 fn comments(text: &str) -> impl Iterator<Item = &str> {
     text.lines()
         .filter_map(|line| Some(line.trim().strip_prefix("//")?.trim()))
@@ -158,7 +158,7 @@ impl fmt::Display for CaseError {
             CaseError::Read(path, error) => write!(f, "cannot read `{}`: {error}", path.display()),
             CaseError::Limits(error) => error.fmt(f),
             CaseError::LimitsTwice => f.write_str("the scene states its limits twice"),
-            CaseError::Size(found) => write!(f, "expected `size: 320x240`, found `size:{found}`"),
+            CaseError::Size(actual) => write!(f, "expected `size: 320x240`, found `size:{actual}`"),
             CaseError::Switch(switch) => write!(f, "a scene may not set `{switch}` in `switches:`"),
         }
     }
@@ -178,23 +178,23 @@ mod tests {
 
     #[test]
     fn comments_say_how_a_scene_is_compared() {
-        let found = cases(
+        let parsed = cases(
             "// A fact.\n// size: 32x24\n  // switches: +A0.3 +AM2 -J\n// switches: +Q4\n\
              // compare: channel<=2 pixels<=1% because \"why\"\nsphere { }",
         )
         .unwrap();
-        let names: Vec<_> = found.iter().map(|case| case.name.as_str()).collect();
+        let names: Vec<_> = parsed.iter().map(|case| case.name.as_str()).collect();
         assert_eq!(names, ["a/b +A0.3 +AM2 -J", "a/b +Q4"]);
-        assert_eq!(found[0].size, Some((32, 24)));
+        assert_eq!(parsed[0].size, Some((32, 24)));
         assert_eq!(
-            found[1].limits,
+            parsed[1].limits,
             Some(Limits {
                 channel: 2,
                 pixels: 1.0
             })
         );
-        assert_eq!(found[1].file_name("png"), "a-b-+Q4.png");
-        let switches = found[1].all_switches((160, 120), &[]);
+        assert_eq!(parsed[1].file_name("png"), "a-b-+Q4.png");
+        let switches = parsed[1].all_switches((160, 120), &[]);
         assert_eq!(
             (switches[0].as_str(), switches.last().unwrap().as_str()),
             ("+W32", "+Q4")

@@ -1,4 +1,4 @@
-//! A scene drawn by POV-Ray and by this program, and what the two pictures are to each other.
+//! Renders a scene with POV-Ray and with this program, and compares the two pictures.
 
 use super::noise::OTHER_ORDERS;
 use super::reference::{self, Reference};
@@ -11,32 +11,32 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Makes this program lose what POV-Ray loses: surfaces nearer than a fixed distance to the one that a ray leaves.
+/// Makes this program lose the surfaces that POV-Ray loses: those nearer than a fixed distance to the origin of a ray.
 const AS_POVRAY: &str = "--pov-distances";
 
-/// What a word of the language that drawing does not have yet is refused with.
+/// The error message for a keyword that this program does not render yet.
 const MISSING: &str = " is not built yet";
 
-/// Two renderers and what both are told.
+/// Two renderers and their common options.
 #[derive(Clone, Debug)]
 pub struct Bench {
     /// POV-Ray.
     pub povray: Renderer,
     /// This program.
     pub povr: Renderer,
-    /// The size of pictures whose scenes ask for none.
+    /// Size of pictures whose scenes request none.
     pub size: (u32, u32),
     /// Switches for both.
     pub switches: Vec<String>,
-    /// A folder that holds all scenes and what they read.
+    /// A folder that contains all scenes and the files they read.
     pub root: PathBuf,
-    /// Where POV-Ray's pictures are kept.
+    /// The folder of POV-Ray's pictures.
     pub references: PathBuf,
-    /// Where this program's pictures go.
+    /// The folder of this program's pictures.
     pub pictures: PathBuf,
-    /// How long each drawing may take.
+    /// Time limit for each rendering.
     pub limit: Duration,
-    /// Instead of the limits of scenes.
+    /// Replace the limits of scenes.
     pub thresholds: Option<Thresholds>,
 }
 
@@ -47,67 +47,68 @@ pub struct Checked {
     pub expected: DynamicImage,
     /// This program's picture.
     pub actual: DynamicImage,
-    /// The seconds that POV-Ray took, as a process.
+    /// POV-Ray's time in seconds, as a process.
     pub povray_seconds: f64,
-    /// The seconds that this program took, as a process.
+    /// This program's time in seconds, as a process.
     pub povr_seconds: f64,
-    /// What they are to each other; pictures of unlike sizes are nothing.
+    /// The comparison; an error for pictures of different sizes.
     pub compared: Result<Compared, Mismatch>,
 }
 
-/// What two pictures of a scene are to each other.
+/// The comparison of two pictures of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// Whether the picture is POV-Ray's: a warning is a difference that is explained.
+    /// The grade; a warning is a difference with an explanation.
     pub grade: Grade,
     /// The numbers.
     pub found: Comparison,
-    /// How they look.
+    /// The mean FLIP error.
     pub flip: f64,
-    /// Which limits hold.
+    /// The limits that apply.
     pub limits: Limits,
-    /// Which of them is broken, whatever explains it.
+    /// The limit that is broken, regardless of an explanation.
     pub verdict: Verdict,
-    /// Why the pictures may differ by more than the limits.
+    /// The reason why the pictures may differ by more than the limits.
     pub explanation: Option<Explanation>,
 }
 
-/// Why pictures differ though nothing is wrong.
+/// Reasons why pictures differ though nothing is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Explanation {
-    /// POV-Ray loses surfaces that are too near to each other, and told to do so, this program draws its picture.
+    /// POV-Ray loses surfaces that are too near to each other, and with its distances this program renders the same
+    /// picture.
     Distances,
-    /// POV-Ray's own pictures differ as much, with their blocks in other orders.
+    /// POV-Ray's own pictures differ as much when their blocks are in other orders.
     Noise(Noise),
 }
 
-/// Why there is nothing to compare.
+/// Errors that prevent a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CheckError {
-    /// The program did not start: which, and why.
+    /// The program did not start: its name, and the reason.
     NotStarted(String, String),
     /// The program ran for longer than this.
     OutOfTime(String, Duration),
     /// The program ended with an error.
     Refused {
-        /// Which.
+        /// The program.
         program: String,
         /// Its exit status.
         status: String,
-        /// All it said.
+        /// Its complete output.
         said: String,
     },
-    /// The program ended without a picture: which, and its last words.
+    /// The program ended without a picture: its name, and its last output.
     NoPicture(String, String),
-    /// A file cannot be read or written: which, and why.
+    /// A file cannot be read or written: its path, and the reason.
     File(PathBuf, String),
 }
 
 impl Bench {
-    /// POV-Ray's picture of a scene, drawn now unless it is kept.
+    /// POV-Ray's picture of a scene, rendered now unless it is stored.
     ///
     /// # Errors
-    /// When POV-Ray draws none.
+    /// When POV-Ray fails to render it.
     pub fn reference(&self, case: &Case) -> Result<Reference, CheckError> {
         self.reference_with(case, &[])
     }
@@ -128,7 +129,7 @@ impl Bench {
     /// This program's picture of a scene, in a folder of its own, and the seconds it took.
     ///
     /// # Errors
-    /// When it draws none.
+    /// When the program fails to render it.
     pub fn own(&self, case: &Case, more: &[&str]) -> Result<(DynamicImage, f64), CheckError> {
         let unwritable = |error| CheckError::file(&self.pictures, &error);
         let folder = tempfile::tempdir_in(&self.pictures).map_err(unwritable)?;
@@ -146,10 +147,10 @@ impl Bench {
         Ok((open(&file)?, took.as_secs_f64()))
     }
 
-    /// Draws a scene twice and compares.
+    /// Renders a scene with both and compares the pictures.
     ///
     /// # Errors
-    /// When one of the renderers draws no picture.
+    /// When one of the renderers fails.
     pub fn check(&self, case: &Case) -> Result<Checked, CheckError> {
         let reference = self.reference(case)?;
         let expected = open(&reference.file)?;
@@ -164,10 +165,11 @@ impl Bench {
         })
     }
 
-    /// What two pictures of a scene are to each other. What differs too much may be drawn again to be explained.
+    /// Compares two pictures of a scene. If they differ too much the scene may be rendered again to find an
+    /// explanation.
     ///
     /// # Errors
-    /// When a file cannot be read or written, or this program does not draw the scene once more.
+    /// When a file cannot be read or written, or this program fails to render the scene again.
     pub fn compared(
         &self,
         case: &Case,
@@ -227,7 +229,7 @@ impl Bench {
         }
         let mut noise = Noise::default();
         for order in OTHER_ORDERS {
-            // A picture that POV-Ray does not draw once more in time has no explanation.
+            // If POV-Ray fails to render the picture again in time, there is no explanation.
             let Ok(again) = self.reference_with(case, &[order]) else {
                 return Ok(None);
             };
@@ -278,7 +280,7 @@ impl CheckError {
         CheckError::File(path.to_owned(), error.to_string())
     }
 
-    /// The words that this program cannot draw yet, if they are all that was in the way.
+    /// The keywords that this program cannot render yet, if they were the only errors.
     #[must_use]
     pub fn missing(&self) -> Vec<String> {
         let CheckError::Refused { said, .. } = self else {
@@ -300,7 +302,7 @@ impl CheckError {
         words
     }
 
-    /// In one line.
+    /// The error in one line.
     #[must_use]
     pub fn line(&self) -> String {
         match self {
@@ -355,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn words_that_are_missing_are_told_from_other_errors() {
+    fn missing_words_are_distinguished_from_other_errors() {
         let missing = "File 'a.pov' line 4: Parse Error: `normal` is not built yet\n  | shown\n\
             File 'a.pov' line 9: Parse Error: `media` is not built yet\n\
             File 'a.pov' line 12: Parse Error: `normal` is not built yet\n";

@@ -1,11 +1,11 @@
-//! Where two pictures differ, as a picture of its own.
+//! The differences of two pictures, as a picture.
 
 use super::kinds::{Kind, visit};
 use super::{Mismatch, off};
 use image::{DynamicImage, GrayImage, Luma};
 
-/// How many steps of 1/255 the pixels of two pictures are apart, by their most different channel. What differs at all is
-/// at least 1, so that nothing is lost.
+/// The differences of the pixels of two pictures in steps of 1/255, each by its most different channel. Any difference
+/// counts as at least 1, so that none is lost.
 ///
 /// # Errors
 /// When the pictures differ in size or in depth.

@@ -1,9 +1,9 @@
-//! The visible difference of two pictures: LDR-FLIP (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020,
-//! "FLIP: A Difference Evaluator for Alternating Images"), by the formulas and constants of the paper.
+//! The visible difference of two pictures: LDR-FLIP (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and
+//! Fairchild 2020, "FLIP: A Difference Evaluator for Alternating Images"), by the formulas and constants of the paper.
 //!
-//! Colours are filtered by the contrast sensitivity of the eye and compared in a perceptual space; edges and points are
-//! compared in the lightness, and where they differ the difference of colours counts for more. The filter of the
-//! blue-yellow channel is a sum of two Gaussians, each of which is separable.
+//! Colours are filtered by the contrast sensitivity of the eye and compared in a perceptual space. Edges and points are
+//! compared in lightness; where they differ the colour difference counts for more. The filter of the blue-yellow
+//! channel is a sum of two Gaussians, each of which is separable.
 
 use super::kinds::shown;
 use image::{DynamicImage, RgbImage};
@@ -11,17 +11,18 @@ use image::{DynamicImage, RgbImage};
 /// The paper's usual distance: a screen 0.7 m wide with 3,840 pixels in a row, seen from 0.7 m.
 const PIXELS_PER_DEGREE: f64 = 3840.0 * std::f64::consts::PI / 180.0;
 
-/// The contrast sensitivity of the achromatic, the red-green and the blue-yellow channel as sums of Gaussians: weight and
-/// width of each (table 1).
+/// The contrast sensitivity of the achromatic, the red-green and the blue-yellow channel as sums of Gaussians: weight
+/// and width of each (table 1).
 const SENSITIVITY: [&[(f64, f64)]; 3] = [
     &[(1.0, 0.0047)],
     &[(1.0, 0.0053)],
     &[(34.1, 0.04), (13.5, 0.025)],
 ];
-/// The exponent of differences of colour, the share of the largest one up to which they are stretched, and to what.
+/// The exponent of colour differences, and the knee of their mapping: the share of the largest difference, and its
+/// value.
 const COLOR_EXPONENT: f64 = 0.7;
 const COLOR_KNEE: (f64, f64) = (0.4, 0.95);
-/// The width of the detectors of edges and points in degrees, and the exponent of what they find.
+/// The width of the edge and point detectors in degrees, and the exponent of their response.
 const FEATURE_WIDTH: f64 = 0.082;
 const FEATURE_EXPONENT: f64 = 0.5;
 
@@ -38,8 +39,8 @@ const RGB_FROM_XYZ: [[f64; 3]; 3] = [
     [0.055_639_423, -0.204_011_202, 1.057_148_933],
 ];
 
-/// The mean of FLIP over two pictures of one size: 0 for pictures that look the same, 1 for black beside white. Alpha is
-/// left out, and linear light is clipped at white.
+/// The mean FLIP error of two pictures of one size: 0 for pictures that look the same, 1 for black against white. Alpha
+/// is ignored, and linear light is clipped at white.
 #[must_use]
 pub fn flip(expected: &DynamicImage, actual: &DynamicImage) -> f64 {
     let [expected, actual] = [expected, actual].map(|picture| shown(picture).to_rgb8());
@@ -62,14 +63,14 @@ pub fn flip(expected: &DynamicImage, actual: &DynamicImage) -> f64 {
     sum / pixels
 }
 
-/// One number for each pixel, row by row.
+/// One value for each pixel, row by row.
 struct Plane {
     width: usize,
     values: Vec<f32>,
 }
 
 impl Plane {
-    /// The plane filtered along rows and along columns; pixels beyond an edge are those of the edge.
+    /// The plane filtered along rows and along columns; pixels beyond an edge repeat the edge.
     fn filtered(&self, along_rows: &[f64], along_columns: &[f64]) -> Plane {
         let (width, height) = (self.width, self.values.len() / self.width);
         let rows = self.values.chunks_exact(width);
@@ -92,12 +93,12 @@ impl Plane {
     }
 }
 
-/// The sum of weighted values around a place; the middle weight is that of the place itself.
-fn sum(weights: &[f64], place: usize, value: impl Fn(usize) -> f32) -> f32 {
+/// The weighted sum of values around an index; the middle weight belongs to the index itself.
+fn sum(weights: &[f64], index: usize, value: impl Fn(usize) -> f32) -> f32 {
     let radius = weights.len() / 2;
     let weighted = weights.iter().enumerate();
     let sum: f64 = weighted
-        .map(|(at, weight)| weight * f64::from(value((place + at).saturating_sub(radius))))
+        .map(|(at, weight)| weight * f64::from(value((index + at).saturating_sub(radius))))
         .sum();
     single(sum)
 }
@@ -133,7 +134,7 @@ fn opponents(picture: &RgbImage) -> [Plane; 3] {
     planes.map(|values| Plane { width, values })
 }
 
-/// The channels as the eye sees them, in Hunt-adjusted L*a*b*.
+/// The channels after the filter of the eye, in Hunt-adjusted L*a*b*.
 fn seen(channels: [Plane; 3]) -> [Plane; 3] {
     let mut filtered =
         [0, 1, 2].map(|channel| sensitively(&channels[channel], SENSITIVITY[channel]));
@@ -151,7 +152,7 @@ fn seen(channels: [Plane; 3]) -> [Plane; 3] {
     filtered
 }
 
-/// A channel filtered by a sum of Gaussians, whose weights are 1 together.
+/// A channel filtered by a sum of Gaussians with a total weight of 1.
 fn sensitively(plane: &Plane, gaussians: &[(f64, f64)]) -> Plane {
     let pi = std::f64::consts::PI;
     let widest = SENSITIVITY.iter().flat_map(|all| all.iter());
@@ -160,7 +161,7 @@ fn sensitively(plane: &Plane, gaussians: &[(f64, f64)]) -> Plane {
     let kernels: Vec<Vec<f64>> = gaussians
         .iter()
         .map(|&(a, b)| {
-            // The square root, since it is multiplied with itself.
+            // The square root, because the separable filter is applied twice.
             let height = (a * (pi / b).sqrt()).sqrt();
             taps(radius, |x| {
                 let degrees = x / PIXELS_PER_DEGREE;
@@ -185,13 +186,16 @@ fn sensitively(plane: &Plane, gaussians: &[(f64, f64)]) -> Plane {
     sum.expect("every channel has a Gaussian")
 }
 
-/// A function at whole numbers from `-radius` to `radius`.
+/// A function sampled at integers from `-radius` to `radius`.
 fn taps(radius: f64, function: impl Fn(f64) -> f64) -> Vec<f64> {
-    let places = std::iter::successors(Some(-radius), |x| Some(x + 1.0));
-    places.take_while(|&x| x <= radius).map(function).collect()
+    let positions = std::iter::successors(Some(-radius), |x| Some(x + 1.0));
+    positions
+        .take_while(|&x| x <= radius)
+        .map(function)
+        .collect()
 }
 
-/// L*a*b* of linear light; dark colours have less of a* and b* (Hunt).
+/// L*a*b* of linear light; a* and b* are reduced for dark colours (Hunt).
 fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     const DELTA: f64 = 6.0 / 29.0;
     let xyz = times(&XYZ_FROM_RGB, rgb);
@@ -208,18 +212,18 @@ fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// The distance of two colours by HyAB, raised to the exponent of colours.
+/// The HyAB distance of two colours, raised to the exponent of colours.
 fn distance(one: [f64; 3], other: [f64; 3]) -> f64 {
     let [l, a, b] = [0, 1, 2].map(|axis| one[axis] - other[axis]);
     (l.abs() + a.hypot(b)).powf(COLOR_EXPONENT)
 }
 
-/// That of green and blue, which no two colours exceed.
+/// The distance of green and blue, which no two colours exceed.
 fn largest_difference() -> f64 {
     distance(hunt([0.0, 1.0, 0.0]), hunt([0.0, 0.0, 1.0]))
 }
 
-/// The difference of a pixel in colour, from 0 to 1.
+/// The colour difference of a pixel, from 0 to 1.
 fn color_difference(expected: &[Plane; 3], actual: &[Plane; 3], at: usize, most: f64) -> f64 {
     let color = |planes: &[Plane; 3]| [0, 1, 2].map(|channel| planes[channel].at(at));
     let difference = distance(color(expected), color(actual));
@@ -267,7 +271,7 @@ impl Features {
         }
     }
 
-    /// The difference of a pixel in edges or points, whichever is larger, from 0 to 1.
+    /// The feature difference of a pixel, edges or points, whichever is larger, from 0 to 1.
     fn difference(&self, other: &Features, at: usize) -> f64 {
         let strength = |planes: &[Plane; 2]| planes[0].at(at).hypot(planes[1].at(at));
         let edges = (strength(&self.edges) - strength(&other.edges)).abs();
@@ -276,7 +280,7 @@ impl Features {
     }
 }
 
-/// Weights whose positive ones are 1 together, and whose negative ones are -1.
+/// Scales positive weights to a sum of 1, and negative ones to a sum of -1.
 fn balanced(weights: Vec<f64>) -> Vec<f64> {
     let positive: f64 = weights.iter().filter(|&&weight| weight > 0.0).sum();
     let negative: f64 = weights.iter().filter(|&&weight| weight < 0.0).sum();
@@ -307,7 +311,7 @@ mod tests {
         value.to_le_bytes()[1]
     }
 
-    /// Means by the authors' program, as the crate `nv-flip` 0.1.2 has it.
+    /// Means by the authors' program, as in the crate `nv-flip` 0.1.2.
     #[test]
     fn means_are_those_of_the_authors() {
         let level = |value: u32| value.to_le_bytes()[0];
@@ -351,8 +355,11 @@ mod tests {
                 0.467_968_2,
             ),
         ] {
-            let found = flip(&expected, &actual);
-            assert!((found - mean).abs() < 1e-4, "{name}: {found} is not {mean}");
+            let result = flip(&expected, &actual);
+            assert!(
+                (result - mean).abs() < 1e-4,
+                "{name}: {result} is not {mean}"
+            );
             assert!(flip(&expected, &expected).abs() < 1e-9, "{name}");
         }
     }

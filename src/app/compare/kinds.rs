@@ -1,10 +1,10 @@
-//! The kinds of pictures that are told apart by a comparison, and how two of unlike kinds are made alike.
+//! The storage kinds of pictures that a comparison distinguishes, and conversion between them.
 
 use super::Mismatch;
 use crate::base::color::Gamma;
 use image::{DynamicImage, GenericImageView, ImageBuffer, Rgba};
 
-/// How a picture stores its channels.
+/// The storage of a picture's channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Encoded, 8 bits.
@@ -43,7 +43,7 @@ impl Kind {
         }
     }
 
-    /// What counts as one step between two values: half floats have 11 bits, down to 2^-14.
+    /// The size of one step between two values: half floats have 11 bits, down to 2^-14.
     pub(super) fn step(self, a: f64, b: f64) -> f64 {
         match self {
             Kind::Bytes | Kind::Words => 1.0,
@@ -81,8 +81,8 @@ pub(super) fn visit(
     }
 }
 
-/// Brings two pictures to a form in which they can be compared: that of the one with fewer bits. Linear light becomes
-/// sRGB where the other picture is encoded, clipped at white, as a file of such bits would store it.
+/// Converts two pictures to a common form for comparison: that of the one with fewer bits. Linear light becomes sRGB
+/// where the other picture is encoded, clipped at white, as a file of this depth would store it.
 ///
 /// # Errors
 /// When the pictures differ in size.
@@ -105,7 +105,7 @@ pub fn alike(
     Ok((as_kind(expected, kind), as_kind(actual, kind)))
 }
 
-/// The picture as 8-bit sRGB: how it is shown.
+/// The picture as 8-bit sRGB, for display.
 pub(crate) fn shown(picture: &DynamicImage) -> DynamicImage {
     as_kind(picture, Kind::Bytes)
 }
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_bits_are_rounded_to_eight() {
+    fn sixteen_bits_are_rounded_to_bytes() {
         let words = ImageBuffer::from_pixel(1, 1, Rgb([257_u16 * 9 + 100, 0, 65535]));
         let bytes = RgbImage::from_pixel(1, 1, Rgb([9, 0, 255]));
         let (a, b) = alike(&bytes.into(), &words.into()).unwrap();

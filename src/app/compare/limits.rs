@@ -1,9 +1,9 @@
-//! How far two pictures may differ, and how a scene says so.
+//! Limits for the difference of two pictures, and their syntax in scenes.
 
 use super::Comparison;
 use std::fmt;
 
-/// How far two pictures may differ.
+/// Limits for the difference of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// No channel of any pixel may be off by more steps than this.
@@ -12,10 +12,10 @@ pub struct Limits {
     pub pixels: f64,
 }
 
-/// What a comparison is, measured against limits.
+/// A comparison measured against limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Both limits are kept.
+    /// Within both limits.
     Within,
     /// A channel is off by more steps than allowed.
     ChannelOff,
@@ -23,20 +23,20 @@ pub enum Verdict {
     TooManyPixels,
 }
 
-/// Why a `compare:` comment cannot be understood.
+/// Errors in a `compare:` comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LimitError {
-    /// A part is missing or has another form; holds what was expected and what stands there.
+    /// A part is missing or malformed; holds the expected text and the actual one.
     Expected(&'static str, String),
     /// The reason is empty.
     NoReason,
 }
 
 impl Limits {
-    /// The word after `//` with which a scene begins its own limits.
+    /// The word after `//` that begins a scene's own limits.
     pub const COMMENT: &str = "compare:";
 
-    /// What holds for a scene that states no limits: one pixel in a thousand may be one step off.
+    /// The default for scenes without limits: one pixel in a thousand may be one step off.
     pub const DEFAULT: Limits = Limits {
         channel: 1,
         pixels: 0.1,
@@ -72,12 +72,12 @@ impl Limits {
         Ok((limits, reason.to_owned()))
     }
 
-    /// Whether a comparison keeps the limits, or which of them it breaks first.
+    /// Checks a comparison against the limits; the first broken one counts.
     #[must_use]
-    pub fn verdict(&self, found: &Comparison) -> Verdict {
-        if found.max() > f64::from(self.channel) {
+    pub fn verdict(&self, comparison: &Comparison) -> Verdict {
+        if comparison.max() > f64::from(self.channel) {
             Verdict::ChannelOff
-        } else if found.differing_percent() > self.pixels {
+        } else if comparison.differing_percent() > self.pixels {
             Verdict::TooManyPixels
         } else {
             Verdict::Within
@@ -85,7 +85,7 @@ impl Limits {
     }
 }
 
-/// The word after `name` at the beginning of `text`, and the text behind it.
+/// The word after `name` at the beginning of `text`, and the rest of the text.
 fn after<'a>(text: &'a str, name: &'static str) -> Result<(&'a str, &'a str), LimitError> {
     let rest = text
         .strip_prefix(name)
@@ -94,8 +94,8 @@ fn after<'a>(text: &'a str, name: &'static str) -> Result<(&'a str, &'a str), Li
     Ok((word, rest.trim_start()))
 }
 
-fn expected(what: &'static str, found: &str) -> LimitError {
-    LimitError::Expected(what, found.to_owned())
+fn expected(what: &'static str, actual: &str) -> LimitError {
+    LimitError::Expected(what, actual.to_owned())
 }
 
 impl fmt::Display for Limits {
@@ -107,9 +107,9 @@ impl fmt::Display for Limits {
 impl fmt::Display for LimitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            LimitError::Expected(what, found) => {
+            LimitError::Expected(what, actual) => {
                 let comment = Limits::COMMENT;
-                write!(f, "expected {what} in `{comment}`, found `{found}`")
+                write!(f, "expected {what} in `{comment}`, found `{actual}`")
             }
             LimitError::NoReason => {
                 let comment = Limits::COMMENT;
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn each_limit_is_kept_to_its_last_value() {
+    fn each_limit_includes_its_last_value() {
         let expected = RgbImage::new(100, 10);
         let mut actual = expected.clone();
         actual.put_pixel(3, 3, Rgb([1, 0, 0]));

@@ -1,11 +1,11 @@
-//! Comparison of two pictures: how many pixels are the same, by how much the others differ, and where; and the
+//! Comparison of two pictures: the number of equal pixels, the differences of the others, and their positions; and the
 //! comparison of this program with POV-Ray, scene by scene.
 //!
-//! A pixel that is one step off is counted apart from one that is off by more: the first is rounding, the second is an
-//! error in geometry or shading (BRL-CAD's benchmark separates them in the same way). Channels are compared as stored,
-//! in steps of the picture's depth: 1/255 for 8 bits, 1/65535 for 16 bits. Two pictures of linear light in floating point
-//! are compared as numbers, and a step is that of a half float. [`alike`] brings pictures of unlike kinds to one form. A
-//! picture without alpha is opaque.
+//! A pixel that is one step off is counted separately from one that is off by more: the first is rounding, the second
+//! is an error in geometry or shading (BRL-CAD's benchmark separates them in the same way). Channels are compared as
+//! stored, in steps of the picture's depth: 1/255 for 8 bits, 1/65535 for 16 bits. Two pictures of linear light in
+//! floating point are compared as numbers, with half-float steps. [`alike`] converts pictures of different kinds to a
+//! common form. A picture without alpha is opaque.
 
 mod case;
 mod check;
@@ -38,7 +38,7 @@ use image::DynamicImage;
 use kinds::{Kind, visit};
 use std::fmt;
 
-/// What a comparison of two pictures of one size finds.
+/// The comparison of two pictures of one size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Pixels equal in all channels.
@@ -57,7 +57,7 @@ pub struct Comparison {
     pub worst: Option<WorstPixel>,
 }
 
-/// The pixel in which two pictures differ most.
+/// The pixel with the largest difference between two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstPixel {
     /// Column from the left, from 0.
@@ -72,7 +72,7 @@ pub struct WorstPixel {
     pub actual: [f64; 4],
 }
 
-/// Why two pictures cannot be compared.
+/// Reasons why two pictures cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mismatch {
     /// The sizes differ: expected, then actual, as width and height.
@@ -108,15 +108,15 @@ pub fn compare(expected: &DynamicImage, actual: &DynamicImage) -> Result<Compari
     if sizes[0] != sizes[1] {
         return Err(Mismatch::Size(sizes[0], sizes[1]));
     }
-    let [kind, found] = [expected, actual].map(Kind::of);
-    if kind != found {
-        return Err(Mismatch::Depth(kind.bits(), found.bits()));
+    let [kind, actual_kind] = [expected, actual].map(Kind::of);
+    if kind != actual_kind {
+        return Err(Mismatch::Depth(kind.bits(), actual_kind.bits()));
     }
     Ok(count(expected, actual, kind))
 }
 
 fn count(expected: &DynamicImage, actual: &DynamicImage, kind: Kind) -> Comparison {
-    let mut found = Comparison {
+    let mut comparison = Comparison {
         same: 0,
         off_by_one: 0,
         off_by_many: 0,
@@ -137,12 +137,12 @@ fn count(expected: &DynamicImage, actual: &DynamicImage, kind: Kind) -> Comparis
         }
         is_opaque &= expected[3] >= kind.full() && actual[3] >= kind.full();
         match (difference > 0.0, is_one) {
-            (false, _) => found.same += 1,
-            (true, true) => found.off_by_one += 1,
-            (true, false) => found.off_by_many += 1,
+            (false, _) => comparison.same += 1,
+            (true, true) => comparison.off_by_one += 1,
+            (true, false) => comparison.off_by_many += 1,
         }
-        if difference > found.max() {
-            found.worst = Some(WorstPixel {
+        if difference > comparison.max() {
+            comparison.worst = Some(WorstPixel {
                 x,
                 y,
                 difference,
@@ -151,16 +151,16 @@ fn count(expected: &DynamicImage, actual: &DynamicImage, kind: Kind) -> Comparis
             });
         }
     });
-    // Alpha takes part in what is equal, but a channel that is opaque in both must not thin out the mean.
-    let values = found.pixels() * if is_opaque { 3 } else { 4 };
+    // Alpha counts for equality, but a channel that is opaque in both must not dilute the mean.
+    let values = comparison.pixels() * if is_opaque { 3 } else { 4 };
     if values > 0 {
-        found.mean = sum / as_f64(values);
-        found.rms = (sum_sq / as_f64(values)).sqrt();
+        comparison.mean = sum / as_f64(values);
+        comparison.rms = (sum_sq / as_f64(values)).sqrt();
     }
-    found
+    comparison
 }
 
-/// How far two values are apart. What is no number is equal to what is none, and infinitely far from any number.
+/// The difference of two values. NaN equals NaN, and is infinitely far from any number.
 fn off(expected: f64, actual: f64) -> f64 {
     match (expected.is_nan(), actual.is_nan()) {
         (true, true) => 0.0,
@@ -180,7 +180,7 @@ pub(crate) fn as_f64(count: u64) -> f64 {
 }
 
 impl Comparison {
-    /// How many pixels each picture has.
+    /// The number of pixels of each picture.
     #[must_use]
     pub fn pixels(&self) -> u64 {
         self.same + self.off_by_one + self.off_by_many
@@ -204,7 +204,7 @@ impl Comparison {
         20.0 * (self.full / self.rms).log10()
     }
 
-    /// Whether all pixels are equal.
+    /// True if all pixels are equal.
     #[must_use]
     pub fn is_equal(&self) -> bool {
         self.same == self.pixels()
@@ -265,11 +265,14 @@ mod tests {
 
     #[test]
     fn equal_pictures_have_no_worst_pixel() {
-        let found = compare(&grey(4, 3, 7).into(), &grey(4, 3, 7).into()).unwrap();
-        assert!(found.is_equal());
-        assert_eq!((found.same, found.max(), found.worst), (12, 0.0, None));
-        assert_eq!(found.psnr(), f64::INFINITY);
-        assert_eq!(found.to_string(), "all 12 pixels are equal");
+        let comparison = compare(&grey(4, 3, 7).into(), &grey(4, 3, 7).into()).unwrap();
+        assert!(comparison.is_equal());
+        assert_eq!(
+            (comparison.same, comparison.max(), comparison.worst),
+            (12, 0.0, None)
+        );
+        assert_eq!(comparison.psnr(), f64::INFINITY);
+        assert_eq!(comparison.to_string(), "all 12 pixels are equal");
     }
 
     #[test]
@@ -277,14 +280,18 @@ mod tests {
         let mut actual = grey(5, 2, 100);
         actual.put_pixel(1, 0, Rgb([100, 101, 100]));
         actual.put_pixel(4, 1, Rgb([99, 90, 100]));
-        let found = compare(&grey(5, 2, 100).into(), &actual.into()).unwrap();
+        let comparison = compare(&grey(5, 2, 100).into(), &actual.into()).unwrap();
         assert_eq!(
-            (found.same, found.off_by_one, found.off_by_many),
+            (
+                comparison.same,
+                comparison.off_by_one,
+                comparison.off_by_many
+            ),
             (8, 1, 1),
-            "{found}"
+            "{comparison}"
         );
         assert_eq!(
-            found.worst,
+            comparison.worst,
             Some(WorstPixel {
                 x: 4,
                 y: 1,
@@ -293,33 +300,33 @@ mod tests {
                 actual: [99.0, 90.0, 100.0, 255.0],
             })
         );
-        assert!((found.mean - 12.0 / 30.0).abs() < 1e-12);
-        assert!((found.rms - (102.0f64 / 30.0).sqrt()).abs() < 1e-12);
-        assert!((found.differing_percent() - 20.0).abs() < 1e-12);
+        assert!((comparison.mean - 12.0 / 30.0).abs() < 1e-12);
+        assert!((comparison.rms - (102.0f64 / 30.0).sqrt()).abs() < 1e-12);
+        assert!((comparison.differing_percent() - 20.0).abs() < 1e-12);
     }
 
     #[test]
     fn psnr_of_one_step_everywhere_is_48_decibels() {
-        let found = compare(&grey(3, 3, 10).into(), &grey(3, 3, 11).into()).unwrap();
-        assert!((found.psnr() - 48.130_803_6).abs() < 1e-6);
+        let comparison = compare(&grey(3, 3, 10).into(), &grey(3, 3, 11).into()).unwrap();
+        assert!((comparison.psnr() - 48.130_803_6).abs() < 1e-6);
     }
 
     #[test]
     fn sixteen_bits_are_compared_in_their_own_steps() {
         let picture =
             |v: u16| DynamicImage::from(ImageBuffer::from_pixel(2, 2, Rgb([v, 65535, 0])));
-        let found = compare(&picture(1000), &picture(1001)).unwrap();
-        assert_eq!((found.off_by_one, found.full), (4, 65535.0));
+        let comparison = compare(&picture(1000), &picture(1001)).unwrap();
+        assert_eq!((comparison.off_by_one, comparison.full), (4, 65535.0));
     }
 
     #[test]
     fn floating_point_is_compared_in_steps_of_a_half_float() {
         let picture =
             |v: f32| DynamicImage::from(ImageBuffer::from_pixel(2, 2, Rgb([v, 8.0, 0.0])));
-        let found = compare(&picture(1.0), &picture(1.000_9)).unwrap();
-        assert_eq!((found.off_by_one, found.off_by_many), (4, 0));
-        let found = compare(&picture(1.0), &picture(1.01)).unwrap();
-        assert_eq!((found.off_by_many, found.full), (4, 1.0));
+        let comparison = compare(&picture(1.0), &picture(1.000_9)).unwrap();
+        assert_eq!((comparison.off_by_one, comparison.off_by_many), (4, 0));
+        let comparison = compare(&picture(1.0), &picture(1.01)).unwrap();
+        assert_eq!((comparison.off_by_many, comparison.full), (4, 1.0));
         let none = compare(&picture(f32::NAN), &picture(f32::NAN)).unwrap();
         assert!(none.is_equal());
         let some = compare(&picture(f32::NAN), &picture(1.0)).unwrap();
@@ -350,8 +357,8 @@ mod tests {
 
     #[test]
     fn an_empty_picture_is_equal_to_itself() {
-        let found = compare(&grey(0, 0, 0).into(), &grey(0, 0, 0).into()).unwrap();
-        assert!(found.is_equal());
-        assert!(found.mean.abs() < 1e-12 && found.differing_percent().abs() < 1e-12);
+        let comparison = compare(&grey(0, 0, 0).into(), &grey(0, 0, 0).into()).unwrap();
+        assert!(comparison.is_equal());
+        assert!(comparison.mean.abs() < 1e-12 && comparison.differing_percent().abs() < 1e-12);
     }
 }

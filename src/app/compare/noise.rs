@@ -1,25 +1,26 @@
-//! POV-Ray's own noise: what it draws differently when nothing changed but the order of its blocks.
+//! POV-Ray's own noise: the differences between renderings with the blocks in different orders.
 //!
-//! With one thread POV-Ray draws the same picture every time, but where it jitters (area lights, media, radiosity) the
-//! picture comes of one stream of random numbers that runs through all blocks. Drawn once more with the blocks in another
-//! order (`Render_Pattern`, `+RP1`), such pixels change and no others do: measured, a scene with a jittered area light
-//! differs from itself in 4.50 % of its pixels, and antialiased scenes without jittered lights in none.
+//! With one thread POV-Ray renders the same picture every time. But where it jitters (area lights, media, radiosity)
+//! the picture depends on one stream of random numbers that runs through all blocks. In a rendering with the blocks in
+//! another order (`Render_Pattern`, `+RP1`) these pixels change and no others do: measured, a scene with a jittered
+//! area light differs from itself in 4.50 % of its pixels, and antialiased scenes without jittered lights in none.
 
 use super::{compare, steps_apart};
 use image::{DynamicImage, GrayImage};
 
-/// Draw the same picture with its blocks in other orders, those first that show most. One order does not show all random
-/// pixels, for two values may be the same by chance: measured on six of Debian's example scenes with area lights, one
+/// Switches that render the same picture with its blocks in other orders, the most revealing first. One order does not
+/// reveal all random pixels, because two values may coincide: measured on six of Debian's example scenes with area
+/// lights, one other order left up to 3.3 % of the pixels that are random undetected, and all four together none.
 /// other order left up to 3.3 % of the pixels that are random unseen, and all four together none.
 pub(super) const OTHER_ORDERS: [&str; 4] = ["+RP1", "+RP3", "+RP2", "+RP4"];
 
-/// Pixels so near to one that POV-Ray draws differently count as random: its noise may hide in rounding.
+/// Distance in pixels from a noisy pixel within which pixels count as random: their noise may be lost in rounding.
 const REACH: u32 = 2;
 
-/// Two samples of the same noise differ by so much in the root mean square of their differences.
+/// The factor by which two samples of the same noise may differ in the root mean square of their differences.
 const SPREAD: f64 = 1.25;
 
-/// How far POV-Ray's picture is from those that POV-Ray draws with its blocks in other orders: the largest of each.
+/// The differences between POV-Ray's picture and its renderings with blocks in other orders: the largest of each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Noise {
     /// Pixels that differ, in percent.
@@ -28,21 +29,21 @@ pub struct Noise {
     pub rms: f64,
     /// The largest difference, in steps.
     pub max: f64,
-    /// Where it is random: not 0.
+    /// The random pixels: not 0.
     random: GrayImage,
 }
 
 impl Noise {
-    /// With one more drawing; none if all are equal.
+    /// Adds one more rendering; `None` if all are equal.
     pub(super) fn with(mut self, expected: &DynamicImage, again: &DynamicImage) -> Option<Noise> {
-        let found = compare(expected, again).ok()?;
+        let comparison = compare(expected, again).ok()?;
         let apart = steps_apart(expected, again).ok()?;
-        if found.is_equal() {
+        if comparison.is_equal() {
             return (self.max > 0.0).then_some(self);
         }
-        self.percent = self.percent.max(found.differing_percent());
-        self.rms = self.rms.max(found.rms);
-        self.max = self.max.max(found.max());
+        self.percent = self.percent.max(comparison.differing_percent());
+        self.rms = self.rms.max(comparison.rms);
+        self.max = self.max.max(comparison.max());
         let random = spread(&apart);
         if self.random.dimensions() == random.dimensions() {
             let pixels = self.random.pixels_mut().zip(random.pixels());
@@ -53,7 +54,7 @@ impl Noise {
         Some(self)
     }
 
-    /// The picture in which random pixels are as expected: what is left is not noise.
+    /// The picture with random pixels replaced by the expected ones: the remaining differences are not noise.
     pub(super) fn without(
         &self,
         expected: &DynamicImage,
@@ -94,13 +95,13 @@ impl Noise {
         }
     }
 
-    /// Whether a picture is no further from the expected one than POV-Ray's own are from each other.
+    /// True if a picture is no further from the expected one than POV-Ray's own are from each other.
     pub(super) fn covers(&self, rms: f64) -> bool {
         rms <= SPREAD * self.rms
     }
 }
 
-/// Every pixel that is not 0, and those around it.
+/// Every nonzero pixel, and those around it.
 fn spread(apart: &GrayImage) -> GrayImage {
     let (width, height) = apart.dimensions();
     let mut random = GrayImage::new(width, height);
@@ -123,7 +124,7 @@ mod tests {
     use image::{Rgb, RgbImage};
 
     #[test]
-    fn what_is_beside_the_noise_is_left() {
+    fn differences_outside_the_noise_remain() {
         let expected = RgbImage::new(20, 20);
         let (mut again, mut actual) = (expected.clone(), expected.clone());
         again.put_pixel(5, 5, Rgb([9, 0, 0]));

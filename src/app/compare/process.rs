@@ -5,22 +5,21 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Of what a process says on standard error, so many bytes of the beginning and of the end are kept: a scene in a loop
-/// may say a lot.
+/// Number of bytes stored from the start and from the end of standard error: a scene in a loop may write much.
 const MOST_SAID: usize = 1 << 20;
 
-/// How a process ended.
+/// The end of a process.
 #[derive(Debug)]
 pub struct Ended {
     /// The exit status, or `None` if it ran past the limit and was killed.
     pub status: Option<ExitStatus>,
-    /// What it wrote on standard error; of very much the beginning and the end.
+    /// Its standard error; of long output the start and the end.
     pub stderr: String,
-    /// How long it ran.
+    /// The run time.
     pub took: Duration,
 }
 
-/// Runs a command to its end, but no longer than `limit`. Its standard output is thrown away.
+/// Runs a command to its end, but no longer than `limit`. Its standard output is discarded.
 ///
 /// # Errors
 /// When the process does not start, or cannot be waited for.
@@ -32,7 +31,7 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Ended> {
         .stderr(Stdio::piped())
         .spawn()?;
     let pipe = child.stderr.take();
-    let reader = thread::spawn(move || pipe.map(heard).unwrap_or_default());
+    let reader = thread::spawn(move || pipe.map(read_output).unwrap_or_default());
     let status = wait(&mut child, limit)?;
     let took = start.elapsed();
     let stderr = reader.join().unwrap_or_default();
@@ -43,8 +42,8 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Ended> {
     })
 }
 
-/// All that comes out of a pipe, or the beginning and the end of it. What was read before it failed is worth showing too.
-fn heard(mut pipe: impl Read) -> String {
+/// The contents of a pipe, or its start and end. Output read before a failure is worth showing too.
+fn read_output(mut pipe: impl Read) -> String {
     let mut bytes = Vec::new();
     let mut part = vec![0; 1 << 16];
     while let Ok(read @ 1..) = pipe.read(&mut part) {
@@ -78,13 +77,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_runs_too_long_is_ended() {
+    fn slow_processes_are_killed() {
         let ended = run(Command::new("sleep").arg("60"), Duration::from_millis(50)).unwrap();
         assert!(ended.status.is_none() && ended.took < Duration::from_secs(30));
     }
 
     #[test]
-    fn what_is_said_comes_with_the_status() {
+    fn output_comes_with_the_status() {
         let ended = run(
             Command::new("sh").args(["-c", "echo no >&2; exit 3"]),
             Duration::from_secs(30),

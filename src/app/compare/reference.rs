@@ -1,4 +1,4 @@
-//! POV-Ray's pictures, kept under a hash of all that goes into them: only new and changed scenes cost its time again.
+//! Stored pictures of POV-Ray, keyed by a hash of all inputs: only new and changed scenes are rendered again.
 
 use super::check::CheckError;
 use super::renderer::{Picture, Renderer};
@@ -9,19 +9,19 @@ use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// A longer text between quotes is no name of a file.
+/// A longer text between quotes is not a file name.
 const LONGEST_NAME: usize = 200;
 
-/// A picture that a renderer has drawn once.
+/// A stored picture of a renderer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// Its file.
     pub file: PathBuf,
-    /// The seconds that it took, start and end of the process included.
+    /// The run time in seconds, including start and end of the process.
     pub seconds: f64,
 }
 
-/// Draws a picture into a folder, or takes it from there if it was drawn before.
+/// Renders a picture into a folder, or returns it from there if it was rendered before.
 pub(super) fn drawn(
     renderer: &Renderer,
     picture: &Picture<'_>,
@@ -34,18 +34,18 @@ pub(super) fn drawn(
     let beside = picture.scene.parent().unwrap_or(Path::new("."));
     hash_with_includes(text, beside, &mut hasher);
     let key = format!("{:016x}", hasher.finish());
-    let kept = folder.join(format!("{key}.png"));
-    let told = folder.join(format!("{key}.seconds"));
-    let seconds = fs::read_to_string(&told).ok();
+    let stored = folder.join(format!("{key}.png"));
+    let seconds_file = folder.join(format!("{key}.seconds"));
+    let seconds = fs::read_to_string(&seconds_file).ok();
     if let Some(seconds) = seconds.and_then(|text| text.trim().parse().ok())
-        && kept.exists()
+        && stored.exists()
     {
         return Ok(Reference {
-            file: kept,
+            file: stored,
             seconds,
         });
     }
-    // In a folder of its own: the scene may write files, and another process may draw the same.
+    // In a temporary folder: the scene may write files, and another process may render the same picture.
     let own = tempfile::tempdir_in(folder).map_err(|error| CheckError::file(folder, &error))?;
     let file = own.path().join("picture.png");
     let took = draw(
@@ -55,16 +55,17 @@ pub(super) fn drawn(
             ..*picture
         },
     )?;
-    fs::rename(&file, &kept).map_err(|error| CheckError::file(&kept, &error))?;
+    fs::rename(&file, &stored).map_err(|error| CheckError::file(&stored, &error))?;
     let seconds = took.as_secs_f64();
-    fs::write(&told, seconds.to_string()).map_err(|error| CheckError::file(&told, &error))?;
+    fs::write(&seconds_file, seconds.to_string())
+        .map_err(|error| CheckError::file(&seconds_file, &error))?;
     Ok(Reference {
-        file: kept,
+        file: stored,
         seconds,
     })
 }
 
-/// Draws, and is content with nothing less than a picture.
+/// Renders; anything but a complete picture is an error.
 pub(super) fn draw(renderer: &Renderer, picture: &Picture<'_>) -> Result<Duration, CheckError> {
     let name = Path::new(&renderer.program).file_name();
     let program = || name.unwrap_or_default().display().to_string();
@@ -87,7 +88,7 @@ pub(super) fn draw(renderer: &Renderer, picture: &Picture<'_>) -> Result<Duratio
     }
 }
 
-/// Takes in a scene and all files it may include from its own folder. Names in comments only cost a needless drawing.
+/// Hashes a scene and all files it may include from its own folder. Names in comments only cause a needless rendering.
 fn hash_with_includes(text: &str, folder: &Path, hasher: &mut impl Hasher) {
     let mut texts = vec![text.to_owned()];
     let mut seen = Vec::new();

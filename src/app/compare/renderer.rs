@@ -1,4 +1,4 @@
-//! A renderer that takes POV-Ray's command line, run as a process of its own: POV-Ray, or this program.
+//! A renderer with POV-Ray's command line, run as a process of its own: POV-Ray, or this program.
 
 use super::process::{Ended, run};
 use std::ffi::OsString;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-/// Where Debian keeps the standard include files.
+/// Debian's folder of the standard include files.
 const STANDARD_INCLUDES: &str = "/usr/share/povray-3.7/include";
 
 /// A renderer.
@@ -16,13 +16,13 @@ const STANDARD_INCLUDES: &str = "/usr/share/povray-3.7/include";
 pub struct Renderer {
     /// The program.
     pub program: OsString,
-    /// What it says of itself with `--version`: other versions draw other pictures.
+    /// Its output for `--version`: other versions render other pictures.
     pub version: String,
-    /// Switches that it gets before all others.
+    /// Switches that precede all others.
     pub switches: Vec<String>,
 }
 
-/// What is to be drawn, and where to.
+/// A picture to render.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// The scene, as a path from the root.
@@ -31,9 +31,9 @@ pub struct Picture<'a> {
     pub file: &'a Path,
     /// Switches for size, antialiasing and so on.
     pub switches: &'a [String],
-    /// A folder that holds the scene and all it reads: POV-Ray reads below it, as below `$HOME`.
+    /// A folder that contains the scene and all files it reads: POV-Ray may read below it, as below `$HOME`.
     pub root: &'a Path,
-    /// How long it may take.
+    /// Time limit.
     pub limit: Duration,
 }
 
@@ -48,7 +48,7 @@ impl Renderer {
         Ok(povray)
     }
 
-    /// A renderer by its program.
+    /// A renderer by the name of its program.
     ///
     /// # Errors
     /// When it does not run.
@@ -66,12 +66,12 @@ impl Renderer {
         })
     }
 
-    /// Draws. That a process was started says nothing of its picture: see [`Ended`] and look for the file.
+    /// Renders. A started process need not have made a picture: see [`Ended`] and check the file.
     ///
     /// # Errors
     /// When the program does not start.
     pub fn draw(&self, picture: &Picture<'_>) -> io::Result<Ended> {
-        // An older picture must not be taken for this one; mostly there is none.
+        // An older picture must not be mistaken for this one; usually there is none.
         let _ = fs::remove_file(picture.file);
         let mut command = Command::new(&self.program);
         let name = picture.file.file_name().unwrap_or_default();
@@ -86,7 +86,7 @@ impl Renderer {
     }
 }
 
-/// Switches by which both renderers find what a scene includes: beside it, and in the standard library.
+/// Switches with the include folders for both renderers: beside the scene, and the standard library.
 pub(super) fn library(scene: &Path) -> Vec<String> {
     let beside = scene.parent().map(Path::to_owned);
     let folders = beside.into_iter().chain([PathBuf::from(STANDARD_INCLUDES)]);
@@ -95,7 +95,7 @@ pub(super) fn library(scene: &Path) -> Vec<String> {
         .collect()
 }
 
-/// The last lines of what a renderer said.
+/// The last lines of a renderer's output.
 #[must_use]
 pub fn tail(stderr: &str) -> String {
     let lines: Vec<_> = stderr

@@ -1,18 +1,18 @@
-//! The picture that shows a failure: expected, difference and actual beside each other.
+//! Side-by-side view of a failure: expected, difference and actual picture.
 
 use image::{DynamicImage, Rgb, RgbImage, imageops};
 
 /// The gap between the three pictures, in pixels of the result.
 const GAP: u32 = 4;
-/// Pictures narrower than this are scaled up by a whole factor, so that single pixels are seen.
+/// Narrower pictures are scaled up by an integer factor, so that single pixels are visible.
 const WIDTH: u32 = 320;
-/// The least brightness of a channel that differs at all, so that one step shows beside a difference of many.
+/// Least brightness of a channel that differs at all, so that one step is visible beside a large difference.
 const FAINTEST: u32 = 48;
 
 /// Expected | difference | actual, side by side.
 ///
-/// The difference is taken per channel at 8 bits and stretched so that the largest is full intensity; equal pixels are
-/// black. Pictures of unlike sizes are each shown from their own top left corner.
+/// The difference is taken per channel at 8 bits and scaled so that the largest is full intensity; equal pixels are
+/// black. Pictures of different sizes are aligned at the top left corner.
 #[must_use]
 pub fn side_by_side(expected: &DynamicImage, actual: &DynamicImage) -> RgbImage {
     let (expected, actual) = (expected.to_rgb8(), actual.to_rgb8());
@@ -38,7 +38,7 @@ pub fn side_by_side(expected: &DynamicImage, actual: &DynamicImage) -> RgbImage 
     sheet
 }
 
-/// The stretched difference; a pixel that only one picture has is full intensity.
+/// The scaled difference; a pixel that only one picture has is full intensity.
 fn difference(expected: &RgbImage, actual: &RgbImage) -> RgbImage {
     let largest = expected
         .enumerate_pixels()
@@ -46,7 +46,7 @@ fn difference(expected: &RgbImage, actual: &RgbImage) -> RgbImage {
         .flat_map(|(e, a)| [0, 1, 2].map(|i| e.0[i].abs_diff(a.0[i])))
         .max()
         .map_or(1, |largest| u32::from(largest).max(1));
-    let stretch = |off: u8| match u32::from(off) {
+    let amplify = |off: u8| match u32::from(off) {
         0 => 0,
         off => u8::try_from((255 * off / largest).max(FAINTEST)).unwrap_or(u8::MAX),
     };
@@ -59,7 +59,7 @@ fn difference(expected: &RgbImage, actual: &RgbImage) -> RgbImage {
             expected.get_pixel_checked(x, y),
             actual.get_pixel_checked(x, y),
         ) {
-            (Some(e), Some(a)) => Rgb([0, 1, 2].map(|i| stretch(e.0[i].abs_diff(a.0[i])))),
+            (Some(e), Some(a)) => Rgb([0, 1, 2].map(|i| amplify(e.0[i].abs_diff(a.0[i])))),
             _ => Rgb([255; 3]),
         }
     })
@@ -85,9 +85,9 @@ mod tests {
         let mut actual = expected.clone();
         actual.put_pixel(0, 0, Rgb([200; 3]));
         actual.put_pixel(1, 0, Rgb([0, 1, 0]));
-        let found = difference(&expected, &actual);
-        assert_eq!(found.get_pixel(0, 0).0, [255; 3]);
-        assert_eq!(found.get_pixel(1, 0).0, [0, 48, 0]);
+        let result = difference(&expected, &actual);
+        assert_eq!(result.get_pixel(0, 0).0, [255; 3]);
+        assert_eq!(result.get_pixel(1, 0).0, [0, 48, 0]);
     }
 
     #[test]
@@ -98,9 +98,9 @@ mod tests {
 
     #[test]
     fn unlike_sizes_show_where_only_one_picture_is() {
-        let found = difference(&RgbImage::new(2, 1), &RgbImage::new(1, 2));
-        assert_eq!(found.dimensions(), (2, 2));
-        assert_eq!(found.get_pixel(0, 0).0, [0; 3]);
-        assert_eq!(found.get_pixel(1, 0).0, [255; 3]);
+        let result = difference(&RgbImage::new(2, 1), &RgbImage::new(1, 2));
+        assert_eq!(result.dimensions(), (2, 2));
+        assert_eq!(result.get_pixel(0, 0).0, [0; 3]);
+        assert_eq!(result.get_pixel(1, 0).0, [255; 3]);
     }
 }

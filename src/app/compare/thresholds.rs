@@ -1,16 +1,17 @@
-//! When two pictures count as the same, in the words of OpenImageIO's `idiff`.
+//! Thresholds for equal pictures, in the terms of OpenImageIO's `idiff`.
 
 use super::kinds::{Kind, visit};
 use super::{Limits, Mismatch, off};
 use image::DynamicImage;
 use std::fmt;
 
-/// How far pictures may differ. Differences are shares of full intensity; a pixel counts by its most different channel.
+/// Thresholds for the difference of pictures, as shares of full intensity; a pixel counts by its most different
+/// channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// Pixels that differ by more than this count as failures,
     pub fail: f64,
-    /// of which there may be so many percent,
+    /// of which this percentage is allowed,
     pub fail_percent: f64,
     /// and no pixel may differ by more than this.
     pub hard_fail: f64,
@@ -22,19 +23,19 @@ pub struct Thresholds {
     pub hard_warn: f64,
 }
 
-/// What two pictures are, measured against thresholds.
+/// Two pictures measured against thresholds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
-    /// The same.
+    /// Equal.
     Pass,
-    /// The same as far as failures go, with warnings.
+    /// Equal as far as failures go, with warnings.
     Warning,
-    /// Not the same.
+    /// Different.
     Failure,
 }
 
 impl Default for Thresholds {
-    /// Those of `idiff`: any difference that is not rounding of single precision is a failure.
+    /// As in `idiff`: any difference beyond rounding of single precision is a failure.
     fn default() -> Self {
         Thresholds {
             fail: 1e-6,
@@ -61,12 +62,12 @@ impl From<Limits> for Thresholds {
 }
 
 impl Thresholds {
-    /// What two pictures are.
+    /// Grades two pictures.
     ///
     /// # Errors
     /// When the pictures differ in size or in depth.
     pub fn grade(&self, expected: &DynamicImage, actual: &DynamicImage) -> Result<Grade, Mismatch> {
-        // Sizes and depths are looked at there.
+        // Checks sizes and depths.
         super::compare(expected, actual)?;
         let kind = Kind::of(expected);
         let (mut failing, mut warning, mut largest, mut pixels) = (0u64, 0u64, 0f64, 0u64);

@@ -1,4 +1,4 @@
-//! How far a picture is from the truth, in linear light between black and white.
+//! The error of a picture relative to the truth, in linear light between black and white.
 
 use image::RgbImage;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::base::color::Gamma;
 use crate::base::film::Film;
 
-/// A picture in linear light, row by row, every channel from 0 to 1: what a screen can show.
+/// A picture in linear light, row by row, every channel from 0 to 1: the range of a screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linear {
     /// Pixels in a row.
@@ -17,7 +17,7 @@ pub struct Linear {
     pub pixels: Vec<[f32; 3]>,
 }
 
-/// How far apart two pictures are.
+/// Error measures of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// The root of the mean of the squared differences of all channels.
@@ -31,7 +31,7 @@ pub struct Errors {
 }
 
 impl Linear {
-    /// From a film; `working` is its space, `None` for values that are stored as they are.
+    /// Converts a film; `working` is its colour space, `None` for values that are stored as they are.
     #[must_use]
     pub fn of_film(film: &Film, working: Option<Gamma>) -> Linear {
         let working = working.unwrap_or(Gamma::Srgb);
@@ -54,7 +54,7 @@ impl Linear {
         stored.map(|&c| level(Gamma::Srgb.encode(c))).collect()
     }
 
-    /// Where and how much another picture differs from this one, ten times as large as it is, in the same form.
+    /// The difference of another picture from this one, magnified ten times, as sRGB bytes.
     #[must_use]
     pub fn difference(&self, other: &Linear) -> Vec<u8> {
         let pairs = self
@@ -67,7 +67,7 @@ impl Linear {
             .collect()
     }
 
-    /// How far another picture of the same size is from this one.
+    /// The errors of another picture of the same size.
     #[must_use]
     pub fn errors(&self, other: &Linear) -> Errors {
         let mut worst = Vec::with_capacity(self.pixels.len());
@@ -102,7 +102,7 @@ impl Linear {
     }
 }
 
-/// How many times differences are enlarged to be seen.
+/// The magnification of differences, for visibility.
 pub(super) const ENLARGED: f32 = 10.0;
 
 #[allow(
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_brighter_than_white_is_white() {
+    fn values_above_white_are_clipped() {
         let mut film = Film::whole(1, 1);
         film.pixels[0].rgb = crate::base::color::Rgb::new(7.0, -1.0, 0.25);
         let linear = Linear::of_film(&film, Some(Gamma::LINEAR));

@@ -1,10 +1,10 @@
-//! Error against run time: a scene is drawn with many settings, and each picture compared with one that is as good as
+//! Error against run time: a scene is rendered with many settings, and each picture compared with a near-perfect one,
 //! the truth.
 //!
-//! The form is that of work-precision diagrams (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I",
-//! 1993): the logarithm of the error over the logarithm of the time, a line for each method. Times are those of tracing;
-//! the median of several runs counts, and their spread is told. Everything is written as soon as it is known, and a later
-//! run with the same scene goes on where an earlier one ended.
+//! The plots are work-precision diagrams (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I",
+//! 1993): the logarithm of the error over the logarithm of the time, a line for each method. Times are those of
+//! tracing: the median of several runs, with their spread. All results are written as soon as they are known, and a
+//! later run with the same scene continues where an earlier one ended.
 
 mod error;
 mod page;
@@ -26,60 +26,60 @@ use std::path::{Path, PathBuf};
 use crate::base::color::Gamma;
 use crate::base::options::{AdaptiveOutcome, Picture, Sampling};
 
-/// A picture and what it took.
+/// A rendered picture and its cost.
 #[derive(Debug)]
 pub struct Drawn {
     /// The picture.
     pub picture: Linear,
-    /// What sampling until the error is small came to.
+    /// The error reached with adaptive sampling.
     pub reached: Option<AdaptiveOutcome>,
     /// Camera rays for each pixel.
     pub samples_a_pixel: f64,
-    /// Seconds of tracing of all processors.
+    /// Seconds of tracing, over all processors.
     pub processor: f64,
-    /// The same by the clock.
+    /// Seconds of tracing by the clock.
     pub wall: f64,
 }
 
-/// Draws the scene with a sampling.
+/// Renders the scene with a sampling method.
 pub type Draw<'a> = dyn Fn(Sampling) -> Result<Drawn, CurveError> + 'a;
 
-/// What is to be measured.
+/// A set of measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// The scene, as people call it.
+    /// The scene's name for people.
     pub scene: String,
-    /// All that decides about its picture but the sampling: what was measured under another key does not count.
+    /// All inputs of its picture except the sampling; measurements under another key do not count.
     pub key: String,
     /// The settings.
     pub settings: Vec<Setting>,
-    /// How often each is drawn.
+    /// Number of renderings with each setting.
     pub runs: usize,
-    /// What POV-Ray is told beside the switches of a setting.
+    /// POV-Ray's options beside the switches of a setting.
     pub povray: Task,
-    /// The error asked of the truth, in steps of 1/255.
+    /// The requested error of the truth, in steps of 1/255.
     pub truth_error: f64,
-    /// Where all files go.
+    /// The folder of all files.
     pub folder: PathBuf,
 }
 
-/// How far a sweep is.
+/// Progress of a sweep.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a> {
-    /// What has been done of `of`.
+    /// Steps done, out of `of`.
     pub done: usize,
-    /// How much there is to do.
+    /// Number of steps.
     pub of: usize,
-    /// What comes next.
+    /// The next step.
     pub next: &'a str,
 }
 
-/// Why a sweep ended.
+/// An error that ends a sweep.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CurveError {
-    /// What is wrong.
+    /// The message.
     pub message: String,
-    /// What to do about it.
+    /// The hint.
     pub hint: Option<String>,
 }
 
@@ -108,7 +108,7 @@ impl fmt::Display for CurveError {
 impl std::error::Error for CurveError {}
 
 impl Drawn {
-    /// From a picture that the stages gave.
+    /// From a picture of the render pipeline.
     #[must_use]
     pub fn of(picture: &Picture) -> Drawn {
         let statistics = &picture.statistics;
@@ -125,24 +125,24 @@ impl Drawn {
 }
 
 impl Sweep {
-    /// Measures what has not been measured yet, and writes all files. `tell` hears what comes next.
+    /// Makes the missing measurements, and writes all files. `on_step` receives the next step.
     ///
     /// # Errors
-    /// When the scene cannot be drawn, POV-Ray does not run, or a file cannot be written.
-    pub fn run(&self, draw: &Draw<'_>, tell: &dyn Fn(Step<'_>)) -> Result<Report, CurveError> {
+    /// When the scene cannot be rendered, POV-Ray does not run, or a file cannot be written.
+    pub fn run(&self, draw: &Draw<'_>, on_step: &dyn Fn(Step<'_>)) -> Result<Report, CurveError> {
         let pictures = self.folder.join("pictures");
         std::fs::create_dir_all(&pictures).map_err(|error| {
             CurveError::new(format!("cannot create `{}`: {error}", pictures.display()))
                 .with_hint("name another folder with `--out`")
         })?;
         let of = self.settings.len() + 1;
-        let step = |done, next: &str| tell(Step { done, of, next });
+        let step = |done, next: &str| on_step(Step { done, of, next });
         step(0, "the truth");
         let (truth, picture) =
-            truth::kept_or_drawn(&self.key, self.truth_error, &self.folder, draw)?;
+            truth::stored_or_rendered(&self.key, self.truth_error, &self.folder, draw)?;
         write_png(&pictures.join("truth.png"), &picture, &picture.srgb())?;
         let json = self.folder.join("curve.json");
-        let before = Report::kept(&json, &self.key);
+        let before = Report::stored(&json, &self.key);
         let mut report = Report {
             key: self.key.clone(),
             scene: self.scene.clone(),
@@ -164,16 +164,16 @@ impl Sweep {
             step(number + 1, &setting.name());
             let measured = self.measure(setting, &picture, &pictures, draw)?;
             report.measured.push(measured);
-            // What an earlier run measured and this one has not come to yet is kept for the next.
-            let mut kept = report.clone();
+            // Measurements of an earlier run that this one has not reached yet are retained for the next.
+            let mut stored = report.clone();
             let of_before = before.iter().flat_map(|report| &report.measured);
             let to_come = &self.settings[number + 1..];
-            kept.measured.extend(
+            stored.measured.extend(
                 of_before
                     .filter(|known| to_come.iter().any(|s| s.file_stem() == known.file_stem))
                     .cloned(),
             );
-            store::write_json(&json, &kept)?;
+            store::write_json(&json, &stored)?;
         }
         step(of, "the page");
         store::write_json(&json, &report)?;
@@ -257,7 +257,7 @@ impl Sweep {
     }
 }
 
-/// Writes bytes of red, green and blue as a PNG file of the size of a picture.
+/// Writes RGB bytes as a PNG file of the size of a picture.
 fn write_png(path: &Path, size: &Linear, bytes: &[u8]) -> Result<(), CurveError> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, size.width, size.height);

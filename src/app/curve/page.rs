@@ -1,4 +1,4 @@
-//! One page that shows everything: the plot, the table, the pictures and where they differ. It needs no other file.
+//! A self-contained page with everything: the plot, the table, the pictures and their differences.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -57,7 +57,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
         truth.rms,
         summary(report),
     );
-    // One drawing has no spread.
+    // A single rendering has no spread.
     let has_spread = report.measured.iter().any(|m| m.processor.runs > 1);
     let spread = if has_spread {
         "<th>from – to</th>"
@@ -102,7 +102,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     Ok(page)
 }
 
-/// What povr's own method costs beside POV-Ray's best for the same error, if both were measured.
+/// The cost of povr's own method beside POV-Ray's best for the same error, if both were measured.
 fn summary(report: &Report) -> String {
     let of = |family: Family| {
         let ours = report.measured.iter().filter(|m| m.family == family);
@@ -127,7 +127,7 @@ fn summary(report: &Report) -> String {
     )
 }
 
-/// What an error costs on a line from quick to good: between two points by their logarithms.
+/// The cost of an error on a line from fast to accurate: logarithmic interpolation between two points.
 fn cost(error: f64, points: &[(f64, f64)]) -> Option<f64> {
     let first = points.first()?;
     if first.1 <= error {
@@ -181,7 +181,7 @@ fn color(family: Family) -> String {
     format!("rgb({r} {g} {b})")
 }
 
-/// A picture as an address that holds it.
+/// A picture as a data URL.
 fn embedded(file: &Path) -> Result<String, CurveError> {
     let bytes = std::fs::read(file).map_err(|error| {
         CurveError::new(format!("cannot read `{}`: {error}", file.display()))

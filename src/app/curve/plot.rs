@@ -1,4 +1,4 @@
-//! The plot: error over processor time, both by their logarithms, a line for each method.
+//! The plot: error over processor time, both logarithmic, a line for each method.
 
 use std::fmt::Display;
 use std::ops::Range;
@@ -10,22 +10,33 @@ use super::CurveError;
 use super::setting::Family;
 use super::store::{Measured, Report};
 
-/// The size of the whole in pixels: three panels side by side.
+/// The size of the whole plot in pixels: three panels side by side.
 const SIZE: (u32, u32) = (1500, 560);
-/// Nothing is drawn below this error.
+/// Lower limits of the plotted error and time.
 const LEAST_ERROR: f64 = 1e-6;
 const LEAST_TIME: f64 = 1e-4;
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
-/// A panel: what is plotted, and which number of a measurement that is.
-type Panel = (&'static str, fn(&Measured) -> f64);
+/// A panel: its title, and the number of a measurement that it plots.
+#[derive(Clone, Copy)]
+struct Panel {
+    title: &'static str,
+    value: fn(&Measured) -> f64,
+}
 
 const PANELS: [Panel; 3] = [
-    ("root mean square error, linear light", |m| m.errors.rmse),
-    ("error that 99.9 % of pixels do not exceed", |m| {
-        m.errors.p999
-    }),
-    ("FLIP, mean", |m| m.errors.flip),
+    Panel {
+        title: "root mean square error, linear light",
+        value: |m| m.errors.rmse,
+    },
+    Panel {
+        title: "error that 99.9 % of pixels do not exceed",
+        value: |m| m.errors.p999,
+    },
+    Panel {
+        title: "FLIP, mean",
+        value: |m| m.errors.flip,
+    },
 ];
 
 /// The plot as SVG.
@@ -46,19 +57,19 @@ fn refused(error: &dyn Display) -> CurveError {
     CurveError::new(format!("cannot draw the plot: {error}"))
 }
 
-/// The range of some values, a little wider; of a factor of ten at least.
+/// The range of some values, a little wider; at least a factor of ten.
 fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (least, most) = values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
     if least > most {
         return 0.1..1.0;
     }
     let most = most.max(10.0 * least);
-    // Room for the legend.
+    // Space for the legend.
     least / 1.4..most * 2.0
 }
 
-/// Where lines of the grid stand: at 1, 2, and so on to 9 times each power of ten. Left to itself the plot has none below
-/// the first power in the range, and twice the number at each.
+/// Grid lines at 1, 2, and so on to 9 times each power of ten. By default the plot has none below the first power in
+/// the range, and two at each power.
 fn grid(range: &Range<f64>) -> Vec<f64> {
     let mut lines = Vec::new();
     let mut power = 10f64.powf(range.start.log10().floor());
@@ -73,7 +84,7 @@ fn grid(range: &Range<f64>) -> Vec<f64> {
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
     report: &Report,
-    (title, value): Panel,
+    Panel { title, value }: Panel,
 ) -> Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>> {
     let time = |m: &Measured| m.processor.median.max(LEAST_TIME);
     let value = |m: &Measured| value(m).max(LEAST_ERROR);
@@ -96,7 +107,7 @@ fn draw<'a>(
         .x_label_formatter(&|v| label(*v))
         .y_label_formatter(&|v| label(*v))
         .bold_line_style(BLACK.mix(0.18))
-        // There are so many of them that they make a grey of the border.
+        // They are so dense that they turn the border grey.
         .light_line_style(TRANSPARENT)
         .draw()?;
     for family in Family::ALL {
@@ -112,7 +123,7 @@ fn draw<'a>(
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (r, g, b) = family.color();
         let color = RGBColor(r, g, b);
-        // POV-Ray's settings have three knobs; the line joins those that no other betters.
+        // POV-Ray's settings have three parameters; the line joins the Pareto-optimal points.
         let line = LineSeries::new(best(&points), color.stroke_width(2));
         chart
             .draw_series(line)?
@@ -125,7 +136,7 @@ fn draw<'a>(
     }
     chart
         .configure_series_labels()
-        // What is both quick and good lies at the lower left.
+        // Points that are both fast and accurate lie at the lower left.
         .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE.mix(0.85))
         .border_style(BLACK.mix(0.3))
@@ -134,29 +145,29 @@ fn draw<'a>(
     Ok(())
 }
 
-/// The points that none is both faster and better than, from fast to slow.
+/// The Pareto-optimal points, from fast to slow.
 pub(super) fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut least = f64::INFINITY;
-    let mut kept = Vec::new();
+    let mut optimal = Vec::new();
     for &(time, error) in points {
         if error < least {
             least = error;
-            kept.push((time, error));
+            optimal.push((time, error));
         }
     }
-    kept
+    optimal
 }
 
-/// What stands at a line of the grid: the number, if it begins with 1, 2 or 5; there is no room for all.
+/// The label of a grid line: the number, if it begins with 1, 2 or 5; there is no space for all.
 fn label(v: f64) -> String {
     let leading = v / 10f64.powf((v.log10() + 1e-9).floor());
-    let is_told = [1.0, 2.0, 5.0]
+    let is_labelled = [1.0, 2.0, 5.0]
         .iter()
-        .any(|told| (leading - told).abs() < 1e-6);
-    if is_told { short(v) } else { String::new() }
+        .any(|digit| (leading - digit).abs() < 1e-6);
+    if is_labelled { short(v) } else { String::new() }
 }
 
-/// A number with no more digits than it needs.
+/// A number without superfluous digits.
 fn short(v: f64) -> String {
     if (0.001..1000.0).contains(&v) {
         let text = format!("{v:.4}");
@@ -192,7 +203,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_line_joins_what_nothing_betters() {
+    fn the_line_joins_pareto_optimal_points() {
         let points = [(1.0, 0.5), (2.0, 0.7), (3.0, 0.2), (4.0, 0.3)];
         assert_eq!(best(&points), [(1.0, 0.5), (3.0, 0.2)]);
     }

@@ -1,4 +1,4 @@
-//! POV-Ray itself as one that is measured.
+//! Measures POV-Ray itself.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -7,20 +7,20 @@ use super::CurveError;
 use super::error::Linear;
 use crate::app::compare::{self, Renderer};
 
-/// A drawing that takes longer is given up.
+/// Time limit of a rendering.
 const PATIENCE: Duration = Duration::from_secs(24 * 3600);
 
-/// A drawing by POV-Ray.
+/// A rendering by POV-Ray.
 pub(super) struct ByPovRay {
     pub(super) picture: Linear,
-    /// Seconds of tracing of all processors, and by the clock, as POV-Ray tells.
+    /// Seconds of tracing, over all processors and by the clock, as reported by POV-Ray.
     pub(super) processor: f64,
     pub(super) wall: f64,
     /// Camera rays for each pixel, those of antialiasing included.
     pub(super) samples_a_pixel: f64,
 }
 
-/// What POV-Ray is to draw.
+/// A rendering task for POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The scene, as a path from the root.
@@ -31,28 +31,28 @@ pub struct Task {
     pub library_paths: Vec<PathBuf>,
     /// Numbers declared before the scene.
     pub declares: Vec<(String, f64)>,
-    /// How many threads it may use.
+    /// Number of threads it may use.
     pub threads: usize,
 }
 
-/// Draws with POV-Ray, 16 bits a channel in linear light.
+/// Renders with POV-Ray, 16 bits a channel in linear light.
 pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRay, CurveError> {
     let file = std::path::absolute(folder)
         .unwrap_or_else(|_| folder.to_owned())
         .join("povray.png");
     let beside = task.scene.parent().unwrap_or(Path::new("/"));
     let folders = std::iter::once(beside).chain(task.library_paths.iter().map(PathBuf::as_path));
-    let mut told = vec![
+    let mut arguments = vec![
         format!("+W{}", task.size.0),
         format!("+H{}", task.size.1),
         "-D".to_owned(),
         "+FN16".to_owned(),
         "File_Gamma=1.0".to_owned(),
     ];
-    told.extend(folders.map(|folder| format!("+L{}", folder.display())));
+    arguments.extend(folders.map(|folder| format!("+L{}", folder.display())));
     let declares = task.declares.iter();
-    told.extend(declares.map(|(name, value)| format!("Declare={name}={value}")));
-    told.extend(switches.split_whitespace().map(str::to_owned));
+    arguments.extend(declares.map(|(name, value)| format!("Declare={name}={value}")));
+    arguments.extend(switches.split_whitespace().map(str::to_owned));
     let povray = Renderer {
         program: "povray".into(),
         version: String::new(),
@@ -62,7 +62,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
         .draw(&compare::Picture {
             scene: &task.scene,
             file: &file,
-            switches: &told,
+            switches: &arguments,
             root: beside,
             limit: PATIENCE,
         })
@@ -96,7 +96,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
             .map(|pixel| pixel.0.map(|c| f32::from(c) / 65535.0))
             .collect(),
     };
-    // It has been read; the pictures that are kept lie in a folder of their own.
+    // It has been read; the stored pictures lie in a folder of their own.
     let _ = std::fs::remove_file(&file);
     let pixels = f64::from(task.size.0) * f64::from(task.size.1);
     let (processor, wall) = times(&said).ok_or_else(|| unread(&"it tells no times"))?;
@@ -108,7 +108,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
     })
 }
 
-/// The seconds of tracing: of the processors, and by the clock.
+/// The seconds of tracing: over the processors, and by the clock.
 fn times(said: &str) -> Option<(f64, f64)> {
     let trace = &said[said.rfind("Trace Time:")?..];
     let wall = trace.split('(').nth(1)?.split(" seconds").next()?;
@@ -116,8 +116,8 @@ fn times(said: &str) -> Option<(f64, f64)> {
     Some((processor.trim().parse().ok()?, wall.trim().parse().ok()?))
 }
 
-/// The camera rays: `Pixels: 76800   Samples: 341234   Smpls/Pxl: 4.44` counts those of the first look at the pixels
-/// and those of antialiasing apart.
+/// The camera rays: `Pixels: 76800   Samples: 341234   Smpls/Pxl: 4.44` counts the initial samples of pixels separately
+/// from those of antialiasing.
 fn samples(said: &str) -> Option<f64> {
     let line = &said[said
         .rfind("Smpls/Pxl:")

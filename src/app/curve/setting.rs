@@ -1,16 +1,16 @@
-//! The settings that are measured: which program draws, and with which switches.
+//! The settings to measure: the program, and its switches.
 
 use serde::{Deserialize, Serialize};
 
 use crate::base::options::Sampling;
 
-/// Who draws, and by which kind of method: the settings of one are a line of the plot.
+/// A program and a kind of method: the settings of one family are a line of the plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Family {
     /// This program without antialiasing.
     Centres,
-    /// This program, sampling until the error is small.
+    /// This program, with adaptive sampling.
     Converging,
     /// This program with POV-Ray's methods.
     Grid,
@@ -27,7 +27,7 @@ impl Family {
         Family::Centres,
     ];
 
-    /// What a legend calls it.
+    /// The name in legends.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl Family {
         }
     }
 
-    /// Its colour in the plot and on the page, told apart by people who see few colours too (Okabe and Ito 2008).
+    /// The colour in the plot and on the page, distinct for people with colour blindness too (Okabe and Ito 2008).
     #[must_use]
     pub fn color(self) -> (u8, u8, u8) {
         match self {
@@ -53,16 +53,16 @@ impl Family {
 /// A setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// Who draws.
+    /// The program and kind of method.
     pub family: Family,
-    /// The switches, as they are typed.
+    /// The switches as typed.
     pub switches: String,
-    /// How this program samples; of no account for POV-Ray.
+    /// The sampling of this program; ignored for POV-Ray.
     pub sampling: Sampling,
 }
 
 impl Setting {
-    /// What tells it from all others: who draws, and the switches.
+    /// A unique name: the program and the switches.
     #[must_use]
     pub fn name(&self) -> String {
         match self.family {
@@ -71,7 +71,7 @@ impl Setting {
         }
     }
 
-    /// Its name as that of a file.
+    /// A file name for the setting.
     #[must_use]
     pub fn file_stem(&self) -> String {
         let plain = |c: char| {
@@ -85,8 +85,8 @@ impl Setting {
     }
 }
 
-/// What is measured unless somebody chooses: our errors by halves, and of POV-Ray's methods those that cost least for
-/// what they give, and the usual ones.
+/// The default settings: halved errors for this program, and for POV-Ray's methods the ones with the best quality for
+/// their cost, and the usual ones.
 pub const USUAL: &[&str] = &[
     "-A",
     "--error 16",

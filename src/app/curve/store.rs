@@ -1,4 +1,4 @@
-//! What has been measured, in files: JSON that a later run goes on from, and CSV for tables.
+//! Stored measurements: JSON for continuing in a later run, and CSV for tables.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,57 +11,58 @@ use super::setting::Family;
 use super::truth::Truth;
 use crate::output::Pending;
 
-/// Everything that is known about a scene.
+/// All results for a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// Of which scene and settings this is one: what was measured under another key does not count.
+    /// The scene and options of the report: measurements under another key do not count.
     pub(super) key: String,
     /// The scene, as it was named.
     pub scene: String,
-    /// Threads of each drawing.
+    /// Threads of each rendering.
     pub threads: usize,
-    /// The picture that all are measured against.
+    /// The reference picture of all measurements.
     pub truth: Truth,
-    /// What was measured, in the order of the settings.
+    /// The measurements, in the order of the settings.
     pub measured: Vec<Measured>,
 }
 
-/// A setting that was measured.
+/// A measured setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
-    /// Who drew.
+    /// The program and kind of method.
     pub family: Family,
-    /// With which switches.
+    /// The switches.
     pub switches: String,
-    /// The files of its pictures have this name, with `.png` and `-difference.png` behind it.
+    /// The name of its picture files, followed by `.png` and `-difference.png`.
     pub file_stem: String,
-    /// Seconds of tracing of all processors.
+    /// Seconds of tracing, over all processors.
     pub processor: Spread,
-    /// The same by the clock.
+    /// Seconds of tracing by the clock.
     pub wall: Spread,
     /// Camera rays for each pixel.
     pub samples_a_pixel: f64,
-    /// The largest estimated error of a pixel and that of the mean of squares, in linear light, if it was estimated.
+    /// The largest estimated error of a pixel and the root mean square over all pixels, in linear light, if it was
+    /// estimated.
     pub estimated: Option<(f64, f64)>,
-    /// How far the picture is from the truth.
+    /// The errors relative to the truth.
     pub errors: Errors,
 }
 
-/// Several measurements of one thing.
+/// Repeated measurements of one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
-    /// The middle one.
+    /// The median.
     pub median: f64,
     /// The least.
     pub least: f64,
     /// The largest.
     pub most: f64,
-    /// How many there are.
+    /// Number of measurements.
     pub runs: usize,
 }
 
 impl Spread {
-    /// Of a list that is not empty.
+    /// From a list that is not empty.
     pub(super) fn of(mut values: Vec<f64>) -> Spread {
         values.sort_unstable_by(f64::total_cmp);
         let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
@@ -80,7 +81,7 @@ impl Spread {
 }
 
 impl Report {
-    /// The table as comma-separated values with a line of names.
+    /// The table as comma-separated values with a header line.
     #[must_use]
     pub fn csv(&self) -> String {
         let mut text = "program,switches,processor_s,processor_least_s,processor_most_s,wall_s,\
@@ -118,15 +119,15 @@ impl Report {
         text
     }
 
-    /// What was measured before under the same key.
-    pub(super) fn kept(path: &Path, key: &str) -> Option<Report> {
+    /// The stored report with the same key.
+    pub(super) fn stored(path: &Path, key: &str) -> Option<Report> {
         let bytes = std::fs::read(path).ok()?;
         let report: Report = serde_json::from_slice(&bytes).ok()?;
         (report.key == key).then_some(report)
     }
 }
 
-/// Writes a file, whole or not at all.
+/// Writes a file atomically.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
     let written = Pending::new(path).and_then(|mut file| {
         std::io::Write::write_all(&mut file, bytes)?;

@@ -1,8 +1,8 @@
-//! The picture that all others are measured against: drawn once, by many samples, and kept.
+//! The reference picture for all others: rendered once, with many samples, and stored.
 //!
-//! It is this program's own, so that only the error of sampling is measured; what POV-Ray draws differently shows as the
-//! level below which its curve does not fall. Every pixel gets at least 32 samples, so that hardly anything hides from
-//! it, and its own error is estimated as that of any picture is.
+//! It is this program's own, so that only the error of sampling is measured; systematic differences of POV-Ray show as
+//! the level below which its curve does not fall. Every pixel gets at least 32 samples, so that hardly any feature is
+//! missed, and its own error is estimated like that of any picture.
 
 use std::path::Path;
 
@@ -12,15 +12,15 @@ use super::error::Linear;
 use super::{CurveError, Draw, Drawn};
 use crate::base::options::{Adaptive, Sampling};
 
-/// The error asked of it, in steps of 1/255.
+/// Its requested error, in steps of 1/255.
 pub const ERROR: f64 = 0.08;
 const PICTURE: &str = "truth.f32";
 const FACTS: &str = "truth.json";
 
-/// What is known about the truth.
+/// Properties of the reference picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Truth {
-    /// Of which scene at which size it is one.
+    /// The scene and size.
     pub(super) key: String,
     /// Width and height in pixels.
     pub size: (u32, u32),
@@ -30,20 +30,20 @@ pub struct Truth {
     pub largest: f64,
     /// Camera rays for each pixel.
     pub samples_a_pixel: f64,
-    /// Seconds of all processors.
+    /// Seconds, over all processors.
     pub processor: f64,
 }
 
-/// The truth of this key from a folder, or drawn and kept there.
-pub(super) fn kept_or_drawn(
+/// The reference picture with this key from a folder, or rendered and stored there.
+pub(super) fn stored_or_rendered(
     key: &str,
     error: f64,
     folder: &Path,
     draw: &Draw<'_>,
 ) -> Result<(Truth, Linear), CurveError> {
     let key = format!("{key} {error}");
-    if let Some(kept) = kept(&key, folder) {
-        return Ok(kept);
+    if let Some(stored) = stored(&key, folder) {
+        return Ok(stored);
     }
     let sampling = Sampling::Converging(Adaptive { error, time: None });
     let Drawn {
@@ -69,7 +69,7 @@ pub(super) fn kept_or_drawn(
     Ok((truth, picture))
 }
 
-fn kept(key: &str, folder: &Path) -> Option<(Truth, Linear)> {
+fn stored(key: &str, folder: &Path) -> Option<(Truth, Linear)> {
     let facts = std::fs::read(folder.join(FACTS)).ok()?;
     let truth: Truth = serde_json::from_slice(&facts).ok()?;
     let bytes = std::fs::read(folder.join(PICTURE)).ok()?;

@@ -1,53 +1,52 @@
-//! A band of the picture: every pixel is sampled a little, those at edges more, until the estimate holds.
+//! A band of the picture: first samples for every pixel, more at edges, until the estimated errors are low enough.
 //!
 //! 1. Each pixel gets its first samples.
-//! 2. A pixel is broken if its samples, or those of it and its neighbours, met different surfaces or sides of them, or if
-//!    its error is too large; unless it turns out that one straight edge divides it and what is around, or that the
-//!    colour slopes evenly there.
-//! 3. A broken pixel and all around it get four times as many samples; those that turn out to be broken too pass that
-//!    on. So a wire that only some pixels saw is followed along its length, for [`ROUNDS`] pixels.
-//! 4. Those pixels get more samples until their error is small. It is never taken for smaller than what a feature
-//!    between the samples would do whose contrast is that of the surroundings.
+//! 2. A pixel is broken if its samples, or its samples and its neighbours', hit different surfaces or different sides
+//!    of one, or if its error is too large. Exceptions: one straight edge divides the pixel and its surroundings, or
+//!    the colour slopes evenly there.
+//! 3. A broken pixel and its neighbours get four times as many samples. Neighbours that turn out to be broken pass this
+//!    on, so that a wire that only some pixels saw is followed along its length, for [`ROUNDS`] pixels.
+//! 4. These pixels get more samples until their error is small. The error is never taken to be smaller than the error
+//!    of a feature between the samples with the contrast of the surroundings.
 //!
-//! A pixel depends on those within [`MARGIN`] of it and on no others, so that a part of a picture is drawn as it is in the
-//! whole.
+//! A pixel depends only on pixels within [`MARGIN`] of it, so that a crop is rendered exactly as in the whole picture.
 
-use super::estimate::Reach;
-use super::finish::{Finishing, HIDDEN, Outcome, Task, is_calm};
+use super::estimate::ChannelRange;
+use super::finish::{Finisher, HIDDEN, Outcome, Task, is_calm};
 use super::neighbors::doubts;
-use super::sample::{AdaptiveSample, Eye, EyeScratch, TOGETHER};
+use super::sample::{AdaptiveSample, PixelSampler, SamplerScratch, TOGETHER};
 use crate::base::film::Pixel;
 use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
 
-/// How far being broken is passed on, in pixels.
+/// Distance in pixels over which a broken pixel passes on that state.
 const ROUNDS: u32 = 8;
-/// How far away a pixel may lie that decides about another.
+/// Largest distance in pixels at which one pixel influences another.
 pub(super) const MARGIN: u32 = ROUNDS + 4;
-/// The most samples that a pixel gets first.
+/// Upper limit of the first samples of a pixel.
 pub(super) const FIRST_AT_MOST: u32 = 32;
-/// How many times as many samples there are at edges.
+/// Factor from the first samples of a pixel to its samples at edges.
 pub(super) const FINER: u32 = 4;
-/// The side of the squares of pixels that are sampled first together.
+/// Side of the squares of pixels whose first samples are traced together.
 const SQUARE: u32 = 8;
-/// The same of those that are worked on together: a power of two.
+/// Side of the squares of pixels that are finished together: a power of two.
 const WORKED: u32 = 32;
 
-/// What to reach.
+/// Error to reach, and limits of the sampling.
 #[derive(Clone, Copy)]
 pub(super) struct ErrorTarget {
     /// The largest estimated error of a pixel.
     pub(super) error: f64,
-    /// How many samples a pixel gets first: a power of two.
+    /// First samples of each pixel: a power of two.
     pub(super) first: u32,
-    /// When to stop with what there is.
+    /// Time at which rendering stops with the current result.
     pub(super) deadline: Option<Instant>,
 }
 
 impl ErrorTarget {
-    /// The smaller the error, the smaller what may stay unseen where nothing is to be seen.
+    /// The smaller the error, the smaller a feature may be that the first samples miss.
     pub(super) fn new(error: f64, deadline: Option<Instant>) -> ErrorTarget {
         const FIRST: [(f64, u32); 3] = [(1.25 / 255.0, 4), (0.35 / 255.0, 8), (0.15 / 255.0, 16)];
         let first = FIRST.iter().find(|(least, _)| error >= *least);
@@ -63,12 +62,12 @@ impl ErrorTarget {
     }
 }
 
-/// Which samples count.
+/// Which samples of a pixel count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SampleFilter {
-    /// The first ones.
+    /// The first samples only.
     First,
-    /// All that a pixel got before it is finished.
+    /// All samples of a pixel before it is finished.
     All,
 }
 
@@ -81,41 +80,41 @@ pub(super) struct FinishedPixel {
 
 /// The samples of a rectangle of pixels.
 pub(super) struct Band<'a> {
-    pub(super) eye: &'a Eye<'a>,
+    pub(super) sampler: &'a PixelSampler<'a>,
     pub(super) target: ErrorTarget,
     columns: Range<u32>,
     rows: Range<u32>,
     /// The first samples, pixel by pixel.
     first: Vec<AdaptiveSample>,
-    /// For each pixel which of them lies in each cell of a grid.
+    /// For each pixel, the index of the sample in each cell of its grid.
     first_order: Vec<u8>,
-    /// More of them for some pixels, the first included.
+    /// All samples of the pixels that got more, including the first ones.
     finer: Vec<AdaptiveSample>,
-    /// Which of these lies in each cell.
+    /// The index into these samples for each cell.
     finer_order: Vec<u8>,
-    /// For each pixel where its samples in `finer` begin, if it has some there.
+    /// For each pixel, the start of its samples in `finer`, if it has any there.
     finer_at: Vec<Option<u32>>,
-    reach: Vec<Reach>,
+    ranges: Vec<ChannelRange>,
     is_broken: Vec<bool>,
-    /// The pixels at edges that are finished without further ado.
+    /// Edge pixels that are finished with a few more samples.
     settled: Vec<Option<FinishedPixel>>,
-    /// How many samples were taken.
+    /// Samples taken.
     pub(super) samples: u64,
-    /// The rays that they took.
+    /// Rays traced for them.
     pub(super) rays: RayCounts,
 }
 
 impl<'a> Band<'a> {
-    /// Samples a band as far as step 2.
+    /// Samples a band up to step 2.
     pub(super) fn new(
-        eye: &'a Eye<'a>,
+        sampler: &'a PixelSampler<'a>,
         target: ErrorTarget,
         columns: Range<u32>,
         rows: Range<u32>,
     ) -> Self {
         let count = columns.len() * rows.len();
         let mut band = Band {
-            eye,
+            sampler,
             target,
             columns,
             rows,
@@ -124,7 +123,7 @@ impl<'a> Band<'a> {
             finer: Vec::new(),
             finer_order: Vec::new(),
             finer_at: vec![None; count],
-            reach: Vec::new(),
+            ranges: Vec::new(),
             is_broken: Vec::new(),
             settled: Vec::new(),
             samples: 0,
@@ -142,7 +141,7 @@ impl<'a> Band<'a> {
         band
     }
 
-    /// The finished pixels of a rectangle in it, row by row, `progress` told of them.
+    /// Finishes the pixels of a rectangle of the band, row by row, and reports them to `progress`.
     pub(super) fn finish(
         &mut self,
         columns: &Range<u32>,
@@ -153,7 +152,7 @@ impl<'a> Band<'a> {
         let finished: Vec<(Vec<Outcome>, RayCounts)> = squares(columns, rows, WORKED)
             .into_par_iter()
             .map_init(
-                || (Finishing::default(), Vec::new()),
+                || (Finisher::default(), Vec::new()),
                 |(scratch, pixels), square| {
                     pixels.clear();
                     pixels.extend(along_curve(&square));
@@ -175,11 +174,11 @@ impl<'a> Band<'a> {
                 self.samples += u64::from(outcome.taken);
             }
         }
-        let place = |(x, y): (u32, u32)| {
+        let index = |(x, y): (u32, u32)| {
             let is_here = columns.contains(&x) && rows.contains(&y);
             is_here.then(|| (y - rows.start) as usize * width + (x - columns.start) as usize)
         };
-        let (samples, rays) = self.eye.specks.add(self, place, &mut done);
+        let (samples, rays) = self.sampler.tiny_objects.add(self, index, &mut done);
         self.samples += samples;
         self.rays += rays;
         done
@@ -189,8 +188,8 @@ impl<'a> Band<'a> {
         (y - self.rows.start) as usize * self.columns.len() + (x - self.columns.start) as usize
     }
 
-    /// A pixel so many columns and rows away, if the band has it.
-    pub(super) fn at_next(&self, (x, y): (u32, u32), (dx, dy): (i64, i64)) -> Option<usize> {
+    /// The pixel at an offset in columns and rows, if it lies in the band.
+    pub(super) fn index_at(&self, (x, y): (u32, u32), (dx, dy): (i64, i64)) -> Option<usize> {
         let next = |v: u32, d: i64, range: &Range<u32>| {
             let next = u32::try_from(i64::from(v) + d).ok()?;
             range.contains(&next).then_some(next)
@@ -198,7 +197,7 @@ impl<'a> Band<'a> {
         Some(self.at(next(x, dx, &self.columns)?, next(y, dy, &self.rows)?))
     }
 
-    /// The pixels around one, itself included.
+    /// The 3 × 3 pixels around a pixel, itself included, clipped to the band.
     pub(super) fn around(&self, x: u32, y: u32) -> impl Iterator<Item = (u32, u32)> + use<> {
         let near = |v: u32, range: &Range<u32>| {
             v.saturating_sub(1).max(range.start)..(v + 2).min(range.end)
@@ -219,31 +218,32 @@ impl<'a> Band<'a> {
         )
     }
 
-    /// The settled outcome of a pixel, if it has one.
+    /// The result of a pixel that is already settled.
     pub(super) fn settled_at(&self, at: usize) -> Option<FinishedPixel> {
         self.settled[at]
     }
 
-    /// Whether a pixel is broken.
+    /// True for a broken pixel.
     pub(super) fn is_broken_at(&self, at: usize) -> bool {
         self.is_broken[at]
     }
 
-    /// Whether a pixel got more than its first samples.
+    /// True for a pixel with more than its first samples.
     pub(super) fn is_finer(&self, at: usize) -> bool {
         self.finer_at[at].is_some()
     }
 
-    /// Whether the first samples of a pixel may have missed what counts, by the contrast of its surroundings.
-    pub(super) fn may_hide(&self, x: u32, y: u32) -> bool {
-        let contrast = self.reach_around(x, y).contrast(self.eye.channels);
+    /// True if the contrast around a pixel is so high that its first samples may have missed a feature that matters.
+    pub(super) fn may_miss_features(&self, x: u32, y: u32) -> bool {
+        let contrast = self.range_around(x, y).contrast(self.sampler.channels);
         contrast * HIDDEN / f64::from(self.target.first) > self.target.error
     }
 
-    pub(super) fn reach_around(&self, x: u32, y: u32) -> Reach {
-        self.around(x, y).fold(Reach::NOTHING, |all, (x, y)| {
-            all.with(&self.reach[self.at(x, y)])
-        })
+    pub(super) fn range_around(&self, x: u32, y: u32) -> ChannelRange {
+        self.around(x, y)
+            .fold(ChannelRange::NOTHING, |all, (x, y)| {
+                all.with(&self.ranges[self.at(x, y)])
+            })
     }
 
     pub(super) fn first_of(&self, at: usize) -> &[AdaptiveSample] {
@@ -251,24 +251,29 @@ impl<'a> Band<'a> {
         &self.first[at * n..(at + 1) * n]
     }
 
-    pub(super) fn looks_of(&self, at: usize) -> &[AdaptiveSample] {
+    pub(super) fn samples_of(&self, at: usize) -> &[AdaptiveSample] {
         match self.finer_at[at] {
             Some(start) => &self.finer[start as usize..][..(self.target.first * FINER) as usize],
             None => self.first_of(at),
         }
     }
 
-    /// How many of the samples of a pixel count.
-    pub(super) fn count(&self, sight: SampleFilter, at: usize) -> usize {
-        match (sight, self.finer_at[at]) {
+    /// Samples of a pixel that count under a filter.
+    pub(super) fn count(&self, filter: SampleFilter, at: usize) -> usize {
+        match (filter, self.finer_at[at]) {
             (SampleFilter::All, Some(_)) => (self.target.first * FINER) as usize,
             _ => self.target.first as usize,
         }
     }
 
     /// The sample of a pixel in a cell of its grid.
-    pub(super) fn look_in(&self, sight: SampleFilter, at: usize, cell: usize) -> &AdaptiveSample {
-        match (sight, self.finer_at[at]) {
+    pub(super) fn sample_in_cell(
+        &self,
+        filter: SampleFilter,
+        at: usize,
+        cell: usize,
+    ) -> &AdaptiveSample {
+        match (filter, self.finer_at[at]) {
             (SampleFilter::All, Some(start)) => {
                 let start = start as usize;
                 &self.finer[start + self.finer_order[start + cell] as usize]
@@ -283,37 +288,42 @@ impl<'a> Band<'a> {
     fn sample_first(&mut self) {
         let n = self.target.first as usize;
         let squares = squares(&self.columns, &self.rows, SQUARE);
-        let eye = self.eye;
-        let seen: Vec<(Vec<AdaptiveSample>, RayCounts)> = squares
+        let sampler = self.sampler;
+        let traced: Vec<(Vec<AdaptiveSample>, RayCounts)> = squares
             .par_iter()
-            .map_init(EyeScratch::default, |scratch, square| {
-                let mut looks = Vec::with_capacity(square.0.len() * square.1.len() * n);
-                eye.looks(pixels_of(square), 0..self.target.first, scratch, &mut looks);
-                (looks, scratch.take_rays())
+            .map_init(SamplerScratch::default, |scratch, square| {
+                let mut samples = Vec::with_capacity(square.0.len() * square.1.len() * n);
+                sampler.trace_sequence(
+                    pixels_of(square),
+                    0..self.target.first,
+                    scratch,
+                    &mut samples,
+                );
+                (samples, scratch.take_rays())
             })
             .collect();
         let count = self.columns.len() * self.rows.len();
         self.first = vec![AdaptiveSample::NONE; count * n];
-        for ((columns, rows), (looks, rays)) in squares.iter().zip(seen) {
+        for ((columns, rows), (samples, rays)) in squares.iter().zip(traced) {
             self.rays += rays;
             let wide = columns.len() * n;
-            for (row, y) in looks.chunks(wide.max(1)).zip(rows.clone()) {
+            for (row, y) in samples.chunks(wide.max(1)).zip(rows.clone()) {
                 let start = self.at(columns.start, y) * n;
                 self.first[start..start + wide].copy_from_slice(row);
             }
         }
         self.first_order = orders(&self.first, n);
         self.samples += self.first.len() as u64;
-        self.reach = self.first.chunks(n).map(Reach::of).collect();
+        self.ranges = self.first.chunks(n).map(ChannelRange::of).collect();
     }
 
-    /// Finds the pixels at edges and those whose error is too large, and finishes what needs little.
+    /// Finds pixels at edges and pixels whose error is too large; finishes those that need few more samples.
     fn find_broken(&mut self) {
         let band = &*self;
-        let seen: Vec<(Vec<Outcome>, RayCounts)> = squares(&self.columns, &self.rows, WORKED)
+        let traced: Vec<(Vec<Outcome>, RayCounts)> = squares(&self.columns, &self.rows, WORKED)
             .into_par_iter()
             .map_init(
-                || (Finishing::default(), Vec::new()),
+                || (Finisher::default(), Vec::new()),
                 |(scratch, pixels), square| {
                     pixels.clear();
                     pixels.extend(along_curve(&square).filter(|&pixel| !is_calm(band, pixel)));
@@ -326,7 +336,7 @@ impl<'a> Band<'a> {
         let count = self.finer_at.len();
         self.is_broken = vec![false; count];
         self.settled = vec![None; count];
-        for (outcomes, rays) in seen {
+        for (outcomes, rays) in traced {
             self.rays += rays;
             for outcome in outcomes {
                 let at = self.at(outcome.pixel.0, outcome.pixel.1);
@@ -337,16 +347,16 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// Samples broken pixels, and around them what they make doubtful, as far as that has not been so yet; gives what
-    /// turns out to be broken too.
+    /// Takes finer samples of broken pixels, and of the neighbours they make doubtful, where that has not been done
+    /// yet. Returns the pixels that turn out to be broken too.
     fn sample_around(&mut self, broken: &[usize]) -> Vec<usize> {
-        let mut found: Vec<usize> = Vec::new();
+        let mut refined: Vec<usize> = Vec::new();
         for &at in broken {
-            self.ask_for_more(at, &mut found);
+            self.request_finer(at, &mut refined);
         }
-        self.sample_finer(&found);
+        self.sample_finer(&refined);
         let band = &*self;
-        let doubtful: Vec<Vec<usize>> = found
+        let doubtful: Vec<Vec<usize>> = refined
             .par_iter()
             .map(|&at| {
                 let mut doubtful = Vec::new();
@@ -365,55 +375,55 @@ impl<'a> Band<'a> {
         newly
     }
 
-    fn ask_for_more(&mut self, at: usize, found: &mut Vec<usize>) {
+    fn request_finer(&mut self, at: usize, refined: &mut Vec<usize>) {
         let all = self.target.first * FINER;
         if self.finer_at[at].is_none() {
-            let next = self.finer.len() + found.len() * all as usize;
+            let next = self.finer.len() + refined.len() * all as usize;
             self.finer_at[at] = u32::try_from(next).ok();
-            found.push(at);
+            refined.push(at);
         }
     }
 
-    fn sample_finer(&mut self, found: &[usize]) {
+    fn sample_finer(&mut self, refined: &[usize]) {
         let all = self.target.first * FINER;
         let more = self.target.first..all;
         let together = (TOGETHER / more.len()).max(1);
-        let eye = self.eye;
-        let seen: Vec<(Vec<AdaptiveSample>, RayCounts)> = found
+        let sampler = self.sampler;
+        let traced: Vec<(Vec<AdaptiveSample>, RayCounts)> = refined
             .par_chunks(together)
             .map_init(
-                || (EyeScratch::default(), Vec::new()),
-                |(scratch, new), places| {
+                || (SamplerScratch::default(), Vec::new()),
+                |(scratch, new), chunk| {
                     new.clear();
-                    let pixels = places.iter().map(|&at| self.pixel_at(at));
-                    eye.looks(pixels, more.clone(), scratch, new);
-                    let mut looks = Vec::with_capacity(places.len() * all as usize);
-                    for (&at, new) in places.iter().zip(new.chunks(more.len())) {
-                        looks.extend_from_slice(self.first_of(at));
-                        looks.extend_from_slice(new);
+                    let pixels = chunk.iter().map(|&at| self.pixel_at(at));
+                    sampler.trace_sequence(pixels, more.clone(), scratch, new);
+                    let mut samples = Vec::with_capacity(chunk.len() * all as usize);
+                    for (&at, new) in chunk.iter().zip(new.chunks(more.len())) {
+                        samples.extend_from_slice(self.first_of(at));
+                        samples.extend_from_slice(new);
                     }
-                    (looks, scratch.take_rays())
+                    (samples, scratch.take_rays())
                 },
             )
             .collect();
         let start = self.finer.len();
-        for (looks, rays) in seen {
+        for (samples, rays) in traced {
             self.rays += rays;
-            self.finer.extend(looks);
+            self.finer.extend(samples);
         }
         let new = &self.finer[start..];
         self.finer_order.extend(orders(new, all as usize));
-        for (looks, &at) in new.chunks(all as usize).zip(found) {
-            self.reach[at] = Reach::of(looks);
+        for (samples, &at) in new.chunks(all as usize).zip(refined) {
+            self.ranges[at] = ChannelRange::of(samples);
         }
-        self.samples += found.len() as u64 * more.len() as u64;
+        self.samples += refined.len() as u64 * more.len() as u64;
     }
 }
 
 /// Columns and rows of pixels.
 type Square = (Range<u32>, Range<u32>);
 
-/// A rectangle of pixels in squares with this side, those at the right and below smaller.
+/// Splits a rectangle of pixels into squares with this side; those at the right and bottom are smaller.
 fn squares(columns: &Range<u32>, rows: &Range<u32>, side: u32) -> Vec<Square> {
     let split = |range: &Range<u32>| {
         let end = range.end;
@@ -432,7 +442,7 @@ fn pixels_of((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use
         .flat_map(move |y| columns.clone().map(move |x| (x, y)))
 }
 
-/// The same, along a curve that keeps neighbours together.
+/// The pixels of a square in Morton order, which keeps neighbours together.
 fn along_curve((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use<> {
     let (columns, rows) = (columns.clone(), rows.clone());
     let even_bits = |v: u32| {
@@ -452,15 +462,15 @@ fn along_curve((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + u
         })
 }
 
-/// For looks of pixels, so many for each, which of them lies in each cell of a grid.
-fn orders(looks: &[AdaptiveSample], count: usize) -> Vec<u8> {
+/// For `count` samples of each pixel: the index of the sample in each cell of the pixel's grid.
+fn orders(samples: &[AdaptiveSample], count: usize) -> Vec<u8> {
     let bits = count.ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
-    let mut orders = vec![0u8; looks.len()];
-    for (order, looks) in orders.chunks_mut(count).zip(looks.chunks(count)) {
-        for (number, look) in (0u8..=u8::MAX).zip(looks) {
-            let column = usize::from(look.place.0) >> (16 - across);
-            let row = usize::from(look.place.1) >> (16 - down);
+    let mut orders = vec![0u8; samples.len()];
+    for (order, samples) in orders.chunks_mut(count).zip(samples.chunks(count)) {
+        for (number, sample) in (0u8..=u8::MAX).zip(samples) {
+            let column = usize::from(sample.position.0) >> (16 - across);
+            let row = usize::from(sample.position.1) >> (16 - down);
             order[row << across | column] = number;
         }
     }

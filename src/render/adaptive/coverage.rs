@@ -1,9 +1,9 @@
-//! The parts of a pixel between straight lines, their colours, and the mean of all.
+//! Coverage and colour of the parts of a pixel between straight lines, and their mean.
 
 use super::edge::Division;
 use super::slope::Sums;
 
-/// The parts of a divided pixel, up to three: how much each covers and what colour it has.
+/// The parts of a divided pixel, up to three: the area that each covers, and its colour.
 pub(super) struct PixelParts {
     shares: [f64; 3],
     colors: [[f64; 4]; 3],
@@ -11,8 +11,8 @@ pub(super) struct PixelParts {
 }
 
 impl PixelParts {
-    /// Between the lines; `None` if there are too few samples of a part. If the first and the last are
-    /// alike, either stands in for the other.
+    /// The parts between the lines; `None` if a part has too few samples. If the first and the last part are alike,
+    /// either stands in for the other.
     pub(super) fn of(
         first: &Division,
         second: Option<&Division>,
@@ -22,15 +22,15 @@ impl PixelParts {
         let last = second.map_or(0.0, |second| 1.0 - second.dark);
         let between = (1.0 - first.dark - last).max(0.0);
         let shares = [first.dark, between, last];
-        let of_first = first.middles();
-        let middle_of_last = second.map_or([0.5; 2], |second| second.middles()[1]);
+        let of_first = first.centroids();
+        let middle_of_last = second.map_or([0.5; 2], |second| second.centroids()[1]);
         let middle = match second {
             None => of_first[1],
             Some(_) if between < LEAST_PART => [0.5; 2],
             Some(_) => [0, 1]
                 .map(|i| (0.5 - first.dark * of_first[0][i] - last * middle_of_last[i]) / between),
         };
-        let middles = [of_first[0], middle, middle_of_last];
+        let centroids = [of_first[0], middle, middle_of_last];
         let mut parts = PixelParts {
             shares,
             colors: [[0.0; 4]; 3],
@@ -43,13 +43,13 @@ impl PixelParts {
                 false => None,
             };
             let plane = sums[part].plane().or_else(of_the_other)?;
-            parts.colors[part] = plane.at(middles[part]);
+            parts.colors[part] = plane.at(centroids[part]);
             parts.variances[part] = plane.variances;
         }
         Some(parts)
     }
 
-    /// Of a channel: the variance of the mean that is due to the colours of the parts, and that due to each line.
+    /// The variance of the mean in a channel: due to the colours of the parts, and due to each line.
     pub(super) fn variances(
         &self,
         c: usize,
@@ -72,5 +72,5 @@ impl PixelParts {
     }
 }
 
-/// A part of a pixel that is smaller has no middle.
+/// Parts with less area have no centroid.
 const LEAST_PART: f64 = 1e-3;

@@ -1,5 +1,5 @@
-//! A pixel that is being divided: by a straight edge, or by two of a strip. Samples are put on the lines until it is known
-//! well enough how much lies on each side.
+//! Fits one straight edge, or the two edges of a strip, to the samples of a pixel, and adds samples on the lines until
+//! the coverage of the parts is known well enough.
 
 use super::coverage::PixelParts;
 use super::edge::{ClassifiedPoint, Division, Wedge};
@@ -10,55 +10,56 @@ use super::strip::Strip;
 use super::triple_edge::Sides;
 use super::two_class::SampleClasses;
 
-/// So many samples are put on an edge at most, and so many at once.
+/// Samples on an edge: the limit, and the number added at once.
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
-/// Twice as many where the variance is so many times what is aimed at.
+/// Variance over the target above which twice as many are added at once.
 const FAR: f64 = 64.0;
-/// With so many samples the colour of a part is known without those on its edges.
+/// Parts with this many samples do not need the samples on their edges for their colour.
 const ENOUGH: f64 = 4.0;
 
-/// A sample and its place in pixels.
-pub(super) type PlacedSample = ([f64; 2], AdaptiveSample);
+/// A sample and its point in pixels.
+pub(super) type PointSample = ([f64; 2], AdaptiveSample);
 
-/// Which error is to be reached.
+/// The error to reach.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ErrorGoal {
-    /// What is aimed at.
+    /// The error to aim for.
     pub(super) best: f64,
-    /// What will do where the parts of the pixel are not of one colour each, so that many more samples would be needed.
+    /// The error that is acceptable where a part of the pixel is not of one colour, so that many more samples would be
+    /// needed.
     pub(super) most: f64,
 }
 
-/// Buffers for the beginning of a division.
+/// Buffers for the start of a fit.
 #[derive(Default)]
 pub(super) struct Buffers {
-    told: Vec<ClassifiedPoint>,
+    classified: Vec<ClassifiedPoint>,
     groups: Vec<u8>,
 }
 
-/// A pixel and the lines that divide it.
+/// A pixel and the lines fitted to it.
 #[derive(Default)]
-pub(super) struct Dividing {
-    /// The sides of surfaces in the parts, if these are three and tell them apart; otherwise there are two kinds.
+pub(super) struct EdgeFit {
+    /// The surface sides of the parts, if there are three distinct ones; otherwise there are two classes.
     sides: Option<Sides>,
-    kinds: Option<SampleClasses>,
-    /// If two lines bound a strip, whether that is the brighter kind.
+    classes: Option<SampleClasses>,
+    /// For a strip between two lines: true if the strip is the brighter class.
     strip_is_bright: Option<bool>,
-    /// Where the samples of each part lie: before the first line, behind it, and behind the second.
+    /// The sample points of each part: before the first line, behind it, and behind the second.
     groups: [Vec<[f64; 2]>; 3],
     lines: [Line; 2],
     sums: [Sums; 3],
     needs_test: bool,
-    /// How many samples were put on lines.
+    /// Samples placed on lines.
     taken: u32,
     first: Option<Division>,
-    /// Which line samples are put on, and where.
+    /// The line that gets samples, and their points.
     line: usize,
-    pub(super) places: Vec<[f64; 2]>,
+    pub(super) points: Vec<[f64; 2]>,
 }
 
-/// A line: the directions that it may have, and what lies next to it before it and behind it.
+/// A line: its possible directions, and the nearest points before and behind it.
 #[derive(Default)]
 struct Line {
     wedge: Wedge,
@@ -66,104 +67,106 @@ struct Line {
     behind: Vec<[f64; 2]>,
 }
 
-/// What comes next of a pixel that is being divided.
-pub(super) enum Next {
-    /// It is not divided by lines.
-    Nothing,
-    /// More samples all over the pixel are to show whether it is.
+/// The next step of a fit.
+pub(super) enum NextStep {
+    /// Give up: no lines divide the pixel.
+    GiveUp,
+    /// Take more samples all over the pixel to test the lines.
     Test,
-    /// Samples at `places`.
-    Places,
-    /// It is known well enough.
-    Found(Estimate),
+    /// Take samples at `points`.
+    Points,
+    /// The estimate is good enough.
+    Done(Estimate),
 }
 
-impl Dividing {
-    /// Finds lines between the samples; false if there are none. `needs_test` if what is found is to be tested.
+impl EdgeFit {
+    /// Fits lines to the samples; false if none fit. With `needs_test` the result is tested with more samples.
     pub(super) fn begin(
         &mut self,
-        placed: &[PlacedSample],
+        point_samples: &[PointSample],
         channels: usize,
         needs_test: bool,
         buffers: &mut Buffers,
     ) -> bool {
         self.needs_test = needs_test;
         self.taken = 0;
-        if !self.tell_by_sides(placed, &mut buffers.groups)
-            && !self.tell_by_kinds(placed, channels, buffers)
+        if !self.split_by_sides(point_samples, &mut buffers.groups)
+            && !self.split_by_classes(point_samples, channels, buffers)
         {
             return false;
         }
         self.sums = [Sums::default(); 3];
-        for ((place, look), &group) in placed.iter().zip(&buffers.groups) {
-            self.sums[usize::from(group)].add(*place, &look.channels);
+        for ((point, sample), &group) in point_samples.iter().zip(&buffers.groups) {
+            self.sums[usize::from(group)].add(*point, &sample.channels);
         }
         true
     }
 
-    /// Finds two lines between three sides of surfaces.
-    fn tell_by_sides(&mut self, placed: &[PlacedSample], groups: &mut Vec<u8>) -> bool {
+    /// Fits two lines between three surface sides.
+    fn split_by_sides(&mut self, point_samples: &[PointSample], groups: &mut Vec<u8>) -> bool {
         self.sides = None;
-        let Some(sides) = Sides::of(placed) else {
+        let Some(sides) = Sides::of(point_samples) else {
             return false;
         };
         groups.clear();
-        for (_, look) in placed {
-            // Each was counted among the three.
-            let number = sides.number(look).unwrap_or(0);
+        for (_, sample) in point_samples {
+            // All samples were counted among the three sides.
+            let number = sides.number(sample).unwrap_or(0);
             groups.push(u8::try_from(number).unwrap_or(0));
         }
         self.strip_is_bright = None;
         self.sides = Some(sides);
-        if !self.separate(placed, groups) {
+        if !self.separate(point_samples, groups) {
             self.sides = None;
         }
         self.sides.is_some()
     }
 
-    /// Finds a line between two kinds of samples, or two that bound a strip of one of them.
-    fn tell_by_kinds(
+    /// Fits a line between two classes of samples, or two lines around a strip of one of them.
+    fn split_by_classes(
         &mut self,
-        placed: &[PlacedSample],
+        point_samples: &[PointSample],
         channels: usize,
-        Buffers { told, groups }: &mut Buffers,
+        Buffers { classified, groups }: &mut Buffers,
     ) -> bool {
-        let Some(kinds) = SampleClasses::of(placed.iter().map(|(_, look)| look), channels) else {
+        let Some(classes) =
+            SampleClasses::of(point_samples.iter().map(|(_, sample)| sample), channels)
+        else {
             return false;
         };
-        self.kinds = Some(kinds);
-        told.clear();
-        told.extend(
-            placed
+        self.classes = Some(classes);
+        classified.clear();
+        classified.extend(
+            point_samples
                 .iter()
-                .map(|(place, look)| (*place, kinds.is_bright(look).unwrap_or(false))),
+                .map(|(point, sample)| (*point, classes.is_bright(sample).unwrap_or(false))),
         );
         self.strip_is_bright = None;
         groups.clear();
-        groups.extend(told.iter().map(|told| u8::from(told.1)));
-        if self.separate(placed, groups) {
+        groups.extend(classified.iter().map(|classified| u8::from(classified.1)));
+        if self.separate(point_samples, groups) {
             return true;
         }
         let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
             return false;
         };
         groups.clear();
-        groups.extend(told.iter().map(|told| strip.group(told)));
+        groups.extend(classified.iter().map(|classified| strip.group(classified)));
         self.strip_is_bright = Some(strip.is_bright);
-        self.separate(placed, groups)
+        self.separate(point_samples, groups)
     }
 
     fn count_of_lines(&self) -> usize {
         1 + usize::from(self.strip_is_bright.is_some() || self.sides.is_some())
     }
 
-    /// Puts samples into their groups; whether lines separate these.
-    fn separate(&mut self, placed: &[PlacedSample], groups: &[u8]) -> bool {
+    /// Sorts samples into groups; true if lines separate these.
+    fn separate(&mut self, point_samples: &[PointSample], groups: &[u8]) -> bool {
         for group in &mut self.groups {
             group.clear();
         }
-        for ((place, _), &group) in placed.iter().zip(groups) {
-            self.groups[usize::from(group)].push(*place);
+        for ((point, _), &group) in point_samples.iter().zip(groups) {
+            self.groups[usize::from(group)].push(*point);
         }
         for line in 0..self.count_of_lines() {
             let (before, behind) = self.groups.split_at(line + 1);
@@ -184,23 +187,23 @@ impl Dividing {
         true
     }
 
-    /// What comes next: samples, or what was found.
-    pub(super) fn next(&mut self, channels: usize, aim: ErrorGoal) -> Next {
+    /// The next step: more samples, or the estimate.
+    pub(super) fn next(&mut self, channels: usize, goal: ErrorGoal) -> NextStep {
         let lines = self.count_of_lines();
         let division = |line: usize| {
             let line = &self.lines[line];
             Division::of(line.wedge, &line.before, &line.behind)
         };
         let Some(first) = division(0) else {
-            return Next::Nothing;
+            return NextStep::GiveUp;
         };
         let second = if lines == 2 { division(1) } else { None };
         if lines == 2 && second.is_none() {
-            return Next::Nothing;
+            return NextStep::GiveUp;
         }
         let are_alike = self.strip_is_bright.is_some();
         let Some(parts) = PixelParts::of(&first, second.as_ref(), &self.sums, are_alike) else {
-            return Next::Nothing;
+            return NextStep::GiveUp;
         };
         let (mut rest, mut whole, mut by_line) = (0.0, 0.0, [0.0; 2]);
         for c in 0..channels {
@@ -210,79 +213,79 @@ impl Dividing {
             by_line = [0, 1].map(|line| f64::max(by_line[line], of_lines[line]));
         }
         self.first = Some(first);
-        let (best, most) = (aim.best * aim.best, aim.most * aim.most);
+        let (best, most) = (goal.best * goal.best, goal.most * goal.most);
         if rest > most / 2.0 {
-            return Next::Nothing;
+            return NextStep::GiveUp;
         }
         // Lines need not be known much better than colours.
         let aimed = best.max(2.0 * rest).min(most);
         let is_last = self.taken >= MOST_ON_AN_EDGE << (lines - 1);
         let is_enough = whole <= if is_last { most } else { aimed };
         if (is_enough || rest > best) && std::mem::take(&mut self.needs_test) {
-            return Next::Test;
+            return NextStep::Test;
         }
         if is_enough {
-            return Next::Found(Estimate {
+            return NextStep::Done(Estimate {
                 mean: parts.mean(),
                 error: whole.sqrt(),
             });
         }
         if is_last {
-            return Next::Nothing;
+            return NextStep::GiveUp;
         }
-        // The line that leaves more to be known.
+        // The line with the larger error.
         self.line = usize::from(by_line[1] > by_line[0]);
         let division = match second {
             Some(second) if self.line == 1 => second,
             _ => first,
         };
-        // Every place about halves what is possible on a line.
+        // Each point about halves the range of possible lines.
         let together = match whole > FAR * aimed {
             true => 2 * ON_AN_EDGE_TOGETHER,
             false => ON_AN_EDGE_TOGETHER,
         };
         let numbers = self.taken..self.taken + together;
         self.taken = numbers.end;
-        self.places.clear();
-        self.places
-            .extend(numbers.map(|number| division.place(number)));
-        Next::Places
+        self.points.clear();
+        self.points
+            .extend(numbers.map(|number| division.point(number)));
+        NextStep::Points
     }
 
     /// Takes samples all over the pixel; false if they show that no lines divide it.
-    pub(super) fn test(&mut self, looks: &[AdaptiveSample]) -> bool {
-        looks.iter().all(|look| {
-            let place = look.share();
-            let is_beyond = self.first.is_some_and(|first| first.is_beyond(place));
-            let group = self.take(look, place, 2 * usize::from(is_beyond));
+    pub(super) fn test(&mut self, samples: &[AdaptiveSample]) -> bool {
+        samples.iter().all(|sample| {
+            let point = sample.share();
+            let is_beyond = self.first.is_some_and(|first| first.is_beyond(point));
+            let group = self.take(sample, point, 2 * usize::from(is_beyond));
             group.is_some_and(|group| {
-                self.sums[group].add(place, &look.channels);
+                self.sums[group].add(point, &sample.channels);
                 true
             })
         })
     }
 
-    /// Takes the samples at `places`; false if they show that no lines divide the pixel.
-    pub(super) fn take_places(&mut self, looks: &[AdaptiveSample]) -> bool {
-        looks.iter().enumerate().all(|(i, look)| {
-            let place = self.places[i];
-            let group = self.take(look, place, 2 * self.line);
+    /// Takes the samples at `points`; false if they show that no lines divide the pixel.
+    pub(super) fn take_points(&mut self, samples: &[AdaptiveSample]) -> bool {
+        samples.iter().enumerate().all(|(i, sample)| {
+            let point = self.points[i];
+            let group = self.take(sample, point, 2 * self.line);
             group.is_some_and(|group| {
-                // The colours next to a line are not those of the whole part.
+                // Colours next to a line are not representative of the whole part.
                 if self.sums[group].count() < ENOUGH {
-                    self.sums[group].add(place, &look.channels);
+                    self.sums[group].add(point, &sample.channels);
                 }
                 true
             })
         })
     }
 
-    /// The group of a sample: that of its side or kind, or `beside` if it lies beside a strip.
-    fn group(&self, look: &AdaptiveSample, beside: usize) -> Option<usize> {
+    /// The group of a sample by its side or class; `beside` if it lies beside a strip.
+    fn group(&self, sample: &AdaptiveSample, beside: usize) -> Option<usize> {
         if let Some(sides) = &self.sides {
-            return sides.number(look);
+            return sides.number(sample);
         }
-        let is_bright = self.kinds?.is_bright(look)?;
+        let is_bright = self.classes?.is_bright(sample)?;
         Some(match self.strip_is_bright {
             None => usize::from(is_bright),
             Some(strip) if strip == is_bright => 1,
@@ -290,9 +293,9 @@ impl Dividing {
         })
     }
 
-    /// Takes the place of a sample, and gives its group; `None` if it shows that no lines divide the pixel.
-    fn take(&mut self, look: &AdaptiveSample, place: [f64; 2], beside: usize) -> Option<usize> {
-        let group = self.group(look, beside)?;
+    /// Adds the point of a sample and returns its group; `None` if it shows that no lines divide the pixel.
+    fn take(&mut self, sample: &AdaptiveSample, point: [f64; 2], beside: usize) -> Option<usize> {
+        let group = self.group(sample, beside)?;
         for line in 0..self.count_of_lines() {
             let is_behind = group > line;
             let line = &mut self.lines[line];
@@ -300,10 +303,10 @@ impl Dividing {
                 true => (&mut line.behind, &line.before),
                 false => (&mut line.before, &line.behind),
             };
-            if !line.wedge.take(place, is_behind, others) {
+            if !line.wedge.take(point, is_behind, others) {
                 return None;
             }
-            own.push(place);
+            own.push(point);
         }
         Some(group)
     }

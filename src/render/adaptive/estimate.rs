@@ -1,25 +1,25 @@
-//! The mean of a pixel's samples, and how wrong it may be.
+//! The mean of a pixel's samples, and its estimated error.
 //!
-//! The first `2^k` samples lie one in each cell of a grid. A cell through which an edge of contrast `d` runs has a
-//! variance of `d²/6` on the average over all shares, and about as many pairs of neighbouring cells differ by `d` as
-//! there are such cells; for a smooth surface the same rule is double what it should be, for noise about right. So the
-//! variance of the mean is about a sixth of the sum of squared differences of neighbours, over the square of the count.
-//! A scrambled (0, 2)-sequence is better than that by a third, which is kept in reserve.
+//! The first `2^k` samples lie one in each cell of a grid. A cell crossed by an edge of contrast `d` has a variance of
+//! `d²/6` on average over all positions of the edge, and about as many pairs of neighbouring cells differ by `d` as
+//! there are such cells. For a smooth surface the same rule gives double the variance, for noise about the right one.
+//! So the variance of the mean is about a sixth of the sum of squared differences of neighbours, over the square of the
+//! count. A scrambled (0, 2)-sequence is better than that by a third, which serves as a reserve.
 //!
-//! Where the samples around tell that the colour slopes evenly, the slope is taken out of both the mean and the error.
+//! Where the samples around show an even colour slope, the slope is removed from both the mean and the error.
 
 use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 
 /// The variance of a cell over the squared difference of neighbours.
 pub(super) const SHARE_OF_VARIANCE: f64 = 1.0 / 6.0;
-/// How much of the error with half the samples is believed to be left with all of them, at least: what looks twice as
-/// good as it could be expected to is luck.
+/// Least share of the error with half the samples that is assumed to remain with all of them: an estimate that drops by
+/// more than can be expected is luck.
 const LEAST_LEFT: f64 = 0.5;
-/// How much of the change since half the samples is believed to be still to come.
+/// Share of the change since half the samples that is assumed to be still to come.
 pub(super) const STILL_TO_COME: f64 = 0.33;
 
-/// What some samples tell of a pixel.
+/// An estimate of a pixel from some of its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Estimate {
     /// The mean of each channel.
@@ -33,7 +33,7 @@ impl Estimate {
     pub(super) fn of(mean: [f64; 4], variances: [f64; 4], channels: usize) -> Estimate {
         let error_of = |c: usize| {
             let error = variances[c].sqrt();
-            // Whatever it is, it is white.
+            // Anything above full white is displayed as white.
             if mean[c] - 2.0 * error > 1.0 {
                 0.0
             } else {
@@ -46,7 +46,7 @@ impl Estimate {
         }
     }
 
-    /// How far two means are from each other; what is above full white does not count.
+    /// The largest difference of two means in a channel; values above full white are clipped.
     pub(super) fn apart(&self, other: &Estimate, channels: usize) -> f64 {
         (0..channels)
             .map(|c| (self.mean[c].min(1.0) - other.mean[c].min(1.0)).abs())
@@ -54,31 +54,31 @@ impl Estimate {
     }
 }
 
-/// Least and largest value of each channel.
+/// Range of values in each channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Reach {
+pub(super) struct ChannelRange {
     least: [f32; 4],
     most: [f32; 4],
 }
 
-impl Reach {
-    pub(super) const NOTHING: Reach = Reach {
+impl ChannelRange {
+    pub(super) const NOTHING: ChannelRange = ChannelRange {
         least: [f32::INFINITY; 4],
         most: [f32::NEG_INFINITY; 4],
     };
 
-    pub(super) fn of(looks: &[AdaptiveSample]) -> Reach {
-        looks.iter().fold(Reach::NOTHING, |reach, look| {
-            reach.with(&Reach {
-                least: look.channels,
-                most: look.channels,
+    pub(super) fn of(samples: &[AdaptiveSample]) -> ChannelRange {
+        samples.iter().fold(ChannelRange::NOTHING, |range, sample| {
+            range.with(&ChannelRange {
+                least: sample.channels,
+                most: sample.channels,
             })
         })
     }
 
-    pub(super) fn with(mut self, other: &Reach) -> Reach {
+    pub(super) fn with(mut self, other: &ChannelRange) -> ChannelRange {
         for c in 0..4 {
-            // What `min` does about numbers that are none takes longer than all the rest.
+            // `f32::min` handles NaN, which takes longer than all the rest.
             if other.least[c] < self.least[c] {
                 self.least[c] = other.least[c];
             }
@@ -89,14 +89,14 @@ impl Reach {
         self
     }
 
-    /// The largest contrast of a channel; what is above full white does not count.
+    /// The largest contrast of a channel; values above full white are clipped.
     pub(super) fn contrast(&self, channels: usize) -> f64 {
         let contrast = |c: usize| f64::from(self.most[c].min(1.0) - self.least[c].min(1.0));
         (0..channels).map(contrast).fold(0.0, f64::max)
     }
 }
 
-/// What samples of a pixel tell whose half told `half`.
+/// The estimate from all samples, made cautious by the estimate from the first half.
 pub(super) fn after_half(whole: Estimate, half: &Estimate, channels: usize) -> Estimate {
     Estimate {
         error: whole
@@ -107,22 +107,23 @@ pub(super) fn after_half(whole: Estimate, half: &Estimate, channels: usize) -> E
     }
 }
 
-/// What the first samples of a pixel tell, a power of two of them, on a surface with these slopes. `grid` is a buffer.
+/// The estimate from the first samples of a pixel, a power of two of them, on a surface with these slopes. `grid` is a
+/// buffer.
 pub(super) fn of_all(
-    looks: &[AdaptiveSample],
+    samples: &[AdaptiveSample],
     channels: usize,
     slopes: &Slopes,
     grid: &mut Vec<[f64; 4]>,
 ) -> Estimate {
-    let bits = looks.len().ilog2();
+    let bits = samples.len().ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
     grid.clear();
-    grid.resize(looks.len(), [0.0; 4]);
+    grid.resize(samples.len(), [0.0; 4]);
     let mut sum = [0.0; 4];
-    for look in looks {
-        let column = u32::from(look.place.0) >> (16 - across);
-        let row = u32::from(look.place.1) >> (16 - down);
-        let color = slopes.levelled(look);
+    for sample in samples {
+        let column = u32::from(sample.position.0) >> (16 - across);
+        let row = u32::from(sample.position.1) >> (16 - down);
+        let color = slopes.levelled(sample);
         grid[(row << across | column) as usize] = color;
         sum = [0, 1, 2, 3].map(|c| sum[c] + color[c]);
     }
@@ -146,8 +147,8 @@ pub(super) fn of_all(
             }
         }
     }
-    let count = as_f64(looks.len());
-    // In a small grid the cells at its border have fewer neighbours than those inside.
+    let count = as_f64(samples.len());
+    // In a small grid the cells at the border have fewer neighbours than those inside.
     let pairs = as_f64((2 * width * height - width - height).max(1));
     let share = SHARE_OF_VARIANCE * 2.0 / (count * pairs);
     Estimate::of(

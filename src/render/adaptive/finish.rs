@@ -1,137 +1,138 @@
-//! Finishing pixels: what their samples and those around them tell, and more samples until that is enough.
+//! Finishes pixels: estimates from their samples and those around them, and more samples until the estimate is good
+//! enough.
 //!
-//! Many pixels are finished side by side, and what they ask for is looked at together: rays that are searched for
-//! together cost a fraction of what they cost one by one.
+//! Many pixels are finished side by side, and the samples they request are traced together: rays traced in packets cost
+//! a fraction of single rays.
 
 use super::band::{Band, FinishedPixel};
-use super::edge_fit::{Buffers, Dividing, ErrorGoal, Next, PlacedSample};
+use super::edge_fit::{Buffers, EdgeFit, ErrorGoal, NextStep, PointSample};
 use super::estimate::{Estimate, after_half, of_all};
 use super::neighbors::first_estimate;
-use super::sample::{AdaptiveSample, EyeScratch, TOGETHER, pixel};
+use super::sample::{AdaptiveSample, SamplerScratch, TOGETHER, pixel};
 use super::slope::{Slopes, Sums};
 use super::tiny_objects::TinyObjects;
 use crate::world::RayCounts;
 use std::ops::Range;
 
-/// The share of `contrast / samples` that a feature may make which no sample saw. A half plane that a (0, 2)-sequence of
-/// `n` points does not see covers up to about `1/n` of the pixel, and most do less.
+/// Share of `contrast / samples` that a feature may contribute which no sample saw. A half plane missed by a (0,
+/// 2)-sequence of `n` points covers up to about `1/n` of the pixel; most missed features cover less.
 const UNSEEN: f64 = 0.25;
-/// The same where the samples around a pixel go with its own.
+/// The same where the samples around a pixel agree with its own.
 pub(super) const HIDDEN: f64 = 0.0625;
-/// No pixel gets more samples.
+/// Upper limit of the samples of a pixel.
 const MOST_SAMPLES: usize = 1 << 14;
-/// The side of a pixel in the parts that places are counted in.
+/// The side of a pixel in the units of sample positions.
 const SIDE: i32 = 1 << 16;
-/// First samples so far around a pixel tell how an edge goes on and how colours slope: those within half a pixel let three
-/// times as many be fooled.
+/// Distance around a pixel within which first samples show how an edge continues and how colours slope. With half a
+/// pixel, three times as many estimates are fooled.
 const RING: i32 = SIDE / 4 * 3;
 /// The same where pixels have more samples.
 const CLOSE: i32 = SIDE / 4;
-/// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
-/// samples together, since halving their error costs little.
+/// Share of the requested error for pixels that need few samples to reach it. Halving their error costs little, so that
+/// the picture is best for its total number of samples.
 const EVEN: f64 = 0.25;
 
-/// What is wanted of a pixel.
+/// Task for a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Task {
-    /// To be done if its first samples and a little more are enough.
+    /// Finish it if its first samples and a few more are enough.
     Settle,
-    /// To be done.
+    /// Finish it in any case.
     Finish,
 }
 
-/// What has become of a pixel.
+/// The result for a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome {
     pub(super) pixel: (u32, u32),
-    /// Nothing if a little more was not enough.
+    /// `None` if a few more samples were not enough.
     pub(super) done: Option<FinishedPixel>,
-    /// How many more samples it took.
+    /// Additional samples taken.
     pub(super) taken: u32,
 }
 
-/// Buffers of a thread that finishes pixels.
+/// Finishes pixels side by side; holds the buffers of a thread.
 #[derive(Default)]
-pub(super) struct Finishing {
-    eye: EyeScratch,
-    cases: Vec<Case>,
-    /// The cases that wait for samples, and those that will do so next.
+pub(super) struct Finisher {
+    sampler: SamplerScratch,
+    jobs: Vec<PixelJob>,
+    /// Jobs that wait for samples, and those that will wait in the next round.
     waiting: Vec<usize>,
     next: Vec<usize>,
-    looks: Vec<AdaptiveSample>,
-    buffers: CaseBuffers,
+    samples: Vec<AdaptiveSample>,
+    buffers: JobBuffers,
 }
 
-/// Buffers that cases use one after the other.
+/// Buffers shared by all jobs.
 #[derive(Default)]
-struct CaseBuffers {
+struct JobBuffers {
     /// The samples of the pixel and just around it.
-    placed: Vec<PlacedSample>,
+    point_samples: Vec<PointSample>,
     grid: Vec<[f64; 4]>,
-    dividing: Buffers,
+    edge_fit: Buffers,
 }
 
-/// What a case waits for.
+/// Samples that a job waits for.
 #[derive(Clone, Debug, Default)]
 enum SampleRequest {
-    /// Samples of these numbers.
+    /// Points of the pixel's sequence with these numbers.
     Numbers(Range<u32>),
-    /// Samples at the places of its division.
+    /// Samples at the points of its edge fit.
     #[default]
-    Places,
+    Points,
 }
 
-/// What the samples that a case waits for are to tell.
+/// Purpose of the samples that a job waits for.
 #[derive(Clone, Copy, Debug, Default)]
 enum Step {
-    /// Whether the colour slopes like that.
+    /// Confirm that the colour slopes like this.
     Sloped(Slopes),
-    /// More of the lines that divide the pixel.
+    /// Improve the lines that divide the pixel.
     Divided,
-    /// More of what is in the pixel.
+    /// Improve the mean over the pixel.
     #[default]
     Sampled,
 }
 
-/// A pixel at work.
+/// A pixel in progress.
 #[derive(Default)]
-struct Case {
+struct PixelJob {
     pixel: (u32, u32),
     settles: bool,
     step: Step,
-    wish: SampleRequest,
-    looks: Vec<AdaptiveSample>,
-    dividing: Dividing,
-    /// Whether it was looked for lines among all its samples.
+    request: SampleRequest,
+    samples: Vec<AdaptiveSample>,
+    edge_fit: EdgeFit,
+    /// True once lines have been fitted to all its samples.
     is_tried: bool,
     taken: u32,
-    /// What all samples together tell, and the same without a look at how it came about.
-    found: Estimate,
+    /// The estimate from all samples, and the same without its history.
+    estimate: Estimate,
     whole: Estimate,
     contrast: f64,
 }
 
-impl Finishing {
-    /// How many rays were followed with it since this was last asked.
+impl Finisher {
+    /// Returns the rays traced since the last call, and resets them.
     pub(super) fn take_rays(&mut self) -> RayCounts {
-        self.eye.take_rays()
+        self.sampler.take_rays()
     }
 
-    /// Works on some pixels that lie near each other; `tell` hears of each what became of it, in any order.
+    /// Works on pixels that lie near each other; `report` receives the outcome of each, in any order.
     pub(super) fn work(
         &mut self,
         band: &Band<'_>,
         pixels: &[(u32, u32)],
         task: Task,
-        mut tell: impl FnMut(Outcome),
+        mut report: impl FnMut(Outcome),
     ) {
-        if self.cases.len() < pixels.len() {
-            self.cases.resize_with(pixels.len(), Case::default);
+        if self.jobs.len() < pixels.len() {
+            self.jobs.resize_with(pixels.len(), PixelJob::default);
         }
         self.waiting.clear();
         for (number, &pixel) in pixels.iter().enumerate() {
-            match self.cases[number].begin(band, pixel, task, &mut self.buffers) {
-                Some(outcome) => tell(outcome),
+            match self.jobs[number].begin(band, pixel, task, &mut self.buffers) {
+                Some(outcome) => report(outcome),
                 None => self.waiting.push(number),
             }
         }
@@ -139,25 +140,27 @@ impl Finishing {
             self.next.clear();
             let mut waiting = &self.waiting[..];
             while !waiting.is_empty() {
-                self.eye.clear();
-                let asking = waiting.iter().take_while(|&&number| {
-                    let is_room = self.eye.len() < TOGETHER;
-                    if is_room {
-                        self.cases[number].ask(&mut self.eye, band.eye.specks);
+                self.sampler.clear();
+                let requesting = waiting.iter().take_while(|&&number| {
+                    let has_capacity = self.sampler.len() < TOGETHER;
+                    if has_capacity {
+                        self.jobs[number]
+                            .request_samples(&mut self.sampler, band.sampler.tiny_objects);
                     }
-                    is_room
+                    has_capacity
                 });
-                let (now, later) = waiting.split_at(asking.count());
+                let (now, later) = waiting.split_at(requesting.count());
                 waiting = later;
-                self.looks.clear();
-                band.eye.look(&mut self.eye, &mut self.looks);
-                let mut looks = &self.looks[..];
+                self.samples.clear();
+                band.sampler
+                    .trace_batch(&mut self.sampler, &mut self.samples);
+                let mut samples = &self.samples[..];
                 for &number in now {
-                    let case = &mut self.cases[number];
-                    let (own, others) = looks.split_at(case.asked());
-                    looks = others;
-                    match case.go_on(band, own, &mut self.buffers) {
-                        Some(outcome) => tell(outcome),
+                    let job = &mut self.jobs[number];
+                    let (own, others) = samples.split_at(job.request_len());
+                    samples = others;
+                    match job.resume(band, own, &mut self.buffers) {
+                        Some(outcome) => report(outcome),
                         None => self.next.push(number),
                     }
                 }
@@ -167,14 +170,14 @@ impl Finishing {
     }
 }
 
-impl Case {
-    /// Begins with a pixel; what became of it, or nothing if it waits for samples.
+impl PixelJob {
+    /// Starts a pixel; returns its outcome, or `None` if it waits for samples.
     fn begin(
         &mut self,
         band: &Band<'_>,
         (x, y): (u32, u32),
         task: Task,
-        buffers: &mut CaseBuffers,
+        buffers: &mut JobBuffers,
     ) -> Option<Outcome> {
         self.pixel = (x, y);
         self.taken = 0;
@@ -189,53 +192,53 @@ impl Case {
                 }
                 let is_calm = !band.is_finer(at) && !band.is_broken_at(at);
                 if is_calm {
-                    // It was found so by comparison with those around it.
-                    let (looks, channels) = (band.first_of(at), band.eye.channels);
-                    let found = of_all(looks, channels, &Slopes::default(), &mut buffers.grid);
-                    let error = found.error.min(band.target.error);
-                    return self.outcome(Some(done(&found, error)));
+                    // The comparison with its neighbours has shown that it is calm.
+                    let (samples, channels) = (band.first_of(at), band.sampler.channels);
+                    let estimate = of_all(samples, channels, &Slopes::default(), &mut buffers.grid);
+                    let error = estimate.error.min(band.target.error);
+                    return self.outcome(Some(done(&estimate, error)));
                 }
-                self.looks.clear();
-                self.looks.extend_from_slice(band.looks_of(at));
+                self.samples.clear();
+                self.samples.extend_from_slice(band.samples_of(at));
                 self.whole = self.of_half(band, &Slopes::default(), buffers);
                 self.estimate(band, &Slopes::default(), buffers);
                 if !band.is_finer(at) {
-                    // The time is over.
-                    return self.outcome(Some(done(&self.found, self.found.error)));
+                    // The time limit has passed.
+                    return self.outcome(Some(done(&self.estimate, self.estimate.error)));
                 }
-                self.contrast = band.reach_around(x, y).contrast(band.eye.channels);
+                self.contrast = band.range_around(x, y).contrast(band.sampler.channels);
                 self.refine(band, buffers)
             }
         }
     }
 
-    /// Goes on with the samples it waited for; what became of the pixel, or nothing if it waits for more.
-    fn go_on(
+    /// Continues with the samples it waited for; returns the outcome, or `None` if it waits for more.
+    fn resume(
         &mut self,
         band: &Band<'_>,
-        looks: &[AdaptiveSample],
-        buffers: &mut CaseBuffers,
+        samples: &[AdaptiveSample],
+        buffers: &mut JobBuffers,
     ) -> Option<Outcome> {
-        self.taken += count_of(looks);
+        self.taken += count_of(samples);
         match self.step {
             Step::Sloped(slopes) => {
-                self.looks.extend_from_slice(looks);
+                self.samples.extend_from_slice(samples);
                 self.whole = self.of_half(band, &slopes, buffers);
                 self.estimate(band, &slopes, buffers);
-                let is_enough = self.found.error <= band.target.error * EVEN;
-                self.outcome(is_enough.then(|| done(&self.found, self.found.error)))
+                let is_enough = self.estimate.error <= band.target.error * EVEN;
+                self.outcome(is_enough.then(|| done(&self.estimate, self.estimate.error)))
             }
             Step::Sampled => {
-                self.looks.extend_from_slice(looks);
+                self.samples.extend_from_slice(samples);
                 self.estimate(band, &Slopes::default(), buffers);
                 self.refine(band, buffers)
             }
             Step::Divided => {
-                let holds = match self.wish {
-                    SampleRequest::Places => self.dividing.take_places(looks),
+                let holds = match self.request {
+                    SampleRequest::Points => self.edge_fit.take_points(samples),
                     SampleRequest::Numbers(_) => {
-                        self.looks.extend_from_slice(looks);
-                        self.dividing.test(looks)
+                        self.samples.extend_from_slice(samples);
+                        self.edge_fit.test(samples)
                     }
                 };
                 match holds {
@@ -246,49 +249,57 @@ impl Case {
         }
     }
 
-    /// Notes the places that it wants to be looked at.
-    fn ask(&self, eye: &mut EyeScratch, specks: &TinyObjects) {
-        match &self.wish {
-            SampleRequest::Numbers(numbers) => eye.note(self.pixel, numbers.clone(), specks),
-            SampleRequest::Places => eye.note_places(self.pixel, &self.dividing.places, specks),
+    /// Adds the samples it needs to the next batch.
+    fn request_samples(&self, sampler: &mut SamplerScratch, tiny_objects: &TinyObjects) {
+        match &self.request {
+            SampleRequest::Numbers(numbers) => {
+                sampler.add_sequence(self.pixel, numbers.clone(), tiny_objects)
+            }
+            SampleRequest::Points => {
+                sampler.add_points(self.pixel, &self.edge_fit.points, tiny_objects)
+            }
         }
     }
 
-    /// How many these are.
-    fn asked(&self) -> usize {
-        match &self.wish {
+    /// The number of these samples.
+    fn request_len(&self) -> usize {
+        match &self.request {
             SampleRequest::Numbers(numbers) => numbers.len(),
-            SampleRequest::Places => self.dividing.places.len(),
+            SampleRequest::Points => self.edge_fit.points.len(),
         }
     }
 
-    /// A pixel at an edge or on a slope, by its first samples.
-    fn settle(&mut self, band: &Band<'_>, at: usize, buffers: &mut CaseBuffers) -> Option<Outcome> {
+    /// Tries to finish a pixel at an edge or on a slope with its first samples.
+    fn settle(&mut self, band: &Band<'_>, at: usize, buffers: &mut JobBuffers) -> Option<Outcome> {
         let (x, y) = self.pixel;
-        if band.may_hide(x, y) {
+        if band.may_miss_features(x, y) {
             return self.outcome(None);
         }
-        self.looks.clear();
-        self.looks.extend_from_slice(band.first_of(at));
-        let placed = &mut buffers.placed;
+        self.samples.clear();
+        self.samples.extend_from_slice(band.first_of(at));
+        let point_samples = &mut buffers.point_samples;
         gather(
             band,
-            (self.pixel, &self.looks),
+            self.pixel,
+            &self.samples,
             RING,
             |at| band.first_of(at),
-            placed,
+            point_samples,
         );
-        let first = &self.looks[0];
-        if placed.iter().all(|(_, look)| look.is_same_side(first)) {
+        let first = &self.samples[0];
+        if point_samples
+            .iter()
+            .all(|(_, sample)| sample.is_same_side(first))
+        {
             let mut sums = Sums::default();
-            for (place, look) in placed {
-                sums.add(*place, &look.channels);
+            for (point, sample) in point_samples {
+                sums.add(*point, &sample.channels);
             }
             let slopes = sums.plane().map(|plane| plane.slopes()).unwrap_or_default();
-            let (found, _) = first_estimate(band, self.pixel, &slopes);
-            if found.error <= band.target.error * EVEN {
+            let (estimate, _) = first_estimate(band, self.pixel, &slopes);
+            if estimate.error <= band.target.error * EVEN {
                 self.step = Step::Sloped(slopes);
-                self.wish = SampleRequest::Numbers(band.target.first..2 * band.target.first);
+                self.request = SampleRequest::Numbers(band.target.first..2 * band.target.first);
                 return None;
             }
         }
@@ -298,23 +309,24 @@ impl Case {
         }
     }
 
-    /// What is to be done with all the samples that there are.
-    fn refine(&mut self, band: &Band<'_>, buffers: &mut CaseBuffers) -> Option<Outcome> {
-        let error = self.found.error.max(self.hidden(UNSEEN));
-        let is_last = self.looks.len() >= MOST_SAMPLES || band.target.is_over();
+    /// The next step with all samples so far.
+    fn refine(&mut self, band: &Band<'_>, buffers: &mut JobBuffers) -> Option<Outcome> {
+        let error = self.estimate.error.max(self.hidden(UNSEEN));
+        let is_last = self.samples.len() >= MOST_SAMPLES || band.target.is_over();
         if error <= band.target.error * EVEN || is_last {
-            return self.outcome(Some(done(&self.found, error)));
+            return self.outcome(Some(done(&self.estimate, error)));
         }
-        // A few samples on lines lower the error far more than many others. What no line divides will not be divided with
-        // more samples either.
+        // A few samples on lines lower the error far more than many others. A pixel that no line divides now will not
+        // be divided with more samples either.
         if !self.is_tried && self.hidden(HIDDEN) <= band.target.error {
             self.is_tried = true;
             gather(
                 band,
-                (self.pixel, &self.looks),
+                self.pixel,
+                &self.samples,
                 CLOSE,
-                |at| band.looks_of(at),
-                &mut buffers.placed,
+                |at| band.samples_of(at),
+                &mut buffers.point_samples,
             );
             if self.begin_dividing(band, buffers) {
                 return self.divide(band);
@@ -323,81 +335,81 @@ impl Case {
         self.is_not_divided(band)
     }
 
-    /// The error that something unseen may make, if a share of the contrast around may hide between the samples.
+    /// Error of a feature hidden between the samples, if it may cover this share of the contrast around.
     fn hidden(&self, share: f64) -> f64 {
-        self.contrast * share / f64::from(count_of(&self.looks))
+        self.contrast * share / f64::from(count_of(&self.samples))
     }
 
-    fn begin_dividing(&mut self, band: &Band<'_>, buffers: &mut CaseBuffers) -> bool {
-        self.dividing.begin(
-            &buffers.placed,
-            band.eye.channels,
+    fn begin_dividing(&mut self, band: &Band<'_>, buffers: &mut JobBuffers) -> bool {
+        self.edge_fit.begin(
+            &buffers.point_samples,
+            band.sampler.channels,
             self.settles,
-            &mut buffers.dividing,
+            &mut buffers.edge_fit,
         )
     }
 
-    /// What is to be done with the lines that are known.
+    /// The next step with the fitted lines.
     fn divide(&mut self, band: &Band<'_>) -> Option<Outcome> {
         let target = band.target.error;
-        let aim = ErrorGoal {
+        let goal = ErrorGoal {
             best: target * EVEN,
             most: if self.settles { target * EVEN } else { target },
         };
         self.step = Step::Divided;
-        match self.dividing.next(band.eye.channels, aim) {
-            Next::Nothing => self.is_not_divided(band),
-            Next::Places => {
-                self.wish = SampleRequest::Places;
+        match self.edge_fit.next(band.sampler.channels, goal) {
+            NextStep::GiveUp => self.is_not_divided(band),
+            NextStep::Points => {
+                self.request = SampleRequest::Points;
                 None
             }
-            Next::Test => {
-                self.wish = SampleRequest::Numbers(band.target.first..2 * band.target.first);
+            NextStep::Test => {
+                self.request = SampleRequest::Numbers(band.target.first..2 * band.target.first);
                 None
             }
-            Next::Found(found) => {
+            NextStep::Done(estimate) => {
                 let hidden = if self.settles {
                     0.0
                 } else {
                     self.hidden(HIDDEN)
                 };
-                self.outcome(Some(done(&found, found.error.max(hidden))))
+                self.outcome(Some(done(&estimate, estimate.error.max(hidden))))
             }
         }
     }
 
-    /// No lines divide the pixel: it is sampled on if that is needed.
+    /// No lines divide the pixel: take more samples if needed.
     fn is_not_divided(&mut self, band: &Band<'_>) -> Option<Outcome> {
         if self.settles {
             return self.outcome(None);
         }
-        let error = self.found.error.max(self.hidden(UNSEEN));
+        let error = self.estimate.error.max(self.hidden(UNSEEN));
         if error <= band.target.error {
-            return self.outcome(Some(done(&self.found, error)));
+            return self.outcome(Some(done(&self.estimate, error)));
         }
-        let count = count_of(&self.looks);
+        let count = count_of(&self.samples);
         self.step = Step::Sampled;
-        self.wish = SampleRequest::Numbers(count..2 * count);
+        self.request = SampleRequest::Numbers(count..2 * count);
         None
     }
 
-    /// What all samples tell on a surface with these slopes, `whole` being what half of them do.
-    fn estimate(&mut self, band: &Band<'_>, slopes: &Slopes, buffers: &mut CaseBuffers) {
-        let channels = band.eye.channels;
+    /// The estimate from all samples on a surface with these slopes; `whole` holds the estimate from half of them.
+    fn estimate(&mut self, band: &Band<'_>, slopes: &Slopes, buffers: &mut JobBuffers) {
+        let channels = band.sampler.channels;
         let half = self.whole;
-        self.whole = of_all(&self.looks, channels, slopes, &mut buffers.grid);
-        let found = after_half(self.whole, &half, channels);
-        let times = count_of(&self.looks) / band.target.first;
-        self.found = Estimate {
-            error: found.error * caution(times),
-            ..found
+        self.whole = of_all(&self.samples, channels, slopes, &mut buffers.grid);
+        let estimate = after_half(self.whole, &half, channels);
+        let times = count_of(&self.samples) / band.target.first;
+        self.estimate = Estimate {
+            error: estimate.error * caution(times),
+            ..estimate
         };
     }
 
-    /// What the first half of the samples tells.
-    fn of_half(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut CaseBuffers) -> Estimate {
-        let half = &self.looks[..self.looks.len() / 2];
-        of_all(half, band.eye.channels, slopes, &mut buffers.grid)
+    /// The estimate from the first half of the samples.
+    fn of_half(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut JobBuffers) -> Estimate {
+        let half = &self.samples[..self.samples.len() / 2];
+        of_all(half, band.sampler.channels, slopes, &mut buffers.grid)
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]
@@ -410,26 +422,26 @@ impl Case {
     }
 }
 
-/// Whether the first samples of a pixel, and those next to them around it, leave nothing to be asked.
+/// True if the first samples of a pixel, compared with the adjacent ones around it, leave no doubt.
 pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
     let target = band.target.error;
-    let contrast = band.reach_around(x, y).contrast(band.eye.channels);
-    // So much is the estimate of the error at most if every two of `n` neighbours differ by the contrast.
+    let contrast = band.range_around(x, y).contrast(band.sampler.channels);
+    // Upper bound of the estimated error if any two of `n` neighbours differ by the contrast.
     let most = (3.0 * f64::from(band.target.first)).sqrt();
     if contrast <= target * f64::min(EVEN * most, 1.0) {
         return true;
     }
-    let (found, is_torn) = first_estimate(band, (x, y), &Slopes::default());
+    let (estimate, is_torn) = first_estimate(band, (x, y), &Slopes::default());
     if is_torn {
         return contrast <= target;
     }
-    found.error <= target * EVEN
+    estimate.error <= target * EVEN
 }
 
-/// What the estimated error of a pixel is multiplied with that has so many times its first samples. Of pixels with few
-/// samples those stop whose estimate happens to be low: over all that stopped with 16 it was from 0.9 to 1.9 times the true
-/// error, with 32 from 1.5 to 2.1, with 64 and more up to 2.6. So the same error of the picture takes up to an eighth of
-/// the samples less.
+/// Safety factor for the estimated error of a pixel with `times` as many samples as its first. Among pixels with few
+/// samples, those stop whose estimate happens to be low: over all pixels that stopped with 16 samples the estimate was
+/// from 0.9 to 1.9 times the true error, with 32 from 1.5 to 2.1, with 64 and more up to 2.6. With this factor the same
+/// error of the picture takes up to an eighth fewer samples.
 fn caution(times: u32) -> f64 {
     match times {
         4..8 => 2.0,
@@ -441,13 +453,14 @@ fn caution(times: u32) -> f64 {
 /// Gathers the samples of a pixel and just around it.
 fn gather<'a>(
     band: &'a Band<'_>,
-    ((x, y), own): ((u32, u32), &[AdaptiveSample]),
+    (x, y): (u32, u32),
+    own: &[AdaptiveSample],
     width: i32,
-    looks_of: impl Fn(usize) -> &'a [AdaptiveSample],
-    placed: &mut Vec<PlacedSample>,
+    samples_of: impl Fn(usize) -> &'a [AdaptiveSample],
+    point_samples: &mut Vec<PointSample>,
 ) {
-    placed.clear();
-    placed.extend(own.iter().map(|look| (look.share(), *look)));
+    point_samples.clear();
+    point_samples.extend(own.iter().map(|sample| (sample.share(), *sample)));
     for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
         let away = [
             other_x.cast_signed() - x.cast_signed(),
@@ -455,28 +468,31 @@ fn gather<'a>(
         ];
         let [across, down] = away.map(|away| near(away, width));
         let from = away.map(f64::from);
-        for look in looks_of(band.at(other_x, other_y)) {
-            if across.contains(&look.place.0.into()) && down.contains(&look.place.1.into()) {
-                let share = look.share();
-                placed.push(([from[0] + share[0], from[1] + share[1]], *look));
+        for sample in samples_of(band.at(other_x, other_y)) {
+            if across.contains(&sample.position.0.into())
+                && down.contains(&sample.position.1.into())
+            {
+                let share = sample.share();
+                point_samples.push(([from[0] + share[0], from[1] + share[1]], *sample));
             }
         }
     }
 }
 
-/// Which places of a pixel so many columns or rows away, at most one, lie within `width` of the one that it is seen from.
+/// The positions in a pixel at an offset of at most one column or row that lie within `width` of the pixel at offset
+/// zero.
 fn near(away: i32, width: i32) -> Range<i32> {
     let from = away * SIDE;
     (-width - from).clamp(0, SIDE)..(SIDE + width - from).clamp(0, SIDE)
 }
 
-fn count_of(looks: &[AdaptiveSample]) -> u32 {
-    u32::try_from(looks.len()).unwrap_or(u32::MAX)
+fn count_of(samples: &[AdaptiveSample]) -> u32 {
+    u32::try_from(samples.len()).unwrap_or(u32::MAX)
 }
 
-fn done(found: &Estimate, error: f64) -> FinishedPixel {
+fn done(estimate: &Estimate, error: f64) -> FinishedPixel {
     FinishedPixel {
-        value: pixel(found.mean),
+        value: pixel(estimate.mean),
         error,
     }
 }

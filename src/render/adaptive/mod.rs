@@ -1,12 +1,12 @@
-//! Sampling until the estimated error of every pixel is small (`+AM4`, `--error`, `--time`).
+//! Adaptive sampling until the estimated error of every pixel is small (`+AM4`, `--error`, `--time`).
 //!
-//! Every pixel is the mean over its square, as POV-Ray's are (a box filter), of the points of a scrambled Sobol sequence
-//! of its own. Where edges run the error falls like `samples^-0.75`, on smooth surfaces like `samples^-1.5`. What a pixel
-//! gets depends on itself and on the few around it alone, so that pictures are the same for any number of threads and
-//! for any part of them.
+//! Every pixel is the mean over its square (a box filter, as in POV-Ray) of the points of its own scrambled Sobol
+//! sequence. The error falls like `samples^-0.75` where edges run, and like `samples^-1.5` on smooth surfaces. The
+//! samples of a pixel depend only on itself and on a few pixels around it, so that pictures are the same for any number
+//! of threads and for any crop.
 //!
-//! With a time the picture is drawn again and again for ever smaller errors, the worst bands first, and every pixel
-//! keeps the best that it had when the time is over.
+//! With a time limit the picture is rendered again and again for smaller errors, the worst bands first, and every pixel
+//! holds the best value it had when the time is over.
 
 mod band;
 mod coverage;
@@ -30,47 +30,49 @@ use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
 use crate::render::shade::Tracer;
 use crate::world::RayCounts;
 use band::{Band, ErrorTarget, FinishedPixel, MARGIN};
-use sample::Eye;
+use sample::PixelSampler;
 use std::ops::Range;
 use std::time::Instant;
 use tiny_objects::TinyObjects;
 
-/// So many pixels are sampled together at most: their samples take 100 to 300 bytes each.
+/// Upper limit of the pixels sampled together: their samples take 100 to 300 bytes each.
 const BAND_PIXELS: u32 = 1 << 18;
-/// Rows of a band of a picture that is gone on with: what is lost by an interruption.
-const ROWS_KEPT: u32 = 64;
-/// Rows of a band where there is a time limit: what is begun is mostly finished.
+/// Rows of a band of a picture with a checkpoint: an interruption loses at most this.
+const ROWS_WITH_CHECKPOINT: u32 = 64;
+/// Rows of a band with a time limit: most bands that begin are finished.
 const ROWS_IN_TIME: u32 = 32;
-/// The error of the first drawing where there is a time limit, and by how much it falls from one to the next.
+/// Error of the first pass with a time limit, and the factor from one pass to the next.
 const FIRST_ERROR: f64 = 16.0;
 const FALL: f64 = 0.25;
-/// A smaller error is not aimed at: single precision of colours ends here.
+/// Smallest error aimed for: single precision of colours ends here.
 const LEAST_ERROR: f64 = 1e-4;
 const STEPS: f64 = 255.0;
 
-/// Draws what is to be drawn.
+/// Renders the requested pixels.
 pub(super) fn draw(
     tracer: &Tracer<'_>,
     options: &RenderOptions,
-    how: &Adaptive,
-    unfinished: Option<&Checkpoint>,
+    settings: &Adaptive,
+    checkpoint: Option<&Checkpoint>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
-    let deadline = how.time.and_then(|time| Instant::now().checked_add(time));
-    let error = how.error.max(LEAST_ERROR);
-    let specks = TinyObjects::of(
+    let deadline = settings
+        .time
+        .and_then(|time| Instant::now().checked_add(time));
+    let error = settings.error.max(LEAST_ERROR);
+    let tiny_objects = TinyObjects::of(
         tracer.world(),
         (options.width, options.height),
         error / STEPS,
     );
-    let eye = Eye {
+    let sampler = PixelSampler {
         tracer,
         size: (options.width, options.height),
         channels: if options.alpha { 4 } else { 3 },
-        specks: &specks,
+        tiny_objects: &tiny_objects,
     };
     let mut drawing = Drawing {
-        eye,
+        sampler,
         columns: options.columns.clone(),
         rows: options.rows.clone(),
         film: Film::new(
@@ -87,27 +89,27 @@ pub(super) fn draw(
         None => {
             let target = ErrorTarget::new(error / STEPS, None);
             let mut missing = vec![drawing.rows.clone()];
-            for piece in unfinished.map_or(&[][..], Checkpoint::pieces) {
-                if drawing.take(piece) {
-                    progress(piece.pixels.len() as u64);
-                    missing = without(&missing, &piece.rows);
+            for tile in checkpoint.map_or(&[][..], Checkpoint::tiles) {
+                if drawing.take(tile) {
+                    progress(tile.pixels.len() as u64);
+                    missing = without(&missing, &tile.rows);
                 }
             }
             let continues = options.keep.as_ref().is_some_and(|keep| keep.continues);
             let height = match continues {
-                true => drawing.rows_together().min(ROWS_KEPT),
+                true => drawing.rows_together().min(ROWS_WITH_CHECKPOINT),
                 false => drawing.rows_together(),
             };
             for rows in missing.iter().flat_map(|rows| bands(rows, height)) {
                 drawing.draw(&rows, target, progress);
-                if let Some(unfinished) = unfinished.filter(|_| !options.stop.is_asked()) {
-                    unfinished.keep(&drawing.piece(&rows));
+                if let Some(checkpoint) = checkpoint.filter(|_| !options.stop.is_asked()) {
+                    checkpoint.keep(&drawing.tile(&rows));
                 }
             }
         }
         Some(deadline) => drawing.draw_in_time(error, deadline, progress),
     }
-    let reached = Some(drawing.reached(how.error));
+    let reached = Some(drawing.reached(settings.error));
     Drawn {
         film: drawing.film,
         rays: drawing.rays,
@@ -117,13 +119,13 @@ pub(super) fn draw(
     }
 }
 
-/// A picture that is being drawn.
+/// A picture in progress.
 struct Drawing<'a> {
-    eye: Eye<'a>,
+    sampler: PixelSampler<'a>,
     columns: Range<u32>,
     rows: Range<u32>,
     film: Film,
-    /// The estimated errors of the pixels drawn, row by row.
+    /// Estimated errors of the pixels, row by row.
     errors: Vec<f64>,
     samples: u64,
     rays: RayCounts,
@@ -135,9 +137,9 @@ impl Drawing<'_> {
         (BAND_PIXELS / width.max(1)).max(MARGIN)
     }
 
-    /// What has been drawn of some rows, to be kept.
-    fn piece(&self, rows: &Range<u32>) -> CheckpointTile {
-        let (wide, width) = (self.columns.len(), self.eye.size.0 as usize);
+    /// The finished pixels of some rows, for the checkpoint.
+    fn tile(&self, rows: &Range<u32>) -> CheckpointTile {
+        let (wide, width) = (self.columns.len(), self.sampler.size.0 as usize);
         let first = (rows.start - self.rows.start) as usize * wide;
         let columns = self.columns.start as usize..self.columns.end as usize;
         let lines = rows.clone().map(|y| y as usize * width);
@@ -153,38 +155,38 @@ impl Drawing<'_> {
         }
     }
 
-    /// Takes what an earlier run has drawn, if it is all of some rows.
-    fn take(&mut self, piece: &CheckpointTile) -> bool {
+    /// Takes over a tile of an earlier run, if it consists of whole rows.
+    fn take(&mut self, tile: &CheckpointTile) -> bool {
         let wide = self.columns.len();
-        let count = wide * piece.rows.len();
-        let is_whole = piece.columns == self.columns
-            && self.rows.start <= piece.rows.start
-            && piece.rows.end <= self.rows.end
-            && (piece.pixels.len(), piece.errors.len()) == (count, count);
+        let count = wide * tile.rows.len();
+        let is_whole = tile.columns == self.columns
+            && self.rows.start <= tile.rows.start
+            && tile.rows.end <= self.rows.end
+            && (tile.pixels.len(), tile.errors.len()) == (count, count);
         if !is_whole {
             return false;
         }
-        let first = (piece.rows.start - self.rows.start) as usize * wide;
-        self.errors[first..first + count].copy_from_slice(&piece.errors);
-        for (y, line) in piece.rows.clone().zip(piece.pixels.chunks(wide.max(1))) {
-            let at = y as usize * self.eye.size.0 as usize + self.columns.start as usize;
+        let first = (tile.rows.start - self.rows.start) as usize * wide;
+        self.errors[first..first + count].copy_from_slice(&tile.errors);
+        for (y, line) in tile.rows.clone().zip(tile.pixels.chunks(wide.max(1))) {
+            let at = y as usize * self.sampler.size.0 as usize + self.columns.start as usize;
             self.film.pixels[at..at + wide].copy_from_slice(line);
         }
-        // Every piece tells of all samples up to its own.
-        self.samples = self.samples.max(piece.samples);
+        // The sample count of a tile includes all tiles before it.
+        self.samples = self.samples.max(tile.samples);
         true
     }
 
-    /// Draws for smaller and smaller errors until the time is over.
+    /// Renders for smaller and smaller errors until the time is over.
     fn draw_in_time(&mut self, error: f64, deadline: Instant, progress: &(dyn Fn(u64) + Sync)) {
-        let mut aim = FIRST_ERROR.max(error);
-        // The first drawing is finished whatever it takes: there must be a picture.
+        let mut goal = FIRST_ERROR.max(error);
+        // The first pass is finished regardless of the time: there must be a picture.
         for rows in bands(&self.rows, self.rows_together()) {
-            self.draw(&rows, ErrorTarget::new(aim / STEPS, None), progress);
+            self.draw(&rows, ErrorTarget::new(goal / STEPS, None), progress);
         }
-        while aim > error && Instant::now() < deadline {
-            aim = (aim * FALL).max(error);
-            let target = ErrorTarget::new(aim / STEPS, Some(deadline));
+        while goal > error && Instant::now() < deadline {
+            goal = (goal * FALL).max(error);
+            let target = ErrorTarget::new(goal / STEPS, Some(deadline));
             let mut bands = bands(&self.rows, ROWS_IN_TIME);
             bands.sort_by(|a, b| self.error_of(b).total_cmp(&self.error_of(a)));
             for rows in bands {
@@ -204,16 +206,16 @@ impl Drawing<'_> {
         errors.iter().map(|error| error * error).sum()
     }
 
-    /// Draws some rows; a pixel that was better before stays if the time ends meanwhile.
+    /// Renders some rows; a pixel that was better before stays if the time ends meanwhile.
     fn draw(&mut self, rows: &Range<u32>, target: ErrorTarget, progress: &(dyn Fn(u64) + Sync)) {
         let with_margin = |range: &Range<u32>, side: u32| {
             range.start.saturating_sub(MARGIN)..(range.end + MARGIN).min(side)
         };
-        let (width, height) = self.eye.size;
+        let (width, height) = self.sampler.size;
         let columns = with_margin(&self.columns, width);
-        let mut band = Band::new(&self.eye, target, columns, with_margin(rows, height));
+        let mut band = Band::new(&self.sampler, target, columns, with_margin(rows, height));
         let done: Vec<FinishedPixel> = band.finish(&self.columns, rows, progress);
-        // To keep the lower of two estimates would be to keep those that are too low.
+        // Always retaining the lower of two estimates would select those that are too low.
         let is_whole = !target.is_over();
         self.samples += band.samples;
         self.rays += band.rays;
@@ -244,7 +246,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Rows in bands of some height, from the top.
+/// Splits rows into bands of this height, from the top.
 fn bands(rows: &Range<u32>, height: u32) -> Vec<Range<u32>> {
     let end = rows.end;
     rows.clone()
@@ -253,7 +255,7 @@ fn bands(rows: &Range<u32>, height: u32) -> Vec<Range<u32>> {
         .collect()
 }
 
-/// What is left of some ranges of rows without others.
+/// Removes a range of rows from some ranges.
 fn without(ranges: &[Range<u32>], taken: &Range<u32>) -> Vec<Range<u32>> {
     let parts = ranges.iter().flat_map(|rows| {
         [

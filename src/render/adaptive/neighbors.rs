@@ -1,4 +1,4 @@
-//! What lies next to a sample, in its pixel and in those around.
+//! The samples adjacent to a sample, in its pixel and in the pixels around.
 
 use super::band::{Band, FINER, FIRST_AT_MOST, SampleFilter};
 use super::estimate::{Estimate, SHARE_OF_VARIANCE};
@@ -6,28 +6,28 @@ use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use smallvec::SmallVec;
 
-/// The most samples of a pixel that are compared with those around.
+/// Most samples of a pixel that are compared with those around.
 const MOST: usize = (FIRST_AT_MOST * FINER) as usize;
 
-/// How much of the contrast of two cells raises doubts about the pixel that one is in, as in the estimate of its error.
+/// Share of the contrast of two adjacent cells that counts as doubt about a pixel, as in the estimate of its error.
 const DOUBT: f64 = 0.4;
 
-/// The samples of a pixel in a grid, and the pixels to its left, to its right, above and below it.
+/// The samples of a pixel in a grid, and the adjacent pixels: left, right, above and below.
 struct Grid {
     width: usize,
     height: usize,
-    /// The binary logarithm of how many samples there are.
+    /// The binary logarithm of the number of samples.
     bits: u32,
     around: [Option<usize>; 4],
 }
 
-/// What lies next to a cell on some side.
+/// The neighbour of a cell on one side.
 enum Next {
     /// A cell of the same pixel.
     Inside(usize),
-    /// The pixel on that side, and a cell of it if it has as many samples.
+    /// The pixel on that side, and its cell if it has as many samples.
     Outside(usize, (usize, usize)),
-    /// Nothing: the band ends.
+    /// None: the edge of the band.
     Nothing,
 }
 
@@ -38,11 +38,11 @@ impl Grid {
             width: 1 << bits.div_ceil(2),
             height: 1 << (bits / 2),
             bits,
-            around: SIDES.map(|side| band.at_next(pixel, side)),
+            around: SIDES.map(|side| band.index_at(pixel, side)),
         }
     }
 
-    /// What lies next to a cell on the side of this number.
+    /// The neighbour of a cell on a side given by its index.
     #[inline]
     fn next(&self, (column, row): (usize, usize), side: usize) -> Next {
         let (is_outside, column, row) = match side {
@@ -62,27 +62,27 @@ impl Grid {
         }
     }
 
-    /// What was seen in a cell of a pixel next to this one, which may have fewer samples.
+    /// The sample in a cell of an adjacent pixel, which may have fewer samples.
     #[inline]
-    fn look<'a>(
+    fn sample<'a>(
         &self,
         band: &'a Band<'_>,
-        sight: SampleFilter,
+        filter: SampleFilter,
         at: usize,
         (column, row): (usize, usize),
     ) -> &'a AdaptiveSample {
-        let coarser = self.bits.saturating_sub(band.count(sight, at).ilog2()) / 2;
+        let coarser = self.bits.saturating_sub(band.count(filter, at).ilog2()) / 2;
         let cell = (row >> coarser) * (self.width >> coarser) + (column >> coarser);
-        band.look_in(sight, at, cell)
+        band.sample_in_cell(filter, at, cell)
     }
 }
 
-/// Columns and rows to the pixels on the four sides.
+/// Offsets in columns and rows to the adjacent pixels.
 const SIDES: [(i64, i64); 4] = [(-1, 0), (1, 0), (0, -1), (0, 1)];
 const AWAY: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]];
 
-/// What the first samples of a pixel tell on a surface with these slopes if they are compared with those next to them,
-/// in the pixel and around it; and whether two of these met different surfaces or sides.
+/// The estimate from the first samples of a pixel, each compared with its neighbours inside and outside the pixel, on a
+/// surface with these slopes; and true if two neighbours hit different surfaces or sides.
 pub(super) fn first_estimate(
     band: &Band<'_>,
     (x, y): (u32, u32),
@@ -91,27 +91,30 @@ pub(super) fn first_estimate(
     let at = band.at(x, y);
     let count = band.target.first as usize;
     let grid = Grid::new(band, (x, y), count);
-    let levelled = |cell| slopes.levelled(band.look_in(SampleFilter::First, at, cell));
+    let levelled = |cell| slopes.levelled(band.sample_in_cell(SampleFilter::First, at, cell));
     let colors: SmallVec<[[f64; 4]; FIRST_AT_MOST as usize]> = (0..count).map(levelled).collect();
     let (mut mean, mut variances) = ([0.0; 4], [0.0; 4]);
     let mut is_torn = false;
     let area = 1.0 / f64::from(band.target.first);
-    // Two pairs of neighbours belong to each cell.
+    // Each cell has two pairs of neighbours on average.
     let share = area * area * SHARE_OF_VARIANCE * 2.0;
     for (cell, own) in colors.iter().enumerate() {
-        let look = band.look_in(SampleFilter::First, at, cell);
-        let place = (cell & (grid.width - 1), cell / grid.width);
+        let sample = band.sample_in_cell(SampleFilter::First, at, cell);
+        let position = (cell & (grid.width - 1), cell / grid.width);
         let (mut apart, mut pairs) = ([0.0; 4], 0.0);
         for (side, away) in AWAY.into_iter().enumerate() {
-            let (other, color) = match grid.next(place, side) {
-                Next::Inside(cell) => (band.look_in(SampleFilter::First, at, cell), colors[cell]),
-                Next::Outside(at, place) => {
-                    let other = grid.look(band, SampleFilter::First, at, place);
+            let (other, color) = match grid.next(position, side) {
+                Next::Inside(cell) => (
+                    band.sample_in_cell(SampleFilter::First, at, cell),
+                    colors[cell],
+                ),
+                Next::Outside(at, position) => {
+                    let other = grid.sample(band, SampleFilter::First, at, position);
                     (other, slopes.levelled_at(other, away))
                 }
                 Next::Nothing => continue,
             };
-            is_torn = is_torn || !look.is_same_side(other);
+            is_torn = is_torn || !sample.is_same_side(other);
             pairs += 1.0;
             for c in 0..4 {
                 let d = own[c] - color[c];
@@ -123,22 +126,25 @@ pub(super) fn first_estimate(
             variances[c] += share * apart[c] / f64::max(pairs, 1.0);
         }
     }
-    (Estimate::of(mean, variances, band.eye.channels), is_torn)
+    (
+        Estimate::of(mean, variances, band.sampler.channels),
+        is_torn,
+    )
 }
 
-/// The colours of a sample, what is above full white cut off.
+/// The colours of a sample, clipped at full white.
 #[inline]
-fn clipped(look: &AdaptiveSample) -> [f32; 4] {
-    look.channels.map(|c| if c < 1.0 { c } else { 1.0 })
+fn clipped(sample: &AdaptiveSample) -> [f32; 4] {
+    sample.channels.map(|c| if c < 1.0 { c } else { 1.0 })
 }
 
-/// The pixels around a broken one about which its samples raise doubts.
+/// Collects the pixels around a broken pixel that its samples make doubtful.
 pub(super) fn doubts(band: &Band<'_>, (x, y): (u32, u32), doubtful: &mut Vec<usize>) {
     let at = band.at(x, y);
     let count = band.count(SampleFilter::All, at);
-    let channels = band.eye.channels;
+    let channels = band.sampler.channels;
     let grid = Grid::new(band, (x, y), count);
-    let clip = |cell| clipped(band.look_in(SampleFilter::All, at, cell));
+    let clip = |cell| clipped(band.sample_in_cell(SampleFilter::All, at, cell));
     let colors: SmallVec<[[f32; 4]; MOST]> = (0..count).map(clip).collect();
     let target = band.target.error;
     let area = 1.0 / f64::from(band.target.first);
@@ -151,16 +157,16 @@ pub(super) fn doubts(band: &Band<'_>, (x, y): (u32, u32), doubtful: &mut Vec<usi
         }
         f64::from(most) * area * DOUBT > target
     };
-    let mut alone = band.may_hide(x, y);
+    let mut alone = band.may_miss_features(x, y);
     for (cell, own) in colors.iter().enumerate() {
-        let place = (cell & (grid.width - 1), cell / grid.width);
+        let position = (cell & (grid.width - 1), cell / grid.width);
         let mut has_like = false;
         for side in 0..SIDES.len() {
-            match grid.next(place, side) {
+            match grid.next(position, side) {
                 Next::Inside(cell) => has_like = has_like || !differs(own, &colors[cell]),
-                Next::Outside(other, place) => {
-                    let look = grid.look(band, SampleFilter::First, other, place);
-                    if !differs(own, &clipped(look)) {
+                Next::Outside(other, position) => {
+                    let sample = grid.sample(band, SampleFilter::First, other, position);
+                    if !differs(own, &clipped(sample)) {
                         has_like = true;
                     } else if band.settled_at(other).is_none() {
                         doubtful.push(other);

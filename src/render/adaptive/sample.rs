@@ -1,4 +1,4 @@
-//! What samples of a pixel saw.
+//! The samples of a pixel, and the sampler that traces them.
 
 use super::tiny_objects::TinyObjects;
 use crate::base::film::Pixel;
@@ -7,35 +7,35 @@ use crate::render::shade::{BLOCK, BlockScratch, Tracer};
 use crate::world::RayCounts;
 use std::ops::Range;
 
-/// The most places that are looked at together.
+/// Most samples traced together.
 pub(super) const TOGETHER: usize = (BLOCK * BLOCK) as usize;
-/// The surface of samples that met none, or of which it is not known.
+/// The surface of samples that hit none or an unknown one.
 const NO_SURFACE: u32 = u32::MAX;
-/// Two normals whose product is below this belong to two sides of an edge: they are 37 degrees apart.
+/// Normals with a smaller dot product are on two sides of an edge: they are 37 degrees apart.
 const SAME_SIDE: f32 = 0.8;
 
-/// What one sample saw.
+/// One sample of a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AdaptiveSample {
-    /// Red, green, blue, and what shines through the background.
+    /// Red, green, blue, and the transmittance to the background.
     pub(super) channels: [f32; 4],
-    /// Where in the pixel it lies, in parts of 2^16 of the side.
-    pub(super) place: (u16, u16),
-    /// The surface it met first, and the direction in which that faces.
+    /// Position in the pixel, in units of 2^-16 of its side.
+    pub(super) position: (u16, u16),
+    /// The first surface hit, and its normal.
     pub(super) leaf: u32,
     normal: [f32; 3],
 }
 
 impl AdaptiveSample {
-    /// Nothing yet.
+    /// A placeholder.
     pub(super) const NONE: AdaptiveSample = AdaptiveSample {
         channels: [0.0; 4],
-        place: (0, 0),
+        position: (0, 0),
         leaf: NO_SURFACE,
         normal: [0.0; 3],
     };
 
-    /// Whether both met the same side of the same surface.
+    /// True if both hit the same side of the same surface.
     #[inline]
     pub(super) fn is_same_side(&self, other: &AdaptiveSample) -> bool {
         if self.leaf != other.leaf || self.leaf == NO_SURFACE {
@@ -45,13 +45,13 @@ impl AdaptiveSample {
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2] >= SAME_SIDE
     }
 
-    /// Where in the pixel it lies, as shares of its side.
+    /// Position in the pixel, as shares of its side.
     pub(super) fn share(&self) -> [f64; 2] {
-        let (x, y) = self.place;
+        let (x, y) = self.position;
         [x, y].map(|v| (f64::from(v) + 0.5) / 65536.0)
     }
 
-    /// Of a surface with this number.
+    /// A sample on the surface with this number.
     #[cfg(test)]
     pub(super) fn on_side(leaf: u32) -> AdaptiveSample {
         AdaptiveSample {
@@ -65,13 +65,13 @@ impl AdaptiveSample {
     pub(super) fn of(sobol: Sobol, number: u32, value: f32) -> AdaptiveSample {
         AdaptiveSample {
             channels: [value; 4],
-            place: place(sobol.point(number)),
+            position: position(sobol.point(number)),
             ..AdaptiveSample::NONE
         }
     }
 }
 
-/// The mean of looks as a pixel.
+/// The pixel with a mean of samples as its colour.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "colours are single precision"
@@ -81,128 +81,137 @@ pub(super) fn pixel(mean: [f64; 4]) -> Pixel {
     Pixel::new(crate::base::color::Rgb::new(r, g, b), transmit)
 }
 
-/// Looks at places of a picture.
-pub(super) struct Eye<'a> {
+/// Traces samples of a picture.
+pub(super) struct PixelSampler<'a> {
     pub(super) tracer: &'a Tracer<'a>,
     /// Width and height of the picture.
     pub(super) size: (u32, u32),
-    /// How many of the four channels count.
+    /// The number of channels that count.
     pub(super) channels: usize,
-    /// What is too small for samples.
-    pub(super) specks: &'a TinyObjects,
+    /// Objects too small for regular samples.
+    pub(super) tiny_objects: &'a TinyObjects,
 }
 
-/// Buffers that a thread keeps.
+/// Buffers of a thread.
 #[derive(Default)]
-pub(super) struct EyeScratch {
+pub(super) struct SamplerScratch {
     block: BlockScratch,
-    places: Vec<(f64, f64)>,
+    positions: Vec<(f64, f64)>,
     cells: Vec<(u16, u16)>,
 }
 
-impl EyeScratch {
-    /// How many rays were followed with it since this was last asked.
+impl SamplerScratch {
+    /// Returns the rays traced since the last call, and resets them.
     pub(super) fn take_rays(&mut self) -> RayCounts {
         self.block.take_rays()
     }
 
-    /// Forgets what has been noted.
+    /// Clears the batch.
     pub(super) fn clear(&mut self) {
-        self.places.clear();
+        self.positions.clear();
         self.cells.clear();
     }
 
-    /// How many places have been noted.
+    /// The number of samples in the batch.
     pub(super) fn len(&self) -> usize {
-        self.places.len()
+        self.positions.len()
     }
 
-    /// Notes points of the sequence of a pixel as places to look at.
-    pub(super) fn note(&mut self, (x, y): (u32, u32), numbers: Range<u32>, specks: &TinyObjects) {
+    /// Adds points of a pixel's Sobol sequence to the batch.
+    pub(super) fn add_sequence(
+        &mut self,
+        (x, y): (u32, u32),
+        numbers: Range<u32>,
+        tiny_objects: &TinyObjects,
+    ) {
         let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
         let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32);
-        let specks = specks.of_pixel((x, y));
+        let tiny_objects = tiny_objects.of_pixel((x, y));
         for number in numbers {
             let point = sobol.point(number);
-            let [dx, dy] = specks.moved_out([share(point.0), share(point.1)]);
-            self.places
+            let [dx, dy] = tiny_objects.moved_out([share(point.0), share(point.1)]);
+            self.positions
                 .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
-            self.cells.push(place(point));
+            self.cells.push(position(point));
         }
     }
 
-    /// Notes points of a sequence of its own in a rectangle of a pixel: what `places` makes of each, one after the other.
-    pub(super) fn note_rectangle(
+    /// Adds pairs of points from the own sequence of a rectangle in a pixel: `to_pair` maps each point to a pair.
+    pub(super) fn add_rectangle(
         &mut self,
         (x, y): (u32, u32),
         rectangle: u32,
         numbers: Range<u32>,
-        places: impl Fn([f64; 2]) -> ([f64; 2], [f64; 2]),
+        to_pair: impl Fn([f64; 2]) -> ([f64; 2], [f64; 2]),
     ) {
-        // Pixels of a picture are fewer than 2^16 on a side: no pixel has this sequence.
+        // Pictures have fewer than 2^16 pixels on a side: no pixel has this sequence.
         let sobol = Sobol::of_pixel(x.cast_signed(), (y | rectangle << 24).cast_signed());
         let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32);
         for number in numbers {
             let point = sobol.point(number);
-            let both = places([share(point.0), share(point.1)]);
+            let both = to_pair([share(point.0), share(point.1)]);
             for [dx, dy] in [both.0, both.1] {
-                let place = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
-                self.places.push(place);
-                self.cells.push(self::place(point));
+                let position = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
+                self.positions.push(position);
+                self.cells.push(self::position(point));
             }
         }
     }
 
-    /// Notes places of a pixel, given as shares of its side.
-    pub(super) fn note_places(
+    /// Adds points of a pixel, given as shares of its side.
+    pub(super) fn add_points(
         &mut self,
         (x, y): (u32, u32),
         shares: &[[f64; 2]],
-        specks: &TinyObjects,
+        tiny_objects: &TinyObjects,
     ) {
-        let specks = specks.of_pixel((x, y));
+        let tiny_objects = tiny_objects.of_pixel((x, y));
         for &share in shares {
-            let [dx, dy] = specks.moved_out(share);
-            let place = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
-            self.places.push(place);
+            let [dx, dy] = tiny_objects.moved_out(share);
+            let position = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
+            self.positions.push(position);
             self.cells.push((0, 0));
         }
     }
 }
 
-impl Eye<'_> {
-    /// Samples of these numbers of each of these pixels, pixel by pixel.
-    pub(super) fn looks(
+impl PixelSampler<'_> {
+    /// Traces the samples of some pixels with these numbers, pixel by pixel.
+    pub(super) fn trace_sequence(
         &self,
         pixels: impl Iterator<Item = (u32, u32)>,
         numbers: Range<u32>,
-        scratch: &mut EyeScratch,
-        looks: &mut Vec<AdaptiveSample>,
+        scratch: &mut SamplerScratch,
+        samples: &mut Vec<AdaptiveSample>,
     ) {
         scratch.clear();
         for pixel in pixels {
-            scratch.note(pixel, numbers.clone(), self.specks);
+            scratch.add_sequence(pixel, numbers.clone(), self.tiny_objects);
         }
-        self.look(scratch, looks);
+        self.trace_batch(scratch, samples);
     }
 
-    /// Looks at the places that have been noted.
-    pub(super) fn look(&self, scratch: &mut EyeScratch, looks: &mut Vec<AdaptiveSample>) {
-        let start = looks.len();
-        looks.resize(start + scratch.places.len(), AdaptiveSample::NONE);
-        let chunks = scratch.places.chunks(TOGETHER);
-        for (first, places) in (start..).step_by(TOGETHER).zip(chunks) {
+    /// Traces the batch.
+    pub(super) fn trace_batch(
+        &self,
+        scratch: &mut SamplerScratch,
+        samples: &mut Vec<AdaptiveSample>,
+    ) {
+        let start = samples.len();
+        samples.resize(start + scratch.positions.len(), AdaptiveSample::NONE);
+        let chunks = scratch.positions.chunks(TOGETHER);
+        for (first, positions) in (start..).step_by(TOGETHER).zip(chunks) {
             self.tracer.places(
-                places,
+                positions,
                 self.size,
                 &mut scratch.block,
-                |number, seen, met| {
-                    let (leaf, normal) = met.map_or((NO_SURFACE, [0.0; 3]), |met| {
-                        (met.leaf, met.normal.as_vec3().to_array())
+                |number, seen, hit| {
+                    let (leaf, normal) = hit.map_or((NO_SURFACE, [0.0; 3]), |hit| {
+                        (hit.leaf, hit.normal.as_vec3().to_array())
                     });
-                    looks[first + number] = AdaptiveSample {
+                    samples[first + number] = AdaptiveSample {
                         channels: [seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit],
-                        place: scratch.cells[first - start + number],
+                        position: scratch.cells[first - start + number],
                         leaf,
                         normal,
                     };
@@ -213,6 +222,6 @@ impl Eye<'_> {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "sixteen bits are left")]
-fn place((x, y): (u32, u32)) -> (u16, u16) {
+fn position((x, y): (u32, u32)) -> (u16, u16) {
     ((x >> 16) as u16, (y >> 16) as u16)
 }

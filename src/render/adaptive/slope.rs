@@ -1,31 +1,31 @@
-//! Colours that change evenly from place to place: the plane through samples by least squares.
+//! Even colour slopes: the least-squares plane through samples.
 
 use super::sample::AdaptiveSample;
 
-/// The middle of a pixel, from which slopes are counted.
+/// The middle of a pixel, the origin of slopes.
 const MIDDLE: f64 = 0.5;
-/// The determinant of places on a line, over that of places all around.
+/// Determinant of points on a line, relative to that of points all around.
 const ON_A_LINE: f64 = 1e-3;
 
-/// How much each channel changes across a pixel and down it; nothing if none does.
+/// The slope of each channel across and down a pixel; `None` if level.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Slopes(Option<[[f64; 2]; 4]>);
 
 impl Slopes {
-    /// What a sample would have seen in the middle of the pixel.
+    /// The value a sample would have in the middle of the pixel.
     #[inline]
-    pub(super) fn levelled(&self, look: &AdaptiveSample) -> [f64; 4] {
-        self.levelled_at(look, [0.0; 2])
+    pub(super) fn levelled(&self, sample: &AdaptiveSample) -> [f64; 4] {
+        self.levelled_at(sample, [0.0; 2])
     }
 
-    /// The same of a sample of the pixel so many columns and rows away.
+    /// The same for a sample of the pixel at an offset in columns and rows.
     #[inline]
-    pub(super) fn levelled_at(&self, look: &AdaptiveSample, away: [f64; 2]) -> [f64; 4] {
-        let mut channels = look.channels.map(f64::from);
+    pub(super) fn levelled_at(&self, sample: &AdaptiveSample, away: [f64; 2]) -> [f64; 4] {
+        let mut channels = sample.channels.map(f64::from);
         let Some(slopes) = &self.0 else {
             return channels;
         };
-        let [x, y] = look.share();
+        let [x, y] = sample.share();
         let [x, y] = [x + away[0], y + away[1]];
         for (c, slope) in channels.iter_mut().zip(slopes) {
             *c -= slope[0] * (x - MIDDLE) + slope[1] * (y - MIDDLE);
@@ -34,35 +34,35 @@ impl Slopes {
     }
 }
 
-/// Sums over samples from which planes follow.
+/// Sums over samples for fitting planes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     count: f64,
-    place: [f64; 2],
+    point: [f64; 2],
     /// `xx`, `xy`, `yy`.
     squares: [f64; 3],
     value: [f64; 4],
-    /// Place times value: across by channel, and down.
+    /// Point times value: across by channel, and down.
     mixed: [[f64; 4]; 2],
     value_squares: [f64; 4],
 }
 
-/// The plane through samples, and how far they are from it.
+/// The plane through samples, and their deviation from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     middle: [f64; 2],
     mean: [f64; 4],
     slopes: [[f64; 2]; 4],
-    /// The variance of the mean of as many samples as lie in it, by channel.
+    /// The variance, by channel, of the mean of this many samples.
     pub(super) variances: [f64; 4],
 }
 
 impl Sums {
-    /// Adds a sample at a place in pixels.
+    /// Adds a sample at a point in pixels.
     pub(super) fn add(&mut self, [x, y]: [f64; 2], channels: &[f32; 4]) {
         let (x, y) = (x - MIDDLE, y - MIDDLE);
         self.count += 1.0;
-        self.place = [self.place[0] + x, self.place[1] + y];
+        self.point = [self.point[0] + x, self.point[1] + y];
         let [xx, xy, yy] = self.squares;
         self.squares = [xx + x * x, xy + x * y, yy + y * y];
         let values = channels.map(f64::from);
@@ -74,7 +74,7 @@ impl Sums {
         }
     }
 
-    /// How many there are.
+    /// The number of samples.
     pub(super) fn count(&self) -> f64 {
         self.count
     }
@@ -85,7 +85,7 @@ impl Sums {
         if n < 2.0 {
             return None;
         }
-        let [x, y] = self.place.map(|sum| sum / n);
+        let [x, y] = self.point.map(|sum| sum / n);
         let [xx, xy, yy] = self.squares;
         let (xx, xy, yy) = (xx - n * x * x, xy - n * x * y, yy - n * y * y);
         let determinant = xx * yy - xy * xy;
@@ -119,7 +119,7 @@ impl Sums {
 }
 
 impl Plane {
-    /// The colour at a place in pixels.
+    /// The colour at a point in pixels.
     pub(super) fn at(&self, [x, y]: [f64; 2]) -> [f64; 4] {
         let (x, y) = (x - MIDDLE - self.middle[0], y - MIDDLE - self.middle[1]);
         let mut color = self.mean;
@@ -129,7 +129,6 @@ impl Plane {
         color
     }
 
-    /// Its slopes.
     pub(super) fn slopes(&self) -> Slopes {
         Slopes(Some(self.slopes))
     }

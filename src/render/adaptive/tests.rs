@@ -1,44 +1,50 @@
-//! The estimate of a pixel's error against errors that are known.
+//! Compares the estimated error of a pixel with known errors.
 
 #![allow(
     clippy::cast_possible_truncation,
     reason = "colours are single precision"
 )]
 
-use super::estimate::{Reach, after_half, of_all};
+use super::estimate::{ChannelRange, after_half, of_all};
 use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use crate::base::math::sampling::sobol::Sobol;
 
-/// Root mean square of the error that `n` samples of a function make, and of what is estimated for it, over many
-/// pixels. The function gets the number of the pixel and a place in the unit square; its mean is known.
+/// Root mean square of the true and the estimated error with `n` samples of a function, over many pixels. The function
+/// receives the number of the pixel and a point in the unit square; its mean is known.
 fn errors(n: u32, value: impl Fn(u32, [f64; 2]) -> f64, mean: impl Fn(u32) -> f64) -> (f64, f64) {
     const PIXELS: u32 = 400;
     let side = |v: u32| f64::from(v) / 2f64.powi(32);
-    let (mut truly, mut estimated) = (0.0, 0.0);
+    let (mut true_error, mut estimated) = (0.0, 0.0);
     for pixel in 0..PIXELS {
         let sobol = Sobol::of_pixel(pixel.cast_signed(), 3);
-        let looks: Vec<AdaptiveSample> = (0..n)
+        let samples: Vec<AdaptiveSample> = (0..n)
             .map(|number| {
                 let (x, y) = sobol.point(number);
                 AdaptiveSample::of(sobol, number, value(pixel, [side(x), side(y)]) as f32)
             })
             .collect();
-        let tell = |looks: &[AdaptiveSample]| of_all(looks, 3, &Slopes::default(), &mut Vec::new());
-        let found = after_half(tell(&looks), &tell(&looks[..looks.len() / 2]), 3);
-        truly += (found.mean[0] - mean(pixel)).powi(2);
-        estimated += found.error.powi(2);
+        let estimate_of =
+            |samples: &[AdaptiveSample]| of_all(samples, 3, &Slopes::default(), &mut Vec::new());
+        let estimate = after_half(
+            estimate_of(&samples),
+            &estimate_of(&samples[..samples.len() / 2]),
+            3,
+        );
+        true_error += (estimate.mean[0] - mean(pixel)).powi(2);
+        estimated += estimate.error.powi(2);
     }
     let root = |sum: f64| (sum / f64::from(PIXELS)).sqrt();
-    (root(truly), root(estimated))
+    (root(true_error), root(estimated))
 }
 
 #[test]
-fn the_error_at_upright_edges_is_not_underestimated() {
+fn the_error_at_vertical_edges_is_not_underestimated() {
     for n in [16, 64, 256] {
         let at = |pixel: u32| f64::from(pixel % 97) / 97.0;
-        let (truly, estimated) = errors(n, |pixel, [x, _]| f64::from(u8::from(x < at(pixel))), at);
-        assert!(truly < estimated, "{n}: {truly} {estimated}");
+        let (true_error, estimated) =
+            errors(n, |pixel, [x, _]| f64::from(u8::from(x < at(pixel))), at);
+        assert!(true_error < estimated, "{n}: {true_error} {estimated}");
     }
 }
 
@@ -52,18 +58,18 @@ fn the_error_at_slanted_edges_falls_with_the_power_of_three_quarters() {
     };
     let (coarse, fine) = (of(16), of(1024));
     assert!(fine.0 < coarse.0 * 64f64.powf(-0.74), "{coarse:?} {fine:?}");
-    for (truly, estimated) in [coarse, fine] {
+    for (true_error, estimated) in [coarse, fine] {
         assert!(
-            truly < estimated && estimated < 4.0 * truly,
-            "{truly} {estimated}"
+            true_error < estimated && estimated < 4.0 * true_error,
+            "{true_error} {estimated}"
         );
     }
 }
 
 #[test]
 fn the_error_of_slopes_and_of_noise_is_not_underestimated() {
-    let (truly, estimated) = errors(16, |_, [x, y]| x + 0.3 * y, |_| 0.65);
-    assert!(truly < estimated, "slope: {truly} {estimated}");
+    let (true_error, estimated) = errors(16, |_, [x, y]| x + 0.3 * y, |_| 0.65);
+    assert!(true_error < estimated, "slope: {true_error} {estimated}");
     let noise = |pixel: u32, [x, y]: [f64; 2]| {
         let cell = [x * 1e6, y * 1e6, f64::from(pixel)].map(f64::to_bits);
         let mixed = cell.iter().fold(7u64, |all, bits| {
@@ -73,17 +79,20 @@ fn the_error_of_slopes_and_of_noise_is_not_underestimated() {
         });
         f64::from((mixed >> 40) as u32) / f64::from(1u32 << 24)
     };
-    let (truly, estimated) = errors(64, noise, |_| 0.5);
-    assert!(truly < 1.5 * estimated, "noise: {truly} {estimated}");
+    let (true_error, estimated) = errors(64, noise, |_| 0.5);
+    assert!(
+        true_error < 1.5 * estimated,
+        "noise: {true_error} {estimated}"
+    );
 }
 
 #[test]
-fn what_is_white_anyway_has_no_error() {
+fn values_above_white_have_no_error() {
     let bright = |_, [x, _]: [f64; 2]| if x < 0.5 { 5.0 } else { 9.0 };
     let (_, estimated) = errors(16, bright, |_| 7.0);
     assert!(estimated < 1e-9, "{estimated}");
-    let looks: Vec<AdaptiveSample> = [5.0, 9.0]
+    let samples: Vec<AdaptiveSample> = [5.0, 9.0]
         .map(|value| AdaptiveSample::of(Sobol::of_pixel(0, 0), 0, value))
         .into();
-    assert!(Reach::of(&looks).contrast(3) < 1e-9);
+    assert!(ChannelRange::of(&samples).contrast(3) < 1e-9);
 }

@@ -1,13 +1,13 @@
 //! Objects smaller than a pixel or hardly larger, which samples easily miss.
 //!
-//! The world knows the boxes of all its objects, and the camera where they are seen. A pixel with something tiny in it
-//! gets samples of its own for that: all others are moved out of the rectangle in which it is seen, so that they show the
-//! pixel without it, and the samples in there tell how much it adds. That is no estimate of what might hide; the mean is
-//! the same however the samples are moved.
+//! The world knows the bounding boxes of all objects, and the camera projects them. A pixel with something tiny in it
+//! gets samples for that alone: all other samples are moved out of the rectangle that the object covers, so that they
+//! show the pixel without it, and the samples in the rectangle show what it adds. This is exact rather than a guess at
+//! hidden features: the mean is the same however the samples are moved.
 
 use super::band::{Band, FinishedPixel};
 use super::estimate::{Estimate, of_all};
-use super::sample::{AdaptiveSample, Eye, EyeScratch, pixel};
+use super::sample::{AdaptiveSample, PixelSampler, SamplerScratch, pixel};
 use super::slope::Slopes;
 use crate::base::math::Bounds;
 use crate::scene::camera::Camera;
@@ -16,21 +16,21 @@ use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// What is wider or higher than so many pixels is met by the samples of all.
+/// Larger boxes, in pixels, are hit by regular samples.
 const WIDEST: f64 = 2.0;
-/// In a pixel of which they cover more together samples of all kinds see enough of them.
+/// Regular samples see enough of objects that cover more of a pixel together.
 const MOST_COVERED: f64 = 0.6;
-/// The most in a pixel; if there are more, the largest.
+/// Most rectangles in a pixel; the largest are retained.
 const MOST: usize = 16;
-/// What is so many times as bright as white is still looked for if it could count.
+/// Brightness, in multiples of white, up to which an object is still looked for if it could count.
 const BRIGHTEST: f64 = 8.0;
-/// Room around a box, as a share of its size and in pixels: boxes are rounded.
-const ROOM: f64 = 0.01;
-const LEAST_ROOM: f64 = 1e-6;
-/// Samples in a rectangle first, and at most.
+/// Margin around a box, as a share of its size and in pixels: boxes are rounded.
+const MARGIN: f64 = 0.01;
+const LEAST_MARGIN: f64 = 1e-6;
+/// Samples in a rectangle: the first batch, and the limit.
 const FIRST: u32 = 16;
 const MOST_SAMPLES: u32 = 1 << 10;
-/// The share of the error asked for that a rectangle may have.
+/// Share of the requested error that a rectangle may have.
 const SHARE: f64 = 0.25;
 
 /// A rectangle in a pixel, as shares of its sides.
@@ -40,21 +40,28 @@ struct Rectangle {
     to: [f64; 2],
 }
 
-/// The rectangles of all pixels that have some.
+/// A rectangle with its number in its pixel, from 1, which selects its Sobol sequence.
+#[derive(Clone, Copy)]
+struct NumberedRectangle<'a> {
+    number: u32,
+    rectangle: &'a Rectangle,
+}
+
+/// The rectangles of all pixels that have any.
 #[derive(Debug, Default)]
 pub(super) struct TinyObjects {
     of_pixels: FxHashMap<(u32, u32), Vec<Rectangle>>,
 }
 
-/// The rectangles of a pixel.
+/// The rectangles of one pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TinyObjectsOfPixel<'a>(&'a [Rectangle]);
 
 impl TinyObjectsOfPixel<'_> {
-    /// Moves a place of the pixel out of what is tiny there, if it is in it.
-    pub(super) fn moved_out(&self, place: [f64; 2]) -> [f64; 2] {
-        let here = self.0.iter().find(|one| one.holds(place));
-        here.map_or(place, |rectangle| rectangle.moved_out(place))
+    /// Moves a point of the pixel out of the rectangle it lies in, if any.
+    pub(super) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
+        let here = self.0.iter().find(|one| one.holds(point));
+        here.map_or(point, |rectangle| rectangle.moved_out(point))
     }
 }
 
@@ -63,11 +70,11 @@ impl Rectangle {
         (self.to[0] - self.from[0]) * (self.to[1] - self.from[1])
     }
 
-    fn holds(&self, place: [f64; 2]) -> bool {
-        (0..2).all(|i| self.from[i] < place[i] && place[i] < self.to[i])
+    fn holds(&self, point: [f64; 2]) -> bool {
+        (0..2).all(|i| self.from[i] < point[i] && point[i] < self.to[i])
     }
 
-    fn meets(&self, other: &Rectangle) -> bool {
+    fn overlaps(&self, other: &Rectangle) -> bool {
         (0..2).all(|i| self.from[i] < other.to[i] && other.from[i] < self.to[i])
     }
 
@@ -78,19 +85,19 @@ impl Rectangle {
         }
     }
 
-    /// The place of a share of its sides.
+    /// The point at a share of the sides.
     fn at(&self, share: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|i| self.from[i] + share[i] * (self.to[i] - self.from[i]))
     }
 
-    /// A place in it moved to the nearest side that is not one of the pixel.
-    fn moved_out(&self, place: [f64; 2]) -> [f64; 2] {
-        let mut best = (f64::INFINITY, place);
+    /// Moves a point to the nearest side of the rectangle that is not a side of the pixel.
+    fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
+        let mut best = (f64::INFINITY, point);
         for i in 0..2 {
             for side in [self.from[i], self.to[i]] {
-                let way = (place[i] - side).abs();
-                if side > 0.0 && side < 1.0 && way < best.0 {
-                    best = (way, place);
+                let distance = (point[i] - side).abs();
+                if side > 0.0 && side < 1.0 && distance < best.0 {
+                    best = (distance, point);
                     best.1[i] = side;
                 }
             }
@@ -100,33 +107,37 @@ impl Rectangle {
 }
 
 impl TinyObjects {
-    /// Those of a world in a picture of this size that can count where the error is to be no larger than `error`.
+    /// The tiny objects of a world in a picture of this size that can matter for this error.
     pub(super) fn of(world: &World, size: (u32, u32), error: f64) -> TinyObjects {
-        let mut specks = TinyObjects::default();
+        let mut tiny_objects = TinyObjects::default();
         if world.lens.is_some() {
-            return specks;
+            return tiny_objects;
         }
         for bounds in world.boxes() {
-            if let Some(seen) = seen(&world.camera, &bounds, size) {
-                specks.note(&seen, size, error);
+            if let Some(projection) = projection(&world.camera, &bounds, size) {
+                tiny_objects.add_projection(&projection, size, error);
             }
         }
-        specks.of_pixels.retain(|_, rectangles| {
+        tiny_objects.of_pixels.retain(|_, rectangles| {
             unite(rectangles);
             rectangles.sort_by(|a, b| b.area().total_cmp(&a.area()));
             rectangles.truncate(MOST);
             let covered: f64 = rectangles.iter().map(Rectangle::area).sum();
             covered <= MOST_COVERED
         });
-        specks
+        tiny_objects
     }
 
-    /// Notes a rectangle of the picture in its pixels.
-    fn note(&mut self, seen: &Rectangle, (width, height): (u32, u32), error: f64) {
-        // Whole numbers are centres of pixels.
+    /// Splits a rectangle of the picture into the pixels it covers.
+    fn add_projection(&mut self, projection: &Rectangle, (width, height): (u32, u32), error: f64) {
+        // Pixel centres have integer coordinates.
         let range = |i: usize, end: u32| {
-            let first = (seen.from[i] + 0.5).floor().clamp(0.0, f64::from(end));
-            let last = (seen.to[i] + 0.5).floor().clamp(-1.0, f64::from(end) - 1.0);
+            let first = (projection.from[i] + 0.5)
+                .floor()
+                .clamp(0.0, f64::from(end));
+            let last = (projection.to[i] + 0.5)
+                .floor()
+                .clamp(-1.0, f64::from(end) - 1.0);
             #[allow(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
@@ -139,8 +150,8 @@ impl TinyObjects {
             for x in range(0, width) {
                 let corner = [f64::from(x) - 0.5, f64::from(y) - 0.5];
                 let rectangle = Rectangle {
-                    from: [0, 1].map(|i| (seen.from[i] - corner[i]).clamp(0.0, 1.0)),
-                    to: [0, 1].map(|i| (seen.to[i] - corner[i]).clamp(0.0, 1.0)),
+                    from: [0, 1].map(|i| (projection.from[i] - corner[i]).clamp(0.0, 1.0)),
+                    to: [0, 1].map(|i| (projection.to[i] - corner[i]).clamp(0.0, 1.0)),
                 };
                 if rectangle.area() * BRIGHTEST > error {
                     self.of_pixels.entry((x, y)).or_default().push(rectangle);
@@ -149,7 +160,7 @@ impl TinyObjects {
         }
     }
 
-    /// Those of a pixel.
+    /// The rectangles of one pixel.
     pub(super) fn of_pixel(&self, pixel: (u32, u32)) -> TinyObjectsOfPixel<'_> {
         // Most pictures have none at all.
         if self.of_pixels.is_empty() {
@@ -159,7 +170,7 @@ impl TinyObjects {
         TinyObjectsOfPixel(rectangles.map_or(&[][..], Vec::as_slice))
     }
 
-    /// Adds what is tiny to the finished pixels of a rectangle of the picture, with these pixels. Gives samples and rays.
+    /// Adds tiny objects to the finished pixels for which `pixels` has an index. Returns samples and rays.
     pub(super) fn add(
         &self,
         band: &Band<'_>,
@@ -175,9 +186,9 @@ impl TinyObjects {
         let added: Vec<(Added, RayCounts)> = here
             .par_iter()
             .map_init(
-                || (EyeScratch::default(), Vec::new()),
-                |(scratch, looks), &(_, pixel)| {
-                    let added = self.added(band, pixel, scratch, looks);
+                || (SamplerScratch::default(), Vec::new()),
+                |(scratch, samples), &(_, pixel)| {
+                    let added = self.added(band, pixel, scratch, samples);
                     (added, scratch.take_rays())
                 },
             )
@@ -201,72 +212,78 @@ impl TinyObjects {
         (samples, all_rays)
     }
 
-    /// What is tiny in a pixel adds to it.
+    /// The contribution of the tiny objects in a pixel.
     fn added(
         &self,
         band: &Band<'_>,
         at: (u32, u32),
-        scratch: &mut EyeScratch,
-        looks: &mut Vec<AdaptiveSample>,
+        scratch: &mut SamplerScratch,
+        samples: &mut Vec<AdaptiveSample>,
     ) -> Added {
         let mut added = Added::default();
         for (number, rectangle) in (1u32..).zip(self.of_pixel(at).0) {
+            let numbered = NumberedRectangle { number, rectangle };
             let mut grid = Vec::new();
-            looks.clear();
+            samples.clear();
             let mut taken = 0;
-            let found = loop {
+            let estimate = loop {
                 let numbers = taken..(2 * taken).max(FIRST);
                 taken = numbers.end;
-                self.differences(band.eye, at, (number, rectangle), numbers, scratch, looks);
-                let found = of_all(looks, band.eye.channels, &Slopes::default(), &mut grid);
-                let is_enough = found.error <= band.target.error * SHARE;
+                self.differences(band.sampler, at, numbered, numbers, scratch, samples);
+                let estimate = of_all(
+                    samples,
+                    band.sampler.channels,
+                    &Slopes::default(),
+                    &mut grid,
+                );
+                let is_enough = estimate.error <= band.target.error * SHARE;
                 if is_enough || taken >= MOST_SAMPLES || band.target.is_over() {
-                    break found;
+                    break estimate;
                 }
             };
             added.samples += 2 * u64::from(taken);
-            added.take(&found);
+            added.take(&estimate);
         }
         added
     }
 
-    /// What some samples in a rectangle show more than those that are moved out of it.
+    /// Traces the differences between samples in a rectangle and the same samples moved out of it.
     fn differences(
         &self,
-        eye: &Eye<'_>,
+        sampler: &PixelSampler<'_>,
         at: (u32, u32),
-        (number, rectangle): (u32, &Rectangle),
+        NumberedRectangle { number, rectangle }: NumberedRectangle<'_>,
         numbers: std::ops::Range<u32>,
-        scratch: &mut EyeScratch,
-        looks: &mut Vec<AdaptiveSample>,
+        scratch: &mut SamplerScratch,
+        samples: &mut Vec<AdaptiveSample>,
     ) {
         scratch.clear();
         let all = self.of_pixel(at);
-        scratch.note_rectangle(at, number, numbers, |share| {
-            let place = rectangle.at(share);
-            (place, all.moved_out(place))
+        scratch.add_rectangle(at, number, numbers, |share| {
+            let point = rectangle.at(share);
+            (point, all.moved_out(point))
         });
-        let start = looks.len();
-        eye.look(scratch, looks);
+        let start = samples.len();
+        sampler.trace_batch(scratch, samples);
         #[allow(
             clippy::cast_possible_truncation,
             reason = "colours are single precision"
         )]
         let area = rectangle.area() as f32;
-        let count = (looks.len() - start) / 2;
+        let count = (samples.len() - start) / 2;
         for i in 0..count {
-            let (inside, outside) = (looks[start + 2 * i], looks[start + 2 * i + 1]);
+            let (inside, outside) = (samples[start + 2 * i], samples[start + 2 * i + 1]);
             let mut difference = inside;
             for c in 0..4 {
                 difference.channels[c] = (inside.channels[c] - outside.channels[c]) * area;
             }
-            looks[start + i] = difference;
+            samples[start + i] = difference;
         }
-        looks.truncate(start + count);
+        samples.truncate(start + count);
     }
 }
 
-/// What is added to a pixel.
+/// The contribution to a pixel.
 #[derive(Default)]
 struct Added {
     mean: [f64; 4],
@@ -275,14 +292,14 @@ struct Added {
 }
 
 impl Added {
-    fn take(&mut self, found: &Estimate) {
-        self.mean = [0, 1, 2, 3].map(|c| self.mean[c] + found.mean[c]);
-        self.error = self.error.hypot(found.error);
+    fn take(&mut self, estimate: &Estimate) {
+        self.mean = [0, 1, 2, 3].map(|c| self.mean[c] + estimate.mean[c]);
+        self.error = self.error.hypot(estimate.error);
     }
 }
 
-/// Where in the picture a box is seen, if it is smaller than a pixel.
-fn seen(camera: &Camera, bounds: &Bounds, (width, height): (u32, u32)) -> Option<Rectangle> {
+/// The projected bounding box in the picture, if it is tiny.
+fn projection(camera: &Camera, bounds: &Bounds, (width, height): (u32, u32)) -> Option<Rectangle> {
     if !bounds.is_finite() || bounds.is_empty() {
         return None;
     }
@@ -307,24 +324,24 @@ fn seen(camera: &Camera, bounds: &Bounds, (width, height): (u32, u32)) -> Option
             return None;
         }
     }
-    let room = [0, 1].map(|i| (all.to[i] - all.from[i]) * ROOM + LEAST_ROOM);
+    let margin = [0, 1].map(|i| (all.to[i] - all.from[i]) * MARGIN + LEAST_MARGIN);
     Some(Rectangle {
-        from: [0, 1].map(|i| all.from[i] - room[i]),
-        to: [0, 1].map(|i| all.to[i] + room[i]),
+        from: [0, 1].map(|i| all.from[i] - margin[i]),
+        to: [0, 1].map(|i| all.to[i] + margin[i]),
     })
 }
 
-/// Makes one of those that meet each other.
+/// Merges overlapping rectangles.
 fn unite(rectangles: &mut Vec<Rectangle>) {
     let mut first = 0;
     while first < rectangles.len() {
-        let meeting =
-            (first + 1..rectangles.len()).find(|&i| rectangles[first].meets(&rectangles[i]));
-        match meeting {
+        let overlapping =
+            (first + 1..rectangles.len()).find(|&i| rectangles[first].overlaps(&rectangles[i]));
+        match overlapping {
             Some(other) => {
                 let other = rectangles.swap_remove(other);
                 rectangles[first] = rectangles[first].with(&other);
-                // What it did not meet before it may meet now.
+                // The larger rectangle may overlap some that the smaller one did not.
                 first = 0;
             }
             None => first += 1,
@@ -341,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn rectangles_that_meet_become_one() {
+    fn overlapping_rectangles_are_merged() {
         let mut all = vec![
             rectangle([0.1, 0.1], [0.2, 0.2]),
             rectangle([0.6, 0.6], [0.7, 0.7]),
@@ -354,7 +371,7 @@ mod tests {
     }
 
     #[test]
-    fn places_are_moved_out_but_not_into_another_pixel() {
+    fn points_are_moved_out_but_not_into_another_pixel() {
         let one = rectangle([0.0, 0.4], [0.2, 0.7]);
         assert_eq!(one.moved_out([0.01, 0.5]), [0.01, 0.4]);
         assert_eq!(one.moved_out([0.19, 0.5]), [0.2, 0.5]);
@@ -362,21 +379,21 @@ mod tests {
     }
 
     #[test]
-    fn a_speck_lies_in_the_pixels_that_see_it() {
-        let mut specks = TinyObjects::default();
+    fn a_tiny_object_lies_in_the_pixels_that_see_it() {
+        let mut tiny_objects = TinyObjects::default();
         let at_a_corner = rectangle([3.4, 6.3], [3.6, 6.6]);
-        specks.note(&at_a_corner, (10, 8), 1e-4);
-        let mut pixels: Vec<_> = specks.of_pixels.keys().copied().collect();
+        tiny_objects.add_projection(&at_a_corner, (10, 8), 1e-4);
+        let mut pixels: Vec<_> = tiny_objects.of_pixels.keys().copied().collect();
         pixels.sort_unstable();
         assert_eq!(pixels, [(3, 6), (3, 7), (4, 6), (4, 7)]);
-        let area: f64 = specks
+        let area: f64 = tiny_objects
             .of_pixels
             .values()
             .flatten()
             .map(Rectangle::area)
             .sum();
         assert!((area - at_a_corner.area()).abs() < 1e-12);
-        let here = specks.of_pixel((3, 6));
+        let here = tiny_objects.of_pixel((3, 6));
         assert_eq!(here.moved_out([0.2, 0.2]), [0.2, 0.2]);
         assert!(here.moved_out([0.95, 0.95]) != [0.95, 0.95]);
     }

@@ -5,19 +5,19 @@ use crate::base::film::Pixel;
 use crate::base::math::powers::power;
 use crate::base::math::simd::{F64x4, SimdKernel, with_widest};
 
-/// The pixels of a tile, with the row above and the column left of it, numbered row by row.
+/// The pixels of a tile, with the row above and the column left of it, in row-major order.
 pub(super) struct Centres {
     width: usize,
     pixels: Vec<Pixel>,
-    /// Their grades, channel by channel; behind each channel there is room for as many as are worked on together.
+    /// The grades, channel by channel; each channel is padded to a whole SIMD vector.
     grades: [Vec<f64>; 4],
 }
 
-/// True where a centre differs from its left neighbour's, and from its upper neighbour's.
+/// True where a centre differs from its left neighbour, and from its upper neighbour.
 pub(super) type Apart = [bool; 2];
 
 impl Centres {
-    /// None is known yet.
+    /// Starts with black pixels.
     pub(super) fn new(width: usize, height: usize) -> Self {
         let count = width * height;
         Centres {
@@ -46,7 +46,7 @@ impl Centres {
         }
     }
 
-    /// Takes in one that is graded.
+    /// Stores a graded pixel.
     pub(super) fn put_graded(&mut self, at: usize, graded: Graded) {
         self.pixels[at] = graded.pixel;
         for (channel, grade) in self.grades.iter_mut().zip(graded.grades) {
@@ -54,7 +54,7 @@ impl Centres {
         }
     }
 
-    /// Takes in all, row by row, and grades them.
+    /// Stores all pixels, row by row, and grades them.
     pub(super) fn put_all(&mut self, pixels: Vec<Pixel>, scale: &Scale) {
         self.pixels = pixels;
         if !scale.has_estimates() {
@@ -68,7 +68,7 @@ impl Centres {
                 channel[at] = value;
             }
         }
-        // Transmit is compared as it is.
+        // Transmit is compared without a power.
         let colors = &mut self.grades[..3];
         with_widest(
             #[inline(always)]
@@ -100,7 +100,7 @@ impl Centres {
     }
 }
 
-/// Makes estimates of the powers of values out of the values.
+/// Replaces values by estimates of their powers.
 struct Grading<'a>(&'a mut [Vec<f64>], f64);
 
 impl SimdKernel for Grading<'_> {
@@ -126,16 +126,17 @@ struct Comparing<'a> {
 }
 
 impl Comparing<'_> {
-    /// Tells of four pixels which are sure to differ from those so far before them, and of which that is unsure.
+    /// For four pixels: a mask of those that surely differ from the pixels `before` positions earlier, and a mask of
+    /// unsure ones.
     #[inline(always)]
-    fn four<F: F64x4>(&self, at: usize, before: usize) -> (u32, u32) {
+    fn compare4<F: F64x4>(&self, at: usize, before: usize) -> (u32, u32) {
         let (mut size, mut difference) = (F::splat(0.0), F::splat(0.0));
         for channel in &self.centres.grades[..self.scale.channels()] {
-            let four = |at: usize| {
+            let load = |at: usize| {
                 let first = channel.get(at..).and_then(|rest| rest.first_chunk());
                 first.map_or(F::splat(0.0), F::from_array)
             };
-            let (a, b) = (four(at), four(at - before));
+            let (a, b) = (load(at), load(at - before));
             size = size + (a + b);
             difference = difference + (a - b).abs();
         }
@@ -158,7 +159,7 @@ impl SimdKernel for Comparing<'_> {
             for first in (1..centres.width).step_by(4) {
                 let count = (centres.width - first).min(4);
                 for (side, before) in centres.neighbours().into_iter().enumerate() {
-                    let (mut differ, unsure) = self.four::<F>(row + first, before);
+                    let (mut differ, unsure) = self.compare4::<F>(row + first, before);
                     if differ | unsure == 0 {
                         continue;
                     }
@@ -185,7 +186,7 @@ mod tests {
     use crate::base::math::sampling::random::Random;
 
     #[test]
-    fn centres_are_compared_as_two_pixels_are() {
+    fn centres_compare_like_single_pixels() {
         let mut rng = Random::new(11);
         for (width, height, exponent) in [(33, 5, 0.4), (7, 6, 0.88), (2, 2, 1.0), (6, 3, 3.0)] {
             let scale = Scale {

@@ -1,15 +1,15 @@
-//! Method 2: a pixel is divided into four squares as long as the corners of a square differ, and is the mean of them.
+//! Method 2: a pixel is divided into four squares as long as the corners of a square differ; the result is their mean.
 
 use super::super::Tile;
-use super::{Graded, Place, Sampler, Sum, place};
+use super::{Graded, Position, Sampler, Sum, position};
 use crate::base::film::Pixel;
 use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 
-/// Samples inside of pixels that are kept at a time: those of a tile divided five times.
+/// Samples inside pixels that are stored at a time: as many as a tile divided five times has.
 const MOST_INNER: usize = 1 << 20;
 
-/// A place on the finest grid of a pixel: the pixel's number, then column and row.
+/// A point on the finest grid of a pixel: the pixel's index, then column and row.
 type Point = (usize, u32, u32);
 
 /// The pixels of a tile, which share their corners.
@@ -17,27 +17,27 @@ pub(super) struct Corners<'s, 'a> {
     sampler: &'s Sampler<'a>,
     tile: &'s Tile,
     scratch: &'s mut BlockScratch,
-    /// True if each sample is traced as soon as it is asked for.
+    /// True if each sample is traced as soon as it is needed.
     in_order: bool,
     /// The centre of the upper left pixel.
-    first: Place,
+    first: Position,
     width: usize,
     height: usize,
-    /// The samples inside of pixels; none yet where one is missing.
+    /// The samples inside pixels; `None` while they are not traced.
     inner: FxHashMap<Point, Option<Graded>>,
-    /// The samples that are missing.
+    /// The samples to be traced.
     wanted: Vec<Point>,
 }
 
 /// A square of a pixel.
 struct Square {
-    /// The number of its pixel.
+    /// The index of its pixel.
     pixel: usize,
     /// Its middle on the finest grid.
     middle: (u32, u32),
     /// Upper left, upper right, lower left, lower right.
     corners: [Graded; 4],
-    /// The number of times that it may be divided; half its side on the finest grid is 2 to the power of this.
+    /// The remaining number of divisions; half the side on the finest grid is 2 to this power.
     level: u32,
 }
 
@@ -65,8 +65,8 @@ impl<'s, 'a> Corners<'s, 'a> {
         let corners = self.trace_corners();
         let mut pixels = vec![Pixel::default(); self.width * self.height];
         let numbers: Vec<usize> = (0..pixels.len()).collect();
-        // Each halving makes four times as many samples of a pixel.
-        let together = (MOST_INNER >> (2 * self.sampler.how.depth)).max(1);
+        // Each division quadruples the samples of a pixel.
+        let together = (MOST_INNER >> (2 * self.sampler.settings.depth)).max(1);
         for numbers in numbers.chunks(together) {
             let mut open = numbers.to_vec();
             while !open.is_empty() {
@@ -89,14 +89,14 @@ impl<'s, 'a> Corners<'s, 'a> {
         let pixels = if self.in_order {
             let (wide, high) = (self.width + 1, self.height + 1);
             let points = (0..high).flat_map(|row| (0..wide).map(move |column| (column, row)));
-            let places = points.map(|(column, row)| {
-                let (x, y) = place(self.first, (column, row));
+            let positions = points.map(|(column, row)| {
+                let (x, y) = position(self.first, (column, row));
                 (x - 0.5, y - 0.5)
             });
-            let places: Vec<Place> = places.collect();
-            self.sampler.trace(&places, true, self.scratch)
+            let positions: Vec<Position> = positions.collect();
+            self.sampler.trace(&positions, true, self.scratch)
         } else {
-            self.sampler.lattice(self.tile, (first, true), self.scratch)
+            self.sampler.lattice(self.tile, first, true, self.scratch)
         };
         let graded = pixels
             .into_iter()
@@ -107,7 +107,7 @@ impl<'s, 'a> Corners<'s, 'a> {
     fn whole(&self, number: usize, corners: &[Graded]) -> Square {
         let wide = self.width + 1;
         let at = number / self.width * wide + number % self.width;
-        let level = self.sampler.how.depth - 1;
+        let level = self.sampler.settings.depth - 1;
         Square {
             pixel: number,
             middle: (1 << level, 1 << level),
@@ -116,7 +116,7 @@ impl<'s, 'a> Corners<'s, 'a> {
         }
     }
 
-    /// The mean of a square; nothing if samples are missing, which are noted.
+    /// The mean of a square; `None` if samples are missing, which are added to the wanted ones.
     fn mean(&mut self, square: &Square) -> Option<Pixel> {
         let corners = &square.corners;
         let differ = |a: usize, b: usize| self.sampler.differ(&corners[a], &corners[b]);
@@ -141,7 +141,7 @@ impl<'s, 'a> Corners<'s, 'a> {
             level,
         } = square;
         let d = 1u32 << level;
-        let asked = [(x - d, y), (x, y - d), (x + d, y), (x, y + d), (x, y)]
+        let samples = [(x - d, y), (x, y - d), (x + d, y), (x, y + d), (x, y)]
             .map(|(column, row)| self.sample((pixel, column, row)));
         let [
             Some(left),
@@ -149,7 +149,7 @@ impl<'s, 'a> Corners<'s, 'a> {
             Some(right),
             Some(below),
             Some(middle),
-        ] = asked
+        ] = samples
         else {
             return None;
         };
@@ -180,24 +180,24 @@ impl<'s, 'a> Corners<'s, 'a> {
         self.inner[&point]
     }
 
-    /// Traces the samples that are missing.
+    /// Traces the wanted samples.
     fn trace_wanted(&mut self) {
         let wanted = std::mem::take(&mut self.wanted);
-        let places: Vec<Place> = wanted.iter().map(|&at| self.inner_place(at)).collect();
-        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
+        let positions: Vec<Position> = wanted.iter().map(|&at| self.inner_position(at)).collect();
+        let pixels = self.sampler.trace(&positions, self.in_order, self.scratch);
         for (point, pixel) in wanted.into_iter().zip(pixels) {
             let sample = self.sampler.scale.graded(pixel);
             self.inner.insert(point, Some(sample));
         }
     }
 
-    fn inner_place(&self, (pixel, column, row): Point) -> Place {
-        let cells = f64::from(1u32 << self.sampler.how.depth);
+    fn inner_position(&self, (pixel, column, row): Point) -> Position {
+        let cells = f64::from(1u32 << self.sampler.settings.depth);
         let cell = 1.0 / cells;
-        let (x, y) = place(self.first, (pixel % self.width, pixel / self.width));
+        let (x, y) = position(self.first, (pixel % self.width, pixel / self.width));
         let x = x - 0.5 + f64::from(column) * cell;
         let y = y - 0.5 + f64::from(row) * cell;
-        Sampler::jittered((x, y), self.sampler.how.jitter / (1.0 / cell + 1.0))
+        Sampler::jittered((x, y), self.sampler.settings.jitter / (1.0 / cell + 1.0))
     }
 }
 

@@ -1,11 +1,12 @@
-//! The samples that a method starts from, and those of them that tiles share.
+//! The initial samples of a method, and the ones that tiles share.
 //!
-//! They lie on a lattice one pixel apart, one column and one row more than the tile has pixels. Its first column is the
-//! last one of the tile on the left, and its first row the last one of the tile above. A tile leaves its last column and
-//! row for those neighbours, and traces what they have not left: on several threads they may still be at work.
+//! They lie on a lattice one pixel apart, with one column and one row more than the tile has pixels. Its first column
+//! is the last one of the tile on the left, and its first row the last one of the tile above. A tile leaves its last
+//! column and row for these neighbours, and traces itself any border that is not there yet: neighbours may still be in
+//! progress on other threads.
 
 use super::super::{TILE, Tile};
-use super::{Place, Point, Sampler, cells, place};
+use super::{Point, Position, Sampler, cells, position};
 use crate::base::film::Pixel;
 use crate::base::options::RenderOptions;
 use crate::render::shade::BlockScratch;
@@ -20,26 +21,26 @@ enum Side {
     Above,
 }
 
-/// Last columns and rows of lattices that the tiles on the right and below have not taken. Those of tiles whose neighbours
-/// began before them, or need not be drawn, stay: a byte a pixel at the most.
+/// Last columns and rows of lattices that the tiles on the right and below have not taken yet. Some stay, of tiles
+/// whose neighbours began before them or need not be rendered: a byte a pixel at the most.
 pub(super) struct Borders {
     columns: Range<u32>,
     rows: Range<u32>,
-    /// By the first pixel of the tile that is to take them, and its side.
-    kept: Mutex<FxHashMap<(u32, u32, Side), Vec<Pixel>>>,
+    /// Keyed by the first pixel of the tile that will take them, and its side.
+    pending: Mutex<FxHashMap<(u32, u32, Side), Vec<Pixel>>>,
 }
 
 impl Borders {
-    /// No borders yet of the tiles of a picture.
+    /// Starts without borders.
     pub(super) fn new(options: &RenderOptions) -> Borders {
         Borders {
             columns: options.columns.clone(),
             rows: options.rows.clone(),
-            kept: Mutex::default(),
+            pending: Mutex::default(),
         }
     }
 
-    /// True if the picture has a tile on that side of a tile.
+    /// True if the picture has a tile on that side of this tile.
     fn has_neighbour(&self, tile: &Tile, side: Side) -> bool {
         match side {
             Side::Left => tile.columns.start > self.columns.start,
@@ -47,46 +48,47 @@ impl Borders {
         }
     }
 
-    /// The border of a tile on that side, if its neighbour has left it.
+    /// Takes the border on that side of a tile, if the neighbour has left it.
     fn take(&self, tile: &Tile, side: Side) -> Option<Vec<Pixel>> {
         let key = (tile.columns.start, tile.rows.start, side);
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.remove(&key)
+        let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
+        pending.remove(&key)
     }
 
     /// Leaves the last column and the last row of a tile's lattice for its neighbours.
     fn leave(&self, tile: &Tile, lattice: &[Pixel]) {
         let width = tile.columns.len() + 1;
         let (columns, rows) = (&tile.columns, &tile.rows);
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
         if columns.end < self.columns.end {
             let last = lattice.iter().skip(width - 1).step_by(width);
             let key = (columns.end, rows.start, Side::Left);
-            kept.insert(key, last.copied().collect());
+            pending.insert(key, last.copied().collect());
         }
         if rows.end < self.rows.end {
             let last = &lattice[lattice.len() - width..];
             let key = (columns.start, rows.end, Side::Above);
-            kept.insert(key, last.to_vec());
+            pending.insert(key, last.to_vec());
         }
     }
 }
 
 impl Sampler<'_> {
-    /// The samples of a tile's lattice, row by row; `first` is the place of the first one, which is left out if nothing
-    /// is compared with it. Rays of borders count as those of the neighbour that owns them, whoever traces them.
+    /// The samples of a tile's lattice, row by row. `first` is the position of the first sample, which is left out
+    /// without `has_first`, because nothing is compared with it. Rays of borders are counted for the neighbour that
+    /// owns them, whoever traces them.
     pub(super) fn lattice(
         &self,
         tile: &Tile,
-        first: (Place, bool),
+        first: Position,
+        has_first: bool,
         scratch: &mut BlockScratch,
     ) -> Vec<Pixel> {
-        let (first, has_first) = first;
         let (width, height) = (tile.columns.len() + 1, tile.rows.len() + 1);
         let mut lattice = vec![Pixel::default(); width * height];
         let mut trace = |points: &[Point], scratch: &mut BlockScratch| {
-            let places: Vec<Place> = points.iter().map(|&at| place(first, at)).collect();
-            let pixels = self.trace(&places, false, scratch);
+            let positions: Vec<Position> = points.iter().map(|&at| position(first, at)).collect();
+            let pixels = self.trace(&positions, false, scratch);
             for (&(column, row), pixel) in points.iter().zip(pixels) {
                 lattice[row * width + column] = pixel;
             }
@@ -128,7 +130,7 @@ impl Sampler<'_> {
     }
 }
 
-/// The points of a lattice that are none of its borders, for a tile of this size, neighbours together.
+/// The points of a lattice without its borders, for a tile of this size, neighbours together.
 pub(super) fn own_points(width: usize, height: usize) -> Vec<Point> {
     let points = cells(width, height);
     points.map(|(column, row)| (column + 1, row + 1)).collect()

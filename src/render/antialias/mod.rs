@@ -1,14 +1,14 @@
 //! POV-Ray's two methods of antialiasing, sample by sample.
 //!
-//! Both work on tiles of 32 by 32 pixels, which share no more than the samples at their borders ([`lattice`]). Method 1
-//! ([`neighbours`]) traces the centre of each pixel and samples a pixel again, on a grid, where it differs from its left
-//! or upper neighbour. Method 2 ([`corners`]) traces the corners of each pixel and divides it as long as they differ. (The
-//! fact sheet, section 7; checked by pictures.)
+//! Both work on tiles of 32 by 32 pixels, which share only the samples at their borders ([`lattice`]). Method 1
+//! ([`neighbours`]) traces the centre of each pixel, and supersamples a pixel on a grid where it differs from its left
+//! or upper neighbour. Method 2 ([`corners`]) traces the corners of each pixel and divides it as long as they differ.
+//! (The fact sheet, section 7; checked against pictures.)
 //!
-//! POV-Ray traces a sample when it needs it. Here a method asks for its samples and decides as far as those known allow;
-//! all that are missing are traced together, in packets, and the method decides anew until none is missing. Which samples
-//! a pixel is made of and the order of its sums are POV-Ray's in any case. Where tracing one sample changes the next
-//! (random numbers in one stream, a growing radiosity cache), each is traced at once, in POV-Ray's order.
+//! POV-Ray traces a sample when it needs it. Here a method decides as far as the known samples allow and collects the
+//! missing ones. These are traced together, in packets, and the method decides again until none is missing. The samples
+//! of a pixel and the order of its sums are POV-Ray's in any case. Where tracing one sample affects the next (random
+//! numbers from one stream, a growing radiosity cache), each is traced at once, in POV-Ray's order.
 
 mod centres;
 mod corners;
@@ -31,38 +31,38 @@ use std::ops::{Range, RangeInclusive};
 /// Samples traced in one call.
 const BATCH: usize = (BLOCK * BLOCK) as usize;
 
-/// A place in the picture in pixels; whole numbers are centres of pixels.
-type Place = (f64, f64);
+/// A position in the picture in pixels; pixel centres have integer coordinates.
+type Position = (f64, f64);
 
-/// A column and a row of a grid whose points lie one pixel apart.
+/// A column and a row of a grid with points one pixel apart.
 type Point = (usize, usize);
 
-/// Draws tiles of one picture with antialiasing.
+/// Renders antialiased tiles of one picture.
 pub(super) struct Sampler<'a> {
     tracer: &'a Tracer<'a>,
     options: &'a RenderOptions,
-    how: &'a Antialias,
+    settings: &'a Antialias,
     scale: Scale,
     borders: Borders,
-    /// The points of the lattice of a whole tile that are none of its borders.
+    /// The points of the lattice of a whole tile without its borders.
     whole_tile: Vec<Point>,
 }
 
-/// A sample, or a mean of several, with its values on the scale on which they are compared.
+/// A sample, or a mean of several, with its values on the scale used for comparison.
 #[derive(Clone, Copy, Default)]
 struct Graded {
     pixel: Pixel,
-    /// Nearly those of [`Scale::grades`].
+    /// Estimates of [`Scale::grades`].
     grades: [f64; 4],
 }
 
-/// Estimates from here on may stand for endless grades.
+/// Estimates from here on may stand for infinite grades.
 const ENDLESS: f64 = 1e40;
-/// What two estimates of a grade may be off together, as a share of their sum and at all.
+/// Error of the sum of two estimated grades: relative to their sum, and absolute.
 const GRADE_CARE: [f64; 2] = [2.0 * POWER_ERROR, 1e-90];
 
-/// The scale on which colours are compared: linear light to the power of 1 / `Antialias_Gamma`, and transmit as it is. A
-/// picture without gamma handling has its values taken for linear light.
+/// The scale for comparing colours: linear light to the power of 1 / `Antialias_Gamma`, and transmit as it is. Values
+/// of a picture without gamma handling count as linear light.
 struct Scale {
     working: Gamma,
     exponent: f64,
@@ -70,20 +70,20 @@ struct Scale {
 }
 
 impl Scale {
-    fn new(working: Option<Gamma>, how: &Antialias, has_alpha: bool) -> Scale {
+    fn new(working: Option<Gamma>, settings: &Antialias, has_alpha: bool) -> Scale {
         let (working, gamma) = match working.unwrap_or(Gamma::LINEAR) {
             Gamma::Power(g) => (Gamma::LINEAR, f64::from(g)),
             Gamma::Srgb => (Gamma::Srgb, 1.0),
         };
         Scale {
             working,
-            exponent: gamma / how.gamma,
+            exponent: gamma / settings.gamma,
             has_alpha,
         }
     }
 
-    /// The linear red, green and blue that are compared, and transmit; this last one 0 where the picture keeps no
-    /// transparency. The background is opaque then, whatever it says.
+    /// The linear red, green and blue to compare, and transmit. Transmit is 0 if the picture stores no transparency:
+    /// its background is opaque then, regardless of the scene.
     fn values(&self, Pixel { rgb, transmit }: Pixel) -> [f64; 4] {
         let value = |value: f32| f64::from(self.working.decode(value)).max(0.0);
         let [r, g, b] = [rgb.r, rgb.g, rgb.b].map(value);
@@ -98,14 +98,15 @@ impl Scale {
         [r, g, b, transmit]
     }
 
-    /// Number of channels compared: transmit counts only where the picture keeps it.
+    /// Number of compared channels: transmit counts only if the picture stores it.
     fn channels(&self) -> usize {
         if self.has_alpha { 4 } else { 3 }
     }
 
-    /// True if estimates of the powers may stand for grades.
+    /// True if estimated powers may stand for grades.
     fn has_estimates(&self) -> bool {
-        /// Single precision numbers to such a power are in the bounds of estimates, and only endless ones reach [`ENDLESS`].
+        /// Single-precision values to these powers are within the bounds of the estimates, and only infinite ones reach
+        /// [`ENDLESS`].
         const EXPONENTS: RangeInclusive<f64> = 0.14..=1.0;
         EXPONENTS.contains(&self.exponent)
     }
@@ -124,7 +125,7 @@ impl Scale {
         Graded { pixel, grades }
     }
 
-    /// Tells whether the grades of two colours differ by a threshold or more.
+    /// True if the grades of two colours differ by a threshold or more.
     fn differ(&self, a: &Graded, b: &Graded, threshold: f64) -> bool {
         let (mut size, mut difference) = (0.0, 0.0);
         for (a, b) in a.grades.into_iter().zip(b.grades) {
@@ -158,14 +159,14 @@ impl<'a> Sampler<'a> {
     pub(super) fn new(
         tracer: &'a Tracer<'a>,
         options: &'a RenderOptions,
-        how: &'a Antialias,
+        settings: &'a Antialias,
     ) -> Self {
         let working = tracer.world().globals.working_gamma;
         Sampler {
             tracer,
             options,
-            how,
-            scale: Scale::new(working, how, options.alpha),
+            settings,
+            scale: Scale::new(working, settings, options.alpha),
             borders: Borders::new(options),
             whole_tile: own_points(TILE as usize, TILE as usize),
         }
@@ -173,37 +174,43 @@ impl<'a> Sampler<'a> {
 
     /// The pixels of a tile, row by row.
     pub(super) fn tile(&self, tile: &Tile, scratch: &mut BlockScratch) -> Vec<Pixel> {
-        match self.how.method {
+        match self.settings.method {
             Method::One => Neighbours::new(self, tile, scratch).pixels(),
             Method::Two => Corners::new(self, tile, scratch).pixels(),
         }
     }
 
-    /// Tells whether two colours are so far apart that the pixel deserves more samples.
+    /// True if two colours differ enough for the pixel to be supersampled.
     fn differ(&self, a: &Graded, b: &Graded) -> bool {
-        self.scale.differ(a, b, self.how.threshold)
+        self.scale.differ(a, b, self.settings.threshold)
     }
 
-    /// Samples at places of which neighbours in the list lie near each other; `in_order` one after the other.
-    fn trace(&self, places: &[Place], in_order: bool, scratch: &mut BlockScratch) -> Vec<Pixel> {
+    /// Traces samples at positions; neighbours in the list lie near each other. With `in_order` they are traced one by
+    /// one.
+    fn trace(
+        &self,
+        positions: &[Position],
+        in_order: bool,
+        scratch: &mut BlockScratch,
+    ) -> Vec<Pixel> {
         let size @ (width, height) = (self.options.width, self.options.height);
         if in_order {
-            let samples = places.iter().map(|&(x, y)| {
+            let samples = positions.iter().map(|&(x, y)| {
                 let single = scratch.single();
                 self.tracer.pixel(x, y, width, height, single)
             });
             return samples.map(pixel).collect();
         }
-        let mut pixels = vec![Pixel::default(); places.len()];
-        for (places, pixels) in places.chunks(BATCH).zip(pixels.chunks_mut(BATCH)) {
+        let mut pixels = vec![Pixel::default(); positions.len()];
+        for (positions, pixels) in positions.chunks(BATCH).zip(pixels.chunks_mut(BATCH)) {
             let take = |number: usize, sample, _| pixels[number] = pixel(sample);
-            self.tracer.places(places, size, scratch, take);
+            self.tracer.places(positions, size, scratch, take);
         }
         pixels
     }
 
-    /// A place moved by POV-Ray's jitter, of which `spread` is the size.
-    fn jittered((x, y): Place, spread: f64) -> Place {
+    /// A position moved by POV-Ray's jitter of size `spread`.
+    fn jittered((x, y): Position, spread: f64) -> Position {
         if spread > 0.0 {
             let (right, down) = jitter(x, y);
             (x + right * spread, y + down * spread)
@@ -213,12 +220,12 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// The place of a point of a grid that begins at `first`.
+/// The position of a point in a grid that begins at `(x, y)`.
 #[allow(
     clippy::cast_precision_loss,
     reason = "a tile has few rows and columns"
 )]
-fn place((x, y): Place, (column, row): Point) -> Place {
+fn position((x, y): Position, (column, row): Point) -> Position {
     (x + column as f64, y + row as f64)
 }
 
@@ -226,7 +233,7 @@ fn pixel(sample: Sample) -> Pixel {
     Pixel::new(sample.rgb, sample.transmit)
 }
 
-/// A sum of colours in single precision, as POV-Ray keeps it.
+/// A sum of colours in single precision, as in POV-Ray.
 #[derive(Default)]
 struct Sum {
     pixel: Pixel,
@@ -261,7 +268,7 @@ fn cells(width: usize, height: usize) -> impl Iterator<Item = (usize, usize)> {
 /// Columns and rows.
 type Rectangle = (Range<usize>, Range<usize>);
 
-/// The tiles of this size of a rectangle, row by row, those at its right and lower edges cut off there.
+/// Splits a rectangle into tiles of this size, row by row; tiles at the right and lower edges are cut off.
 fn tiles(
     (columns, rows): Rectangle,
     (width, height): (usize, usize),
@@ -280,8 +287,7 @@ fn tiles(
     })
 }
 
-/// The key of an order of points that keeps neighbours together: in cells of 4 by 2 in squares of 16 by 16, which
-/// packets are made of.
+/// Sort key for points that keeps neighbours together: cells of 4 by 2, as in packets, within squares of 16 by 16.
 fn cell(column: usize, row: usize) -> [usize; 4] {
     [row / 16, column / 16, row / 2, column / 4]
 }
@@ -304,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn estimates_of_grades_decide_as_the_grades_themselves() {
+    fn estimated_grades_give_the_same_decisions() {
         let mut rng = Random::new(5);
         for exponent in [0.14, 0.4, 0.454, 0.88, 1.0, 3.0] {
             let scale = Scale {

@@ -1,55 +1,55 @@
-//! Method 1: a pixel that differs from its left or upper neighbour is sampled again on a grid, and so is that neighbour.
+//! Method 1: a pixel that differs from its left or upper neighbour is supersampled on a grid, and so is that neighbour.
 //!
-//! Comparisons go row by row, and a pixel that has been sampled again takes part in those that follow with the mean of its
-//! grid: each decision depends on those before it. Where a grid is not traced yet the centre stands for it, and all
-//! decisions are made once more when it is. A difference from such a stand-in makes no pixel wanted: half of these would be
-//! traced in vain.
+//! Comparisons go row by row, and a supersampled pixel takes part in later ones with the mean of its grid: each
+//! decision depends on those before it. While a grid is not traced yet the centre stands for it, and all decisions are
+//! repeated once it is. A difference from such a stand-in does not request a grid: half of these would be traced in
+//! vain.
 
 use super::super::Tile;
 use super::centres::{Apart, Centres};
-use super::{Graded, Place, Sampler, Sum, cell, place};
+use super::{Graded, Position, Sampler, Sum, cell, position};
 use crate::base::film::Pixel;
 use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 
-/// The smallest step by which the loop over a grid may miss its last position through rounding.
+/// Tolerance for rounding at the last position of the loop over a grid.
 const GRID_SLACK: f64 = 1e-10;
 
-/// The pixels of a tile. With them come the row above and the column left of it, which they are compared with and which
-/// are never sampled again; all are numbered row by row.
+/// The pixels of a tile in row-major order, with the row above and the column left of it, which are only compared with
+/// and never supersampled.
 pub(super) struct Neighbours<'s, 'a> {
     sampler: &'s Sampler<'a>,
     tile: &'s Tile,
     scratch: &'s mut BlockScratch,
-    /// True if each sample is traced as soon as it is asked for.
+    /// True if each sample is traced as soon as it is needed.
     in_order: bool,
-    /// The place of number 0, with which nothing is compared.
-    first: Place,
+    /// The position of pixel 0, with which nothing is compared.
+    first: Position,
     width: usize,
     height: usize,
-    /// The places of a grid about the centre of its pixel.
-    offsets: Vec<Place>,
+    /// The positions of a grid about the centre of its pixel.
+    offsets: Vec<Position>,
     centres: Centres,
-    /// Tells of each pixel from which of its neighbours' centres its own differs.
+    /// For each pixel, the neighbours whose centres differ from its own.
     apart: Vec<Apart>,
     /// The means of the grids traced so far.
     grids: FxHashMap<usize, Graded>,
-    /// Tells of each pixel, as soon as it is known, whether its centre differs from its left neighbour's grid and from its
-    /// upper neighbour's: decisions are made again and again.
+    /// For each pixel, once known: true if its centre differs from its left neighbour's grid, and from its upper
+    /// neighbour's. Cached because decisions are repeated.
     differs: Vec<[Option<bool>; 2]>,
-    /// The pixels whose grids are missing.
+    /// The pixels with missing grids.
     wanted: Vec<usize>,
 }
 
-/// What a pixel is made of, as far as it is decided.
+/// The source of a pixel's value, as far as it is decided.
 #[derive(Clone, Copy, PartialEq)]
 enum Made {
     /// Its centre, unless it turns out to differ from a neighbour.
     Centre,
-    /// Its centre: it is none of the tile's own.
+    /// Its centre: it belongs to a neighbouring tile.
     Border,
     Grid,
-    /// A grid that is missing.
+    /// A grid that is not traced yet.
     Nothing,
 }
 
@@ -69,7 +69,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
             first: (x - 1.0, y - 1.0),
             width,
             height,
-            offsets: offsets(sampler.how.depth),
+            offsets: offsets(sampler.settings.depth),
             centres: Centres::new(width, height),
             apart: vec![[false; 2]; width * height],
             grids: FxHashMap::default(),
@@ -92,7 +92,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         }
     }
 
-    /// The tile's own pixels, row by row, all of which are decided.
+    /// The tile's own pixels, row by row, once all are decided.
     fn finished(self, made: &[Made]) -> Vec<Pixel> {
         let mut pixels = self.centres.into_pixels();
         for (&at, grid) in &self.grids {
@@ -107,7 +107,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         own
     }
 
-    /// Decides which pixels are sampled again, as far as samples are known; notes which grids are missing.
+    /// Decides which pixels are supersampled, as far as samples are known, and collects the missing grids.
     fn decide(&mut self) -> Vec<Made> {
         let width = self.width;
         let mut made = vec![Made::Centre; self.centres.len()];
@@ -150,7 +150,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         made
     }
 
-    /// Tells whether the centre of a pixel differs from what its neighbour on that side is made of.
+    /// True if the centre of a pixel differs from the value of its neighbour on that side.
     fn differs(&mut self, at: usize, side: usize, other: usize, made: &[Made]) -> bool {
         match made[other] {
             Made::Nothing => false,
@@ -162,7 +162,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         }
     }
 
-    /// Takes the mean of its grid for a pixel, if it has been traced.
+    /// Uses the mean of its grid for a pixel, if it has been traced.
     fn finish(&mut self, at: usize, made: &mut [Made]) {
         if made[at] != Made::Centre {
             return;
@@ -179,19 +179,22 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         };
     }
 
-    /// Traces all centres but the first, which nothing is compared with.
+    /// Traces all centres but the first, with which nothing is compared.
     fn trace_centres(&mut self) {
-        let Sampler { scale, how, .. } = self.sampler;
-        let first = (self.first, false);
-        let pixels = self.sampler.lattice(self.tile, first, self.scratch);
+        let Sampler {
+            scale, settings, ..
+        } = self.sampler;
+        let pixels = self
+            .sampler
+            .lattice(self.tile, self.first, false, self.scratch);
         self.centres.put_all(pixels, scale);
-        self.apart = self.centres.compare(scale, how.threshold);
+        self.apart = self.centres.compare(scale, settings.threshold);
     }
 
     /// Traces one centre.
     fn trace_centre(&mut self, at: usize, has_neighbours: bool) {
-        let place = place(self.first, self.point(at));
-        let pixels = self.sampler.trace(&[place], true, self.scratch);
+        let position = position(self.first, self.point(at));
+        let pixels = self.sampler.trace(&[position], true, self.scratch);
         let graded = pixels
             .first()
             .map(|&pixel| self.sampler.scale.graded(pixel));
@@ -205,15 +208,15 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         }
     }
 
-    /// Traces the grids that are missing.
+    /// Traces the missing grids.
     fn trace_grids(&mut self) {
         let mut wanted = std::mem::take(&mut self.wanted);
         wanted.sort_by_key(|&at| {
             let (column, row) = self.point(at);
             cell(column, row)
         });
-        let places: Vec<Place> = wanted.iter().flat_map(|&at| self.grid(at)).collect();
-        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
+        let positions: Vec<Position> = wanted.iter().flat_map(|&at| self.grid(at)).collect();
+        let pixels = self.sampler.trace(&positions, self.in_order, self.scratch);
         for (&at, pixels) in wanted.iter().zip(pixels.chunks(self.offsets.len())) {
             let mean = self.mean(at, pixels);
             self.grids.insert(at, mean);
@@ -225,15 +228,15 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         (at % self.width, at / self.width)
     }
 
-    /// The places of a pixel's grid, row by row.
-    fn grid(&self, at: usize) -> impl Iterator<Item = Place> {
-        let (x, y) = place(self.first, self.point(at));
-        let spread = self.sampler.how.jitter / f64::from(self.sampler.how.depth);
-        let places = self
+    /// The positions of a pixel's grid, row by row.
+    fn grid(&self, at: usize) -> impl Iterator<Item = Position> {
+        let (x, y) = position(self.first, self.point(at));
+        let spread = self.sampler.settings.jitter / f64::from(self.sampler.settings.depth);
+        let positions = self
             .offsets
             .iter()
             .map(move |(right, down)| (x + right, y + down));
-        places.map(move |place| Sampler::jittered(place, spread))
+        positions.map(move |position| Sampler::jittered(position, spread))
     }
 
     /// The mean of a pixel's grid, in which its centre counts as one more sample.
@@ -241,13 +244,13 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         let mut sum = Sum::default();
         sum.add(&self.centres.pixel(at));
         samples.iter().for_each(|pixel| sum.add(pixel));
-        let depth = f64::from(self.sampler.how.depth);
+        let depth = f64::from(self.sampler.settings.depth);
         self.sampler.scale.graded(sum.mean(depth * depth + 1.0))
     }
 }
 
-/// The places of a grid of `depth` by `depth` about the centre of its pixel, row by row.
-fn offsets(depth: u32) -> Vec<Place> {
+/// The positions of a grid of `depth` by `depth` about the centre of its pixel, row by row.
+fn offsets(depth: u32) -> Vec<Position> {
     let step = 1.0 / f64::from(depth);
     let reach = 0.5 - step / 2.0;
     let steps = || {

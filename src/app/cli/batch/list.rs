@@ -1,4 +1,4 @@
-//! The pictures of a batch: which scenes there are, and what is to be drawn of each.
+//! The list of the pictures of a batch, with their settings.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,37 +14,38 @@ use crate::app::cli::options::raw_args::{Output, RawArgs};
 use crate::app::cli::options::settings;
 use crate::app::cli::options::settings::{Scene, find_scene};
 
-/// A scene and where its picture goes, below the folder of all, still without an ending.
+/// A scene, and its picture relative to the output folder, without an ending.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Found {
+struct BatchScene {
     scene: PathBuf,
     output: PathBuf,
 }
 
-/// The pictures to draw, and the scenes of which nothing can be drawn, with why.
+/// The pictures to render, and the scenes that cannot be rendered, with the reason.
 pub(super) struct List {
     pub(super) pictures: Vec<Picture>,
     pub(super) refused: Vec<(PathBuf, CliError)>,
 }
 
-/// Everything that is to be drawn.
-pub(super) fn list(wanted: &Wanted, around: &Environment) -> Result<List, CliError> {
-    let standard_folders = around.standard_folders()?;
-    let typed = around.typed(&standard_folders)?;
-    // What is wrong with the command line is wrong with it once.
-    let mut tried = typed.clone();
+/// Lists everything to render.
+pub(super) fn list(wanted: &Wanted, environment: &Environment) -> Result<List, CliError> {
+    let standard_folders = environment.standard_folders()?;
+    let raw_args = environment.raw_args(&standard_folders)?;
+    // An error in the command line is reported once, not for each scene.
+    let mut tried = raw_args.clone();
     take_in(wanted, &mut tried, &standard_folders)?;
     let mut list = List {
         pictures: Vec::new(),
         refused: Vec::new(),
     };
-    for (series, found) in scenes(wanted)?.into_iter().enumerate() {
-        let typed = of_scene(&found, wanted, typed.clone(), &standard_folders);
-        let settled = typed
-            .and_then(|typed| settings::settle(typed, &standard_folders, around, "povr batch"));
-        match settled.and_then(|settings| pictures(&found, series, wanted, settings)) {
+    for (series, entry) in scenes(wanted)?.into_iter().enumerate() {
+        let raw_args = of_scene(&entry, wanted, raw_args.clone(), &standard_folders);
+        let settled = raw_args.and_then(|raw_args| {
+            settings::settle(raw_args, &standard_folders, environment, "povr batch")
+        });
+        match settled.and_then(|settings| pictures(&entry, series, wanted, settings)) {
             Ok(pictures) => list.pictures.extend(pictures),
-            Err(refusal) => list.refused.push((found.scene, refusal)),
+            Err(refusal) => list.refused.push((entry.scene, refusal)),
         }
     }
     let mut known: BTreeMap<&Path, &Path> = BTreeMap::new();
@@ -62,47 +63,47 @@ pub(super) fn list(wanted: &Wanted, around: &Environment) -> Result<List, CliErr
     Ok(list)
 }
 
-/// What was typed about one scene: the user's ini file, the one beside the scene, the command line.
+/// The options for one scene: the user's ini file, the one beside the scene, the command line.
 fn of_scene(
-    found: &Found,
+    entry: &BatchScene,
     wanted: &Wanted,
-    mut typed: RawArgs,
+    mut raw_args: RawArgs,
     standard_folders: &[PathBuf],
 ) -> Result<RawArgs, CliError> {
-    let ini = found.scene.with_extension("ini");
+    let ini = entry.scene.with_extension("ini");
     if ini.is_file() {
-        let known = typed.library_paths.len();
-        Reader::new(&mut typed, standard_folders).read_file(&ini, None)?;
+        let known = raw_args.library_paths.len();
+        Reader::new(&mut raw_args, standard_folders).read_file(&ini, None)?;
         let folder = ini.parent().unwrap_or(Path::new(""));
-        for path in &mut typed.library_paths[known..] {
+        for path in &mut raw_args.library_paths[known..] {
             let near = folder.join(&*path);
             if near.is_dir() {
                 *path = near;
             }
         }
     }
-    take_in(wanted, &mut typed, standard_folders)?;
-    typed.scene = Some(found.scene.to_string_lossy().into_owned());
-    typed.output = Output::Unnamed;
-    typed.to_file = true;
-    Ok(typed)
+    take_in(wanted, &mut raw_args, standard_folders)?;
+    raw_args.scene = Some(entry.scene.to_string_lossy().into_owned());
+    raw_args.output = Output::Unnamed;
+    raw_args.to_file = true;
+    Ok(raw_args)
 }
 
-/// Takes the switches of the command line in.
-fn take_in(wanted: &Wanted, typed: &mut RawArgs, folders: &[PathBuf]) -> Result<(), CliError> {
-    let mut reader = Reader::new(typed, folders);
+/// Reads the switches of the command line.
+fn take_in(wanted: &Wanted, raw_args: &mut RawArgs, folders: &[PathBuf]) -> Result<(), CliError> {
+    let mut reader = Reader::new(raw_args, folders);
     for word in &wanted.switches {
         arg_words::read(&mut reader, word)?;
     }
     if let Some(Size(width, height)) = wanted.size {
-        (typed.width, typed.height) = (width, height);
+        (raw_args.width, raw_args.height) = (width, height);
     }
     Ok(())
 }
 
 /// The pictures of a scene: one, or its frames.
 fn pictures(
-    found: &Found,
+    entry: &BatchScene,
     series: usize,
     wanted: &Wanted,
     settings: settings::Settings,
@@ -110,7 +111,7 @@ fn pictures(
     let Scene::File(scene) = settings.scene else {
         return Err(CliError::new("a batch reads no standard input"));
     };
-    // Frames, and runs that follow, read it again; and no time limit ends the wait for a pipe.
+    // Frames, and later runs, read it again; and no time limit ends the wait for a pipe.
     if !scene.is_file() {
         return Err(CliError::new("a batch reads regular files only"));
     }
@@ -118,7 +119,7 @@ fn pictures(
         return Err(CliError::new("a batch writes files")
             .with_hint("leave `-F` (or `Output_To_File=off`) out"));
     };
-    let mut name = found.output.clone().into_os_string();
+    let mut name = entry.output.clone().into_os_string();
     name.push(format!(".{}", encode.format.extension()));
     let output = PathBuf::from(name);
     let mut read = settings.read;
@@ -137,14 +138,14 @@ fn pictures(
     let numbers = frames.numbers();
     let frame = |number: u32| Picture {
         output: frames.path(number, &picture.output),
-        read: frames.tell(number, &picture.read),
+        read: frames.read_options_for(number, &picture.read),
         ..picture.clone()
     };
     Ok(numbers.into_iter().map(frame).collect())
 }
 
-/// The scenes that were named, in the order of their pictures, none twice.
-fn scenes(wanted: &Wanted) -> Result<Vec<Found>, CliError> {
+/// The scenes named, in the order of their pictures, without duplicates.
+fn scenes(wanted: &Wanted) -> Result<Vec<BatchScene>, CliError> {
     let globs = Globs::new(&wanted.only, &wanted.except).map_err(refused)?;
     let roots: Vec<Root> = wanted.names.iter().map(|name| Root::of(name)).collect();
     let folders = roots.iter().filter(|root| root.is_folder()).count();
@@ -156,7 +157,10 @@ fn scenes(wanted: &Wanted) -> Result<Vec<Found>, CliError> {
             if folders > 1 && root.is_folder() {
                 output = Path::new(root.folder.file_name().unwrap_or_default()).join(output);
             }
-            all.insert((output.clone(), scene.clone()), Found { scene, output });
+            all.insert(
+                (output.clone(), scene.clone()),
+                BatchScene { scene, output },
+            );
         }
     }
     if all.is_empty() {
@@ -171,7 +175,7 @@ fn scenes(wanted: &Wanted) -> Result<Vec<Found>, CliError> {
 
 /// A name on the command line.
 struct Root {
-    /// What pictures are named below.
+    /// The folder that pictures are named relative to.
     folder: PathBuf,
     what: What,
 }
@@ -198,7 +202,7 @@ impl Root {
                 what: What::Scene(name.to_owned()),
             };
         }
-        // A pattern is searched below the folders before its first special letter.
+        // A pattern is searched below the folders before its first special character.
         let plain = |part: &&str| !part.contains(['*', '?', '[', '{']);
         let parts: Vec<&str> = name.split('/').collect();
         let fixed = parts.iter().take_while(|part| plain(part)).count();
@@ -238,7 +242,7 @@ impl Root {
     }
 }
 
-/// A refusal of the room of batches, as this program says it.
+/// Converts an error of the batch module.
 pub(super) fn refused(error: crate::app::batch::BatchError) -> CliError {
     CliError::new(error.to_string())
 }

@@ -1,4 +1,4 @@
-//! What is told of a batch: a bar while it runs, the failures at the end, a log for programs.
+//! Reports on a batch: a progress bar, the failures at the end, a log for programs.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -17,8 +17,8 @@ use crate::app::cli::options::error::CliError;
 use crate::base::options::Event;
 use crate::base::source::Message;
 
-/// Tells of a batch.
-pub(super) struct Teller<'a> {
+/// Reports on a batch.
+pub(super) struct BatchReporter<'a> {
     pictures: &'a [Picture],
     out: &'a Path,
     is_json: bool,
@@ -26,11 +26,11 @@ pub(super) struct Teller<'a> {
     format: MessageFormat,
     started: Instant,
     bar: ProgressBar,
-    told: Mutex<Told>,
+    tally: Mutex<Tally>,
 }
 
 #[derive(Default)]
-struct Told {
+struct Tally {
     left: usize,
     drawn: usize,
     up_to_date: usize,
@@ -61,9 +61,13 @@ enum Line<'a> {
     },
 }
 
-impl<'a> Teller<'a> {
-    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture], around: &Environment) -> Self {
-        let target = if wanted.is_quiet || !around.is_terminal {
+impl<'a> BatchReporter<'a> {
+    pub(super) fn new(
+        wanted: &'a Wanted,
+        pictures: &'a [Picture],
+        environment: &Environment,
+    ) -> Self {
+        let target = if wanted.is_quiet || !environment.is_terminal {
             ProgressDrawTarget::hidden()
         } else {
             ProgressDrawTarget::stderr()
@@ -73,19 +77,21 @@ impl<'a> Teller<'a> {
             "{bar:40} {percent:>3}%  {msg}  {elapsed} elapsed, {eta} to go",
         );
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        Teller {
+        BatchReporter {
             pictures,
             out: &wanted.batch.out,
             is_json: wanted.is_json,
             is_quiet: wanted.is_quiet,
-            format: wanted.format.unwrap_or_else(|| around.message_format()),
+            format: wanted
+                .format
+                .unwrap_or_else(|| environment.message_format()),
             started: Instant::now(),
             bar,
-            told: Mutex::default(),
+            tally: Mutex::default(),
         }
     }
 
-    /// Tells of a scene of which nothing can be drawn.
+    /// Reports a scene that cannot be rendered.
     pub(super) fn refused(&self, scene: &Path, refusal: &CliError) {
         let why = refusal.to_string();
         self.line(&Line::Picture {
@@ -101,8 +107,8 @@ impl<'a> Teller<'a> {
         self.lock().refused += 1;
     }
 
-    /// Tells of what happens.
-    pub(super) fn hear(&self, news: News<'_>) {
+    /// Reports an event.
+    pub(super) fn report(&self, news: News<'_>) {
         match news {
             News::Left { pictures, pixels } => {
                 self.lock().left = pictures;
@@ -122,7 +128,7 @@ impl<'a> Teller<'a> {
             Status::Failed(why) => ("failed", why.as_deref()),
         };
         let output = self.out.join(&picture.output);
-        let mut told = self.lock();
+        let mut tally = self.lock();
         self.line(&Line::Picture {
             scene: &picture.scene,
             output: Some(&output),
@@ -133,23 +139,23 @@ impl<'a> Teller<'a> {
             errors: &outcome.messages,
         });
         match outcome.status {
-            Status::Drawn => told.drawn += 1,
-            Status::UpToDate => told.up_to_date += 1,
-            Status::Failed(_) => drop(told.failed.insert(outcome.picture, outcome.clone())),
+            Status::Drawn => tally.drawn += 1,
+            Status::UpToDate => tally.up_to_date += 1,
+            Status::Failed(_) => drop(tally.failed.insert(outcome.picture, outcome.clone())),
         }
-        let (done, failed) = (told.drawn + told.failed.len(), told.failed.len());
+        let (done, failed) = (tally.drawn + tally.failed.len(), tally.failed.len());
         self.bar.set_message(match failed {
-            0 => format!("{done} of {}", told.left),
-            _ => format!("{done} of {}, {failed} failed", told.left),
+            0 => format!("{done} of {}", tally.left),
+            _ => format!("{done} of {}, {failed} failed", tally.left),
         });
     }
 
-    /// Tells what failed and how much was done; gives the pictures that failed, each with why in a line.
+    /// Reports failures and totals; returns the pictures that failed, with a one-line reason.
     pub(super) fn finish(&self) -> BTreeMap<usize, String> {
         self.bar.finish_and_clear();
-        let told = self.lock();
+        let tally = self.lock();
         let mut failed = BTreeMap::new();
-        for (&index, outcome) in &told.failed {
+        for (&index, outcome) in &tally.failed {
             let scene = self.pictures[index].scene.display();
             let reporter = Reporter::new(self.format, Stream::Err);
             let why = match &outcome.status {
@@ -160,7 +166,7 @@ impl<'a> Teller<'a> {
                 _ => {
                     say(format_args!("povr: {scene}: it cannot be drawn"));
                     for message in &outcome.messages {
-                        reporter.hear(Event::Found(message));
+                        reporter.report(Event::Found(message));
                     }
                     let first = outcome.messages.first();
                     first.map_or_else(|| "it cannot be drawn".to_owned(), Message::short)
@@ -170,17 +176,17 @@ impl<'a> Teller<'a> {
         }
         let seconds = self.started.elapsed().as_secs_f64();
         self.line(&Line::Total {
-            drawn: told.drawn,
-            up_to_date: told.up_to_date,
-            failed: failed.len() + told.refused,
+            drawn: tally.drawn,
+            up_to_date: tally.up_to_date,
+            failed: failed.len() + tally.refused,
             seconds,
         });
         if !self.is_quiet {
             say(format_args!(
                 "povr: {} drawn, {} up to date, {} failed; {seconds:.1} s",
-                counted(told.drawn, "picture"),
-                told.up_to_date,
-                failed.len() + told.refused
+                counted(tally.drawn, "picture"),
+                tally.up_to_date,
+                failed.len() + tally.refused
             ));
         }
         failed
@@ -188,12 +194,12 @@ impl<'a> Teller<'a> {
 
     fn line(&self, line: &Line<'_>) {
         if let (true, Ok(line)) = (self.is_json, serde_json::to_string(line)) {
-            // A reader that has gone away is no reason to fail.
+            // A closed pipe is no reason to fail.
             let _ = writeln!(io::stdout(), "{line}");
         }
     }
 
-    fn lock(&self) -> MutexGuard<'_, Told> {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, Tally> {
+        self.tally.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,5 +1,5 @@
-//! The report as one page that needs no other file: every comparison with its pictures and numbers, to be sorted,
-//! filtered, and looked at in a viewer. Without scripts it is a table, worst first.
+//! The report as one self-contained page: every comparison with its pictures and numbers, with sorting, filters, and a
+//! viewer. Without scripts it is a table, worst first.
 
 use std::fmt::Write;
 
@@ -12,16 +12,16 @@ use super::table::Total;
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// What a page is about.
+/// The header of a page.
 pub(super) struct About<'a> {
     pub(super) title: &'a str,
     /// A sentence, as HTML.
     pub(super) text: String,
-    /// What the pictures are called.
+    /// Names of the two pictures.
     pub(super) sides: (&'a str, &'a str),
 }
 
-/// The columns: key, title, what it is.
+/// The columns: key, title, description.
 const COLUMNS: [(&str, &str, &str); 9] = [
     ("differ", "differ %", "pixels that differ at all"),
     (
@@ -102,7 +102,7 @@ const VIEWER: &str = "<dialog aria-label=\"viewer\"><div class=\"viewer\"><heade
     <footer><span id=\"numbers\"></span><input type=\"range\" id=\"slide\" min=\"0\" max=\"100\" step=\"0.2\" value=\"50\" \
     aria-label=\"slider\"><span id=\"pixel\"></span></footer></div></dialog>\n";
 
-/// The table of missing words.
+/// The table of missing keywords.
 fn words(page: &mut String, total: &Total) {
     if total.missing.is_empty() {
         return;
@@ -120,7 +120,7 @@ fn words(page: &mut String, total: &Total) {
     *page += "</tbody></table></details>\n";
 }
 
-/// What is sticky: the filter, a button for each status, the order, and the scale of the differences.
+/// The sticky bar: the filter, a button for each status, the order, and the scale of the differences.
 fn bar(page: &mut String, total: &Total) {
     *page += "<div class=\"bar\"><input type=\"search\" id=\"search\" placeholder=\"filter by name or word\" \
               aria-label=\"filter\">";
@@ -216,7 +216,7 @@ fn table_row(page: &mut String, row: &Row, about: &About<'_>) {
     *page += "</tr>\n";
 }
 
-/// The numbers of a row by column, and how they are written.
+/// The numbers of a row by column, with their text.
 fn cells(row: &Row) -> [(Option<f64>, String); 9] {
     let n = row.numbers.as_ref();
     let cell = |value: Option<f64>, digits: usize| {
@@ -250,7 +250,7 @@ fn spoken(row: &Row) -> String {
     let Some(n) = &row.numbers else {
         return row.why.clone();
     };
-    let place = n.worst.map_or_else(String::new, |(x, y)| {
+    let position = n.worst.map_or_else(String::new, |(x, y)| {
         format!(", at most {:.4} at column {x}, row {y}", n.max).replace(".0000", "")
     });
     let reduced = match row.shown.reduced {
@@ -258,7 +258,7 @@ fn spoken(row: &Row) -> String {
         times => format!("; shown {times} times smaller"),
     };
     format!(
-        "{} pixels: {} the same, {} off by one, {} off by more{place}; mean {:.4}, RMS {:.4}, FLIP {:.4}{reduced}",
+        "{} pixels: {} the same, {} off by one, {} off by more{position}; mean {:.4}, RMS {:.4}, FLIP {:.4}{reduced}",
         n.pixels, n.same, n.off_by_one, n.off_by_many, n.mean, n.rms, n.flip
     )
 }

@@ -1,4 +1,4 @@
-//! What came of one comparison, for every form in which it is told.
+//! The result of one comparison, for all report formats.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::app::compare::{
     Bench, Case, CheckError, Compared, Explanation, Grade, Limits, Mismatch, Verdict, steps_apart,
 };
 
-/// What came of a comparison, worst first.
+/// The status of a comparison, worst first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Status {
@@ -19,15 +19,15 @@ pub(super) enum Status {
     Failure,
     /// The pictures differ in size.
     Size,
-    /// POV-Ray draws the scene and povr refuses it.
+    /// POV-Ray renders the scene and povr refuses it.
     Lost,
     /// One of them ran out of time.
     Late,
-    /// POV-Ray refuses the scene and povr draws it.
+    /// POV-Ray refuses the scene and povr renders it.
     Alone,
-    /// povr lacks words of the scene.
+    /// povr lacks keywords of the scene.
     Missing,
-    /// The pictures differ, and it is known why.
+    /// The pictures differ for a known reason.
     Warning,
     /// The same picture.
     Pass,
@@ -40,10 +40,10 @@ pub(super) enum Status {
 pub(super) struct Row {
     pub(super) name: String,
     pub(super) status: Status,
-    /// Why, in a sentence; empty where the numbers say it.
+    /// The reason, in a sentence; empty where the numbers say it.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub(super) why: String,
-    /// The words that povr lacks.
+    /// The keywords that povr lacks.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) missing: Vec<String>,
     #[serde(flatten)]
@@ -66,7 +66,7 @@ pub(super) struct Numbers {
     pub(super) differing_percent: f64,
     pub(super) mean: f64,
     pub(super) rms: f64,
-    /// Of equal pictures there is none.
+    /// `None` for equal pictures.
     pub(super) psnr: Option<f64>,
     pub(super) max: f64,
     pub(super) full: f64,
@@ -75,14 +75,14 @@ pub(super) struct Numbers {
     pub(super) flip: f64,
 }
 
-/// PNG files of the pictures, small enough to be shown beside each other.
+/// PNG files of the pictures, small enough for a side-by-side view.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shown {
     pub(super) theirs: Option<Vec<u8>>,
     pub(super) ours: Option<Vec<u8>>,
-    /// Grey: how many steps of 1/255 the pixels are apart.
+    /// Grey: the difference of the pixels in steps of 1/255.
     pub(super) steps: Option<Vec<u8>>,
-    /// So many pixels are one, along each side.
+    /// This many pixels are merged into one, along each side.
     pub(super) reduced: u32,
 }
 
@@ -99,7 +99,7 @@ impl Status {
         Status::Refused,
     ];
 
-    /// What reports call it.
+    /// The name in reports.
     pub(super) fn title(self) -> &'static str {
         match self {
             Status::Failure => "FAILURE",
@@ -114,7 +114,7 @@ impl Status {
         }
     }
 
-    /// `idiff`'s exit code: what cannot be read there is what is not drawn here.
+    /// `idiff`'s exit code; pictures that are not rendered here count as unreadable there.
     pub(super) fn exit_code(self) -> u8 {
         match self {
             Status::Pass | Status::Refused => 0,
@@ -138,19 +138,19 @@ impl From<Grade> for Status {
 
 impl From<&Compared> for Numbers {
     fn from(compared: &Compared) -> Self {
-        let found = &compared.found;
+        let comparison = &compared.found;
         Numbers {
-            pixels: found.pixels(),
-            same: found.same,
-            off_by_one: found.off_by_one,
-            off_by_many: found.off_by_many,
-            differing_percent: found.differing_percent(),
-            mean: found.mean,
-            rms: found.rms,
-            psnr: Some(found.psnr()).filter(|decibels| decibels.is_finite()),
-            max: found.max(),
-            full: found.full,
-            worst: found.worst.map(|worst| (worst.x, worst.y)),
+            pixels: comparison.pixels(),
+            same: comparison.same,
+            off_by_one: comparison.off_by_one,
+            off_by_many: comparison.off_by_many,
+            differing_percent: comparison.differing_percent(),
+            mean: comparison.mean,
+            rms: comparison.rms,
+            psnr: Some(comparison.psnr()).filter(|decibels| decibels.is_finite()),
+            max: comparison.max(),
+            full: comparison.full,
+            worst: comparison.worst.map(|worst| (worst.x, worst.y)),
             flip: compared.flip,
         }
     }
@@ -170,15 +170,16 @@ impl Row {
         }
     }
 
-    /// A case that cannot even be begun.
+    /// A case that cannot even be started.
     pub(super) fn unread(name: &str, why: impl Into<String>) -> Row {
         Row::new(name, Status::Lost, why)
     }
 
-    /// Two pictures of any kinds.
+    /// Compares two pictures of any kind.
     pub(super) fn of_pictures(
         name: &str,
-        pair: (&DynamicImage, &DynamicImage),
+        expected: &DynamicImage,
+        actual: &DynamicImage,
         compared: &Result<Compared, Mismatch>,
         side: u32,
     ) -> Row {
@@ -187,11 +188,11 @@ impl Row {
             Err(mismatch) => Row::new(name, Status::Size, mismatch.to_string()),
         };
         row.numbers = compared.as_ref().ok().map(Numbers::from);
-        row.shown = Shown::of(Some(pair.0), Some(pair.1), side);
+        row.shown = Shown::of(Some(expected), Some(actual), side);
         row
     }
 
-    /// A scene, drawn by both.
+    /// Renders a scene with both and compares the pictures.
     pub(super) fn of_scene(bench: &Bench, case: &Case, side: u32) -> Row {
         let name = &case.name;
         let reference = bench.reference(case);
@@ -201,13 +202,13 @@ impl Row {
             _ => None,
         };
         let theirs = reference.as_ref().ok().and_then(|reference| {
-            // Without the picture it counts as not drawn.
+            // A picture that cannot be read counts as not rendered.
             image::open(&reference.file).ok()
         });
         let mut row = match (&reference, &own) {
             (Ok(_), Ok((actual, _))) => match &theirs {
                 Some(expected) => match bench.compared(case, expected, actual) {
-                    Ok(compared) => Row::of_pictures(name, (expected, actual), &compared, side),
+                    Ok(compared) => Row::of_pictures(name, expected, actual, &compared, side),
                     Err(error) => Row::new(name, Status::Lost, error.line()),
                 },
                 None => Row::new(name, Status::Alone, "POV-Ray's picture cannot be read"),
@@ -242,13 +243,13 @@ impl Row {
         row
     }
 
-    /// How many times faster povr was.
+    /// The speed of povr relative to POV-Ray.
     pub(super) fn ratio(&self) -> Option<f64> {
         let both = self.numbers.is_some();
         Some(self.povray_seconds? / self.povr_seconds?).filter(|ratio| both && ratio.is_finite())
     }
 
-    /// For sorting: a larger number is worse.
+    /// Sort key: a larger number is worse.
     pub(super) fn badness(&self) -> f64 {
         let rank = Status::ALL.iter().position(|&status| status == self.status);
         #[allow(clippy::cast_precision_loss, reason = "nine of them")]
@@ -258,7 +259,7 @@ impl Row {
     }
 }
 
-/// Why pictures differ, or by what limits of its own a scene passes.
+/// The reason why pictures differ, or the scene's own limits that let it pass.
 fn explained(compared: &Compared) -> String {
     match &compared.explanation {
         Some(Explanation::Distances) => {
@@ -279,7 +280,7 @@ fn explained(compared: &Compared) -> String {
 }
 
 impl Shown {
-    /// Pictures of at most `side` pixels a side.
+    /// Pictures scaled down to at most `side` pixels a side.
     fn of(theirs: Option<&DynamicImage>, ours: Option<&DynamicImage>, side: u32) -> Shown {
         let largest = [theirs, ours].into_iter().flatten();
         let largest = largest.map(|p| p.width().max(p.height())).max();
@@ -309,7 +310,7 @@ impl Shown {
     }
 }
 
-/// The largest of the steps in every square of `reduced` pixels a side, so that none is lost.
+/// The largest step in every square of `reduced` pixels a side, so that none is lost.
 fn largest_of(steps: &GrayImage, reduced: u32) -> GrayImage {
     if reduced == 1 {
         return steps.clone();
@@ -323,7 +324,7 @@ fn largest_of(steps: &GrayImage, reduced: u32) -> GrayImage {
     })
 }
 
-/// A PNG file, as small as it gets.
+/// A PNG file with the best compression.
 fn encoded(picture: &DynamicImage) -> Option<Vec<u8>> {
     use image::codecs::png::{CompressionType, FilterType, PngEncoder};
     let mut bytes = Vec::new();
@@ -333,7 +334,7 @@ fn encoded(picture: &DynamicImage) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// Reads a picture of any kind that povr reads.
+/// Reads a picture of any format that povr reads.
 pub(super) fn open(path: &Path) -> Result<DynamicImage, CliError> {
     let cannot = |error: &dyn std::fmt::Display| {
         CliError::new(format!("cannot read `{}`: {error}", path.display()))

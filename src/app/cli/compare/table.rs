@@ -8,28 +8,28 @@ use serde::Serialize;
 use super::row::{Row, Status};
 
 /// With more scenes than this, those that pass get no line of their own.
-const FEW: usize = 60;
+const SHORT_LIST: usize = 60;
 
-/// How often a word is missing.
+/// Statistics of a missing keyword.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(super) struct Missing {
-    /// The word.
+    /// The keyword.
     pub(super) word: String,
-    /// Scenes that have it.
+    /// Scenes that use it.
     pub(super) scenes: usize,
-    /// Those of them that lack nothing else.
+    /// Scenes that lack nothing else.
     pub(super) alone: usize,
 }
 
-/// All about a run but its rows.
+/// Totals of a run.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Total {
     pub(super) scenes: usize,
     pub(super) counts: BTreeMap<Status, usize>,
-    /// Seconds of both, over the scenes that both have drawn.
+    /// Seconds of both, over the scenes that both have rendered.
     pub(super) povray_seconds: f64,
     pub(super) povr_seconds: f64,
-    /// The geometric mean of how many times faster povr is.
+    /// The geometric mean of povr's speed relative to POV-Ray.
     pub(super) faster: Option<f64>,
     pub(super) missing: Vec<Missing>,
 }
@@ -80,7 +80,7 @@ impl Total {
         total
     }
 
-    /// The worst of all exit codes: that of a difference, of sizes, of what is not drawn, of a warning.
+    /// The worst of all exit codes, in this order: difference, size, not rendered, warning.
     pub(super) fn exit_code(&self) -> u8 {
         let codes = self.counts.keys().map(|status| status.exit_code());
         let rank = |code: &u8| [0, 1, 4, 3, 2].iter().position(|one| one == code);
@@ -95,7 +95,7 @@ impl Total {
     }
 }
 
-/// One object a line, and one about all of them.
+/// One object a line, and one for the totals.
 pub(super) fn json(rows: &[Row], total: &Total) -> String {
     let lines = rows.iter().map(Line::Comparison);
     let lines = lines.chain([Line::Total(total)]);
@@ -107,7 +107,9 @@ pub(super) fn json(rows: &[Row], total: &Total) -> String {
 pub(super) fn text(rows: &[Row], total: &Total) -> String {
     let shown: Vec<&Row> = rows
         .iter()
-        .filter(|row| rows.len() <= FEW || row.status > Status::Pass || row.status < Status::Pass)
+        .filter(|row| {
+            rows.len() <= SHORT_LIST || row.status > Status::Pass || row.status < Status::Pass
+        })
         .collect();
     let wide = shown.iter().map(|row| row.name.chars().count()).max();
     let wide = wide.unwrap_or(0).clamp(5, 48);

@@ -1,7 +1,7 @@
-//! Drawing an animation: its frames one after the other, or side by side.
+//! Renders an animation: its frames one after the other, or in parallel.
 //!
-//! What is said of the frames and the order of their files are those of one after the other. The first frame that
-//! cannot be drawn ends the animation, as in POV-Ray: the frames before it are there, those behind it are not.
+//! Messages about the frames and the order of their files are as if rendered one after the other. The first frame that
+//! fails ends the animation, as in POV-Ray: the frames before it are there, later ones are not.
 
 use std::ops::ControlFlow;
 use std::process::ExitCode;
@@ -17,7 +17,7 @@ use super::interrupt;
 use super::progress::Progress;
 use super::report::{Reporter, say};
 use super::streams::Files;
-use super::{Draw, pixels, progress_kind, refused, reporter, tell_statistics, told};
+use super::{Draw, error_reached, pixels, progress_kind, refused, report_statistics, reporter};
 use crate::RenderSession;
 use crate::app::batch::{MessageBuffer, in_order};
 use crate::app::cli::options::error::CliError;
@@ -28,22 +28,22 @@ use crate::base::options::{
 use crate::base::source::Code;
 use crate::output::{self, EncodeOptions, OutputError, Target};
 
-/// Frames are drawn side by side only as far as their films have no more pixels together: 2 GiB.
+/// Frames are rendered in parallel only up to this total number of pixels: 2 GiB of films.
 const MOST_PIXELS: u64 = 1 << 27;
 
-/// Draws the frames.
+/// Renders the frames.
 pub(crate) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliError> {
     let pool = match settings.render.threads {
         None => None,
-        Some(threads) => match crate::pool(threads, &|event| reporter(settings).hear(event)) {
+        Some(threads) => match crate::pool(threads, &|event| reporter(settings).report(event)) {
             Ok(pool) => Some(Arc::new(pool)),
             Err(_) => return Ok(ExitCode::FAILURE),
         },
     };
     let series = RenderSession::new(pool);
-    let heed = Once::new();
+    let cancel_on_signals = Once::new();
     carry_out(settings, frames, &|input, read, render, listen| {
-        heed.call_once(|| interrupt::heed(&render.stop));
+        cancel_on_signals.call_once(|| interrupt::cancel_on_signals(&render.stop));
         series.draw(input, read, render, listen)
     })
 }
@@ -65,34 +65,34 @@ struct Drawn {
     statistics: Statistics,
 }
 
-/// Whether a scene may write files.
+/// Permission of a scene to write files.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Writing {
     Allowed,
-    /// It would come between frames that are read at the same time.
+    /// It would interleave with frames that are read at the same time.
     Refused,
 }
 
 /// The end of a run over frames.
 enum Done {
     All,
-    /// To this one, counted from 0, which is not there.
+    /// The first frame that is not there, counted from 0.
     Until(usize),
 }
 
-/// Why frames are not drawn on side by side.
+/// The reason why parallel rendering ends.
 enum End {
-    /// This one, counted from the first, writes files.
+    /// This frame, counted from the first, writes files.
     WritesFiles(usize),
-    /// This one was not drawn.
+    /// This frame failed.
     Failed(usize),
     CannotWrite(CliError),
 }
 
-/// Draws the frames and writes them.
+/// Renders the frames and writes them.
 ///
 /// # Errors
-/// When the scene cannot be had, or a picture cannot be written. A faulty scene has been told of.
+/// When the scene cannot be read, or a picture cannot be written. Errors in the scene have already been reported.
 fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let numbers = frames.numbers();
     let total = pixels(&settings.render) * numbers.len() as u64;
@@ -105,8 +105,8 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         input: settings.scene.input()?,
         draw,
         reporter,
-        progress: Progress::new(progress_kind(settings.talk), total),
-        console: Console::new(settings.talk),
+        progress: Progress::new(progress_kind(settings.verbosity), total),
+        console: Console::new(settings.verbosity),
     };
     run.console.begin(settings);
     let done = run.all(&numbers);
@@ -116,12 +116,12 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         Done::All => {
             let name = |number: Option<&u32>| run.name(*number.unwrap_or(&0));
             let names = (name(numbers.first()), name(numbers.last()));
-            done::tell_frames(settings, (&names.0, &names.1), started.elapsed());
+            done::report_frames(settings, &names.0, &names.1, started.elapsed());
             run.console.finished();
             Ok(ExitCode::SUCCESS)
         }
         Done::Until(at) if settings.render.stop.is_asked() => {
-            if !settings.talk.quiet {
+            if !settings.verbosity.quiet {
                 let (next, of) = (numbers[at], numbers.len());
                 match at {
                     0 => say("povr: interrupted; no frame is there"),
@@ -145,7 +145,7 @@ impl Run<'_> {
     fn all(&self, numbers: &[u32]) -> Result<Done, CliError> {
         let workers = self.workers();
         let mut at = 0;
-        // A scene that writes files may read in a frame what it has written in an earlier one.
+        // A scene that writes files may read in a frame the files it has written in an earlier one.
         let mut is_alone = true;
         while at < numbers.len() {
             if at == 0 || is_alone {
@@ -156,7 +156,7 @@ impl Run<'_> {
                         writes.fetch_or(wrote_files, Ordering::Relaxed);
                     }
                     if !self.settings.render.stop.is_asked() {
-                        self.reporter.hear(event);
+                        self.reporter.report(event);
                     }
                 });
                 let Ok(drawn) = done else {
@@ -169,11 +169,13 @@ impl Run<'_> {
             }
             let rest = &numbers[at..];
             let work = |number: usize| {
-                let told = MessageBuffer::default();
-                let done = self.draw(rest[number], Writing::Refused, &|event| told.hear(event));
-                (told, done)
+                let messages = MessageBuffer::default();
+                let done = self.draw(rest[number], Writing::Refused, &|event| {
+                    messages.push(event)
+                });
+                (messages, done)
             };
-            let end = in_order(rest.len(), workers, work, |number, (told, done)| {
+            let end = in_order(rest.len(), workers, work, |number, (messages, done)| {
                 if done.as_ref().is_err_and(writes_files) {
                     return ControlFlow::Break(End::WritesFiles(at + number));
                 }
@@ -181,7 +183,7 @@ impl Run<'_> {
                     return ControlFlow::Break(End::Failed(at + number));
                 }
                 self.begin(at + number, numbers.len());
-                told.tell(|event| self.reporter.hear(event));
+                messages.replay(|event| self.reporter.report(event));
                 let Ok(drawn) = done else {
                     return ControlFlow::Break(End::Failed(at + number));
                 };
@@ -200,7 +202,7 @@ impl Run<'_> {
         Ok(Done::All)
     }
 
-    /// The file of a frame, as messages call it.
+    /// The file of a frame for messages.
     fn name(&self, number: u32) -> String {
         match &self.settings.output {
             Some((Target::File(path), _)) => self.frames.path(number, path).display().to_string(),
@@ -209,7 +211,7 @@ impl Run<'_> {
         }
     }
 
-    /// Writes to the files for what is said, and to POV-Ray's console, that a frame begins, counted from 0.
+    /// Announces a frame, counted from 0, to the message files and to POV-Ray's console.
     fn begin(&self, at: usize, of: usize) {
         self.console.frame(at + 1, of);
         self.console.parsing();
@@ -219,11 +221,11 @@ impl Run<'_> {
         self.reporter.files.begin(self.settings);
     }
 
-    /// How many frames are drawn side by side. One, where times are measured.
+    /// Number of frames rendered in parallel. One, where times are measured.
     fn workers(&self) -> usize {
-        let (render, talk) = (&self.settings.render, self.settings.talk);
-        let is_timed = talk.stats
-            || talk.json
+        let (render, verbosity) = (&self.settings.render, self.settings.verbosity);
+        let is_timed = verbosity.stats
+            || verbosity.json
             || matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some());
         if is_timed {
             return 1;
@@ -232,20 +234,20 @@ impl Run<'_> {
             Some(threads) => threads,
             None => thread::available_parallelism().map_or(1, usize::from),
         };
-        let room = MOST_PIXELS / pixels(render).max(1);
+        let limit = MOST_PIXELS / pixels(render).max(1);
         threads
-            .min(usize::try_from(room).unwrap_or(usize::MAX))
+            .min(usize::try_from(limit).unwrap_or(usize::MAX))
             .max(1)
     }
 
-    /// Draws a frame and makes the bytes of its file.
+    /// Renders a frame and encodes its file.
     fn draw(
         &self,
         number: u32,
         writing: Writing,
         listen: &EventHandler<'_>,
     ) -> Result<Drawn, Failure> {
-        let mut read = self.frames.tell(number, &self.settings.read);
+        let mut read = self.frames.read_options_for(number, &self.settings.read);
         if writing == Writing::Refused {
             read.writable.clear();
         }
@@ -274,18 +276,18 @@ impl Run<'_> {
         Ok(Drawn { bytes, statistics })
     }
 
-    /// Writes a frame and says what is to be said of it.
+    /// Writes a frame and reports on it.
     fn finish(&self, at: usize, numbers: &[u32], drawn: Drawn) -> Result<(), CliError> {
-        let (settings, talk, number) = (self.settings, self.settings.talk, numbers[at]);
+        let (settings, verbosity, number) = (self.settings, self.settings.verbosity, numbers[at]);
         self.console.rendering(settings, None);
-        if talk.verbose && !talk.quiet {
+        if verbosity.verbose && !verbosity.quiet {
             let (frame, count) = (at + 1, numbers.len());
             say(format_args!(
                 "Rendered frame {frame} of {count} (#{number})"
             ));
         }
-        if let Some(reached) = drawn.statistics.reached.filter(|_| !talk.quiet) {
-            say(told(&reached, pixels(&settings.render)));
+        if let Some(reached) = drawn.statistics.reached.filter(|_| !verbosity.quiet) {
+            say(error_reached(&reached, pixels(&settings.render)));
         }
         if let (Some(bytes), Some((target, _))) = (drawn.bytes, &settings.output) {
             let target = match target {
@@ -294,7 +296,7 @@ impl Run<'_> {
             };
             output::put(&bytes.map_err(refused)?, &target).map_err(refused)?;
         }
-        tell_statistics(&drawn.statistics, talk, &self.reporter);
+        report_statistics(&drawn.statistics, verbosity, &self.reporter);
         self.console.drawn(settings, &drawn.statistics);
         Ok(())
     }

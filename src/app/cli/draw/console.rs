@@ -1,44 +1,45 @@
-//! POV-Ray's console, for programs that call this one by the name `povray` and wait for its lines on standard error.
+//! POV-Ray's console output, for programs that call this one by the name `povray` and wait for its lines on standard
+//! error.
 //!
-//! The lines are those of POV-Ray 3.7.0.10 as far as they mean something here: a banner with the version, the options,
-//! `[Parsing...]` and `[Rendering...]`, times, `POV-Ray finished` or `Render failed`. Progress between them is that of
-//! `progress`. As in POV-Ray, `-GA` leaves the options and the times out and `-GR` and `-GS` either; `--quiet`, which POV-Ray
-//! does not know, leaves all out.
+//! The lines are those of POV-Ray 3.7.0.10 as far as they apply here: a banner with the version, the options,
+//! `[Parsing...]` and `[Rendering...]`, times, `POV-Ray finished` or `Render failed`. Progress between them comes from
+//! `progress`. As in POV-Ray, `-GA` omits the options and the times, and so do `-GR` and `-GS`; `--quiet`, which
+//! POV-Ray does not know, omits everything.
 
 use std::time::Duration;
 
 use super::report::say;
 use super::streams::{drawn_how, drawn_what};
-use crate::app::cli::options::settings::{Settings, Talk};
+use crate::app::cli::options::settings::{Settings, Verbosity};
 use crate::base::options::Statistics;
 
-/// The version of the language and of the command line that programs ask for.
+/// The version of the language and of the command line that programs check for.
 const POVRAY: &str = "3.7.0";
 
 const RULE: &str = "----------------------------------------------------------------------------";
 
-/// Writes what POV-Ray writes, if this program was called by its name.
+/// Writes POV-Ray's console output, if this program was called by its name.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Console {
-    talk: Talk,
+    verbosity: Verbosity,
 }
 
 impl Console {
     /// The console of a run.
-    pub(crate) fn new(talk: Talk) -> Self {
-        Console { talk }
+    pub(crate) fn new(verbosity: Verbosity) -> Self {
+        Console { verbosity }
     }
 
     fn is_on(&self) -> bool {
-        self.talk.is_povray && !self.talk.is_silent
+        self.verbosity.is_povray && !self.verbosity.is_silent
     }
 
     fn has_options(&self) -> bool {
-        self.is_on() && !self.talk.quiet && self.talk.renders
+        self.is_on() && !self.verbosity.quiet && self.verbosity.renders
     }
 
     fn has_statistics(&self) -> bool {
-        self.is_on() && !self.talk.quiet && self.talk.statistics
+        self.is_on() && !self.verbosity.quiet && self.verbosity.statistics
     }
 
     /// The banner and the options of the scene.
@@ -51,19 +52,19 @@ impl Console {
         }
     }
 
-    /// A frame of an animation begins.
+    /// Announces a frame of an animation.
     pub(crate) fn frame(&self, number: usize, of: usize) {
         if self.is_on() {
             say(format_args!("Rendering frame {number} of {of}"));
         }
     }
 
-    /// The scene is about to be read.
+    /// Announces the parsing of the scene.
     pub(crate) fn parsing(&self) {
         self.stage("Parsing");
     }
 
-    /// The scene has been read, in the time that is known, and is about to be drawn.
+    /// Announces the rendering, with the time of parsing if it is known.
     pub(crate) fn rendering(&self, settings: &Settings, reading: Option<Duration>) {
         if let Some(took) = reading.filter(|_| self.has_statistics()) {
             let took = clock(took);
@@ -77,7 +78,7 @@ impl Console {
         self.stage("Rendering");
     }
 
-    /// A picture has been drawn.
+    /// Reports a finished picture.
     pub(crate) fn drawn(&self, settings: &Settings, statistics: &Statistics) {
         if !self.has_statistics() {
             return;
@@ -99,17 +100,17 @@ impl Console {
         ));
     }
 
-    /// All is written.
+    /// Reports success.
     pub(crate) fn finished(&self) {
         self.end("POV-Ray finished");
     }
 
-    /// The scene is faulty.
+    /// Reports a faulty scene.
     pub(crate) fn failed(&self) {
         self.end("Fatal error in parser: Cannot parse input.\nRender failed");
     }
 
-    /// The drawing was stopped.
+    /// Reports a cancelled rendering.
     pub(crate) fn cancelled(&self) {
         self.end("Fatal error in renderer: Frontend halted render.\nRender cancelled by user");
     }
@@ -128,7 +129,7 @@ impl Console {
     }
 }
 
-/// The banner, whose first line programs look for.
+/// The banner; programs look for its first line.
 fn banner() -> String {
     let own = env!("CARGO_PKG_VERSION");
     format!(
@@ -137,7 +138,7 @@ fn banner() -> String {
     )
 }
 
-/// The answer to `povray --version`: POV-Ray's first line, and what this really is.
+/// The answer to `povray --version`: POV-Ray's first line, and the true identity of this program.
 pub(crate) fn version() -> String {
     format!("POV-Ray {POVRAY}.povr\n\n{}\n", honesty())
 }

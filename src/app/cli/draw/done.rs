@@ -1,21 +1,21 @@
-//! The line about a picture that is ready, for people: `gears.png  1280x960  11.2 s`.
+//! The line about a finished picture, for people: `gears.png  1280x960  11.2 s`.
 
 use std::time::Duration;
 
 use super::report::say;
-use crate::app::cli::options::settings::{Settings, Talk};
+use crate::app::cli::options::settings::{Settings, Verbosity};
 use crate::output::Target;
 
-/// Says that a picture is ready, on a terminal.
-pub(crate) fn tell(settings: &Settings, took: Duration) {
-    if is_told(settings.talk) {
+/// Reports a finished picture, on a terminal.
+pub(crate) fn report(settings: &Settings, took: Duration) {
+    if is_reported(settings.verbosity) {
         say(line(&name(settings), settings, took));
     }
 }
 
-/// Says that the frames of an animation are ready, on a terminal.
-pub(crate) fn tell_frames(settings: &Settings, (first, last): (&str, &str), took: Duration) {
-    if is_told(settings.talk) {
+/// Reports the finished frames of an animation, on a terminal.
+pub(crate) fn report_frames(settings: &Settings, first: &str, last: &str, took: Duration) {
+    if is_reported(settings.verbosity) {
         let name = match first == last {
             true => first.to_owned(),
             false => format!("{first} to {last}"),
@@ -24,11 +24,11 @@ pub(crate) fn tell_frames(settings: &Settings, (first, last): (&str, &str), took
     }
 }
 
-fn is_told(talk: Talk) -> bool {
-    talk.is_terminal && !talk.is_povray && !talk.quiet && !talk.json
+fn is_reported(verbosity: Verbosity) -> bool {
+    verbosity.is_terminal && !verbosity.is_povray && !verbosity.quiet && !verbosity.json
 }
 
-/// Where the picture went.
+/// The name of the output.
 fn name(settings: &Settings) -> String {
     match &settings.output {
         Some((Target::File(path), _)) => path.display().to_string(),

@@ -1,10 +1,10 @@
-//! Animations: which pictures there are, their clocks and their names. Every rule here was measured with povray 3.7.0.10.
+//! Animations: frame numbers, clocks, and file names. Every rule here was measured with povray 3.7.0.10.
 
 use std::path::{Path, PathBuf};
 
 use crate::base::options::ReadOptions;
 
-/// What was typed about an animation.
+/// The animation options.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wanted {
     pub(crate) initial_frame: Option<i64>,
@@ -38,11 +38,11 @@ impl Default for Wanted {
 pub struct Frames {
     /// `initial_frame`.
     initial: u32,
-    /// `final_frame`: one more than is drawn of a cyclic animation.
+    /// `final_frame`: one more than is rendered of a cyclic animation.
     last: u32,
-    /// The first frame to draw.
+    /// The first frame to render.
     start: u32,
-    /// The last frame to draw, if a step ends there.
+    /// The last frame to render, if a step ends there.
     end: u32,
     step: u32,
     initial_clock: f32,
@@ -50,7 +50,7 @@ pub struct Frames {
 }
 
 impl Frames {
-    /// The frames that were asked for; `None` for a still picture, which it is unless a first or last frame was named.
+    /// The requested frames; `None` for a still picture, which is the default unless a first or last frame is set.
     pub(crate) fn of(wanted: &Wanted) -> Option<Self> {
         let is_named = |frame: Option<i64>| frame.is_some_and(|frame| frame != 0);
         if !is_named(wanted.initial_frame) && !is_named(wanted.final_frame) {
@@ -77,33 +77,33 @@ impl Frames {
         })
     }
 
-    /// The numbers of the frames to draw, in their order.
+    /// The numbers of the frames to render, in order.
     #[must_use]
     pub fn numbers(&self) -> Vec<u32> {
         let step = usize::try_from(self.step).unwrap_or(usize::MAX);
         (self.start..=self.end).step_by(step).collect()
     }
 
-    /// Whether there is but one frame, so that the clock has no step.
+    /// True if there is only one frame, so that the clock has no step.
     pub(crate) fn is_single(&self) -> bool {
         self.initial == self.last
     }
 
-    /// The clock of a frame, in single precision and rounded at each step as in POV-Ray. A single frame has the first
-    /// clock; POV-Ray gives it one that is no number.
+    /// The clock of a frame, in single precision and rounded at each step as in POV-Ray. A single frame has the initial
+    /// clock; in POV-Ray it is NaN.
     #[must_use]
     pub fn clock(&self, frame: u32) -> f64 {
         if self.is_single() {
             return f64::from(self.initial_clock);
         }
-        let way = self.final_clock - self.initial_clock;
+        let span = self.final_clock - self.initial_clock;
         let clock = self.initial_clock
-            + single(frame - self.initial) * way / single(self.last - self.initial);
+            + single(frame - self.initial) * span / single(self.last - self.initial);
         f64::from(clock)
     }
 
-    /// What a scene is to know of a frame.
-    pub(crate) fn tell(&self, frame: u32, read: &ReadOptions) -> ReadOptions {
+    /// Read options with the frame variables of the scene.
+    pub(crate) fn read_options_for(&self, frame: u32, read: &ReadOptions) -> ReadOptions {
         let delta = if self.is_single() {
             0.0
         } else {
@@ -122,7 +122,7 @@ impl Frames {
         }
     }
 
-    /// The name of a frame's picture: the number, with as many digits as the last has, before the ending.
+    /// The file name of a frame: the number, with as many digits as the last frame's, goes before the ending.
     #[must_use]
     pub fn path(&self, frame: u32, path: &Path) -> PathBuf {
         let digits = self.last.to_string().len();
@@ -136,7 +136,8 @@ impl Frames {
     }
 }
 
-/// The number of a frame; below 1 a share of all of them, counted from 0 even where the first has another number.
+/// The number of a frame; a value below 1 is a share of all frames, counted from 0 even where the first has another
+/// number.
 fn subset(frame: f32, steps: u32) -> u32 {
     let frame = if frame < 1.0 {
         frame * (single(steps) + 1.0)
@@ -151,13 +152,13 @@ fn subset(frame: f32, steps: u32) -> u32 {
     (frame.min(4e9) as u32)
 }
 
-/// A number of frames as POV-Ray reckons with it.
+/// A number of frames in single precision, as in POV-Ray.
 fn single(frames: u32) -> f32 {
     #[allow(clippy::cast_precision_loss, reason = "POV-Ray loses it too")]
     (frames as f32)
 }
 
-/// A value as it comes to a scene by way of six digits of text.
+/// A value after conversion to six digits of text, as scenes receive it.
 fn six_digits(value: f32) -> f64 {
     format!("{:.5e}", f64::from(value)).parse().unwrap_or(0.0)
 }
@@ -224,8 +225,8 @@ mod tests {
             (3, 2, None, None, false, vec![3]),
             (-2, 2, None, None, false, vec![0, 1, 2]),
         ] {
-            let found = all(initial, last, start, end, is_cyclic);
-            assert_eq!(found, expected, "{initial} {last} {start:?} {end:?}");
+            let actual = all(initial, last, start, end, is_cyclic);
+            assert_eq!(actual, expected, "{initial} {last} {start:?} {end:?}");
         }
         let by_twos = |start| {
             frames(|w| {
@@ -259,13 +260,13 @@ mod tests {
     }
 
     #[test]
-    fn what_scenes_are_told_has_six_digits() {
-        let told = |from, to, last, is_cyclic| {
+    fn values_in_scenes_have_six_digits() {
+        let values = |from, to, last, is_cyclic| {
             let frames = frames(|w| {
                 (w.initial_clock, w.final_clock) = (from, to);
                 (w.final_frame, w.is_cyclic) = (Some(last), is_cyclic);
             });
-            let read = frames.tell(1, &ReadOptions::default());
+            let read = frames.read_options_for(1, &ReadOptions::default());
             let frames = (read.initial_frame, read.final_frame);
             (
                 frames,
@@ -274,13 +275,16 @@ mod tests {
                 read.final_clock,
             )
         };
-        assert_eq!(told(0.0, 1.0, 31, false), ((1, 31), 0.033_333_3, 0.0, 1.0));
         assert_eq!(
-            told(0.123_456_79, 1.987_654_3, 3, false),
+            values(0.0, 1.0, 31, false),
+            ((1, 31), 0.033_333_3, 0.0, 1.0)
+        );
+        assert_eq!(
+            values(0.123_456_79, 1.987_654_3, 3, false),
             ((1, 3), 0.932_099, 0.123_457, 1.987_65)
         );
-        assert_eq!(told(2.0, 5.0, 3, true), ((1, 4), 1.0, 2.0, 5.0));
-        assert_eq!(told(3.0, 1.0, 1, false), ((1, 1), 0.0, 3.0, 1.0));
+        assert_eq!(values(2.0, 5.0, 3, true), ((1, 4), 1.0, 2.0, 5.0));
+        assert_eq!(values(3.0, 1.0, 1, false), ((1, 1), 0.0, 3.0, 1.0));
     }
 
     #[test]

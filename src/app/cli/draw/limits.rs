@@ -1,12 +1,13 @@
-//! Limits of the system on this process.
+//! System limits of this process.
 
-/// Has a file that grows beyond `ulimit -f` refuse what is written to it, as a full disk does. By default the process
-/// would be killed by the signal `SIGXFSZ`: without a message, and with a part of a picture left behind.
+/// Makes writes beyond `ulimit -f` fail like those to a full disk. By default the process would be killed by the signal
+/// `SIGXFSZ`: without a message, and leaving a part of a picture behind.
 pub(crate) fn outlive_file_limit() {
     #[cfg(unix)]
     {
         use signal_hook::{consts::SIGXFSZ, flag};
-        // A signal with a handler is not deadly, whatever the handler does. Where there can be none, all is as before.
+        // A handled signal does not kill, whatever the handler does. If no handler can be installed, the default
+        // remains.
         let _ = flag::register(SIGXFSZ, std::sync::Arc::default());
     }
 }

@@ -1,14 +1,14 @@
-//! How far the drawing is: a bar for people, POV-Ray's lines for programs that read them.
+//! Progress of the rendering: a bar for people, POV-Ray's lines for programs that read them.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// How progress is shown.
+/// The form of progress.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProgressKind {
-    /// Not at all.
+    /// None.
     Nothing,
     /// POV-Ray's `Rendered N of M pixels (P%)`, each ended by a carriage return.
     Lines,
@@ -16,7 +16,7 @@ pub enum ProgressKind {
     Bar,
 }
 
-/// Counts drawn pixels, from any number of threads, and shows the count on standard error.
+/// Counts finished pixels, from any number of threads, and shows the count on standard error.
 pub struct Progress {
     total: u64,
     done: AtomicU64,
@@ -53,7 +53,7 @@ impl Progress {
         }
     }
 
-    /// Adds drawn pixels.
+    /// Adds finished pixels.
     pub fn advance(&self, pixels: u64) {
         let done = self.done.fetch_add(pixels, Ordering::Relaxed) + pixels;
         match &self.shown {
@@ -62,14 +62,14 @@ impl Progress {
             Shown::Lines(last) => {
                 let percent = self.percent(done);
                 if last.fetch_max(percent, Ordering::Relaxed) < percent {
-                    // A reader that has gone away is no reason to stop drawing.
+                    // A closed pipe is no reason to stop rendering.
                     let _ = write!(io::stderr(), "{}\r", self.line(done));
                 }
             }
         }
     }
 
-    /// Leaves the place to what is written next.
+    /// Clears the line for the next output.
     pub fn finish(&self) {
         match &self.shown {
             Shown::Nothing => {}

@@ -1,14 +1,14 @@
-//! How findings are written: for people, for editors, for programs.
+//! Reports findings in scenes: for people, for editors, for programs.
 //!
 //! With `json`, everything about a scene is one object a line:
 //! * `{"type":"finding", ...}`: `severity` ("error" or "warning"), `message`, and where they are known `code`
-//!   ("not-built", "undeclared", "missing-file", "author", "limit"), `file`, `line`, `column`, `end` (`line` and `column`
-//!   of the place behind); `labels` and `trace` (related places, and the calls and includes on the way, innermost
-//!   first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
-//! * `{"type":"said","text":...}`: what the scene writes by `#debug`.
-//! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,"errors":N,
-//!   "warnings":N}`: the counts of `povr check`.
-//! * `{"type":"statistics", ...}`: what a drawing took, if `--json` asks for it, as `options::Statistics` has it.
+//!   ("not-built", "undeclared", "missing-file", "author", "limit"), `file`, `line`, `column`, `end` (`line` and
+//!   `column` of the position after it); `labels` and `trace` (related positions, and the enclosing calls and includes,
+//!   innermost first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
+//! * `{"type":"said","text":...}`: the scene's `#debug` output.
+//! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,
+//!   "errors":N,"warnings":N}`: the counts of `povr check`.
+//! * `{"type":"statistics", ...}`: the statistics of a rendering with `--json`, as in `options::Statistics`.
 //!
 //! Lines and columns count from 1, columns in characters. Lines of standard error that do not begin with `{` are about
 //! the command line.
@@ -25,7 +25,7 @@ use crate::app::cli::options::settings::Settings;
 use crate::base::options::{Event, Statistics};
 use crate::base::source::{Message, Severity};
 
-/// The form of findings.
+/// The format of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MessageFormat {
     /// POV-Ray's line, for programs that look for it.
@@ -38,37 +38,37 @@ pub enum MessageFormat {
     Json,
 }
 
-/// The standard stream that findings go to.
+/// The standard stream for findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stream {
-    /// Where findings are what the command is for.
+    /// For commands with findings as their result.
     Out,
-    /// Where standard output is the picture's.
+    /// If standard output may receive the picture.
     Err,
 }
 
-/// Writes what is said about scenes.
+/// Reports on scenes.
 #[derive(Debug)]
 pub(crate) struct Reporter {
-    /// The form of findings.
+    /// The format of findings.
     pub(crate) format: MessageFormat,
-    /// Where they go.
+    /// The stream of findings.
     pub(crate) stream: Stream,
-    /// Whether warnings are written.
+    /// True to write warnings.
     pub(crate) warns: bool,
-    /// Whether the scene's own words are written.
+    /// True to write the scene's `#debug` output.
     pub(crate) debugs: bool,
-    /// Files for the same.
+    /// Message files that receive the same.
     pub(crate) files: Files,
     counts: Mutex<Counts>,
 }
 
-/// What has been found.
+/// Counts of findings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
     pub(crate) errors: usize,
     pub(crate) warnings: usize,
-    /// Whether the scene's own words have ended in the middle of a line.
+    /// True if the scene's output has ended in the middle of a line.
     is_within_line: bool,
 }
 
@@ -105,16 +105,16 @@ impl Reporter {
         }
     }
 
-    /// Writes what is to be written of an event.
-    pub(crate) fn hear(&self, event: Event<'_>) {
+    /// Reports an event.
+    pub(crate) fn report(&self, event: Event<'_>) {
         match &event {
             Event::Said(text) => self.files.write(streams::Stream::Debug, text),
-            Event::Found(message) => self.files.found(message),
+            Event::Found(message) => self.files.write_finding(message),
             _ => {}
         }
         match event {
             Event::Said(text) if self.debugs => self.said(text),
-            Event::Found(message) => self.found(message),
+            Event::Found(message) => self.write_finding(message),
             Event::GoesOn(pixels) if self.warns => {
                 say(format_args!("povr: going on: {pixels} pixels are there"));
             }
@@ -136,31 +136,32 @@ impl Reporter {
         *self.lock()
     }
 
-    /// What has been found since this was last asked.
+    /// Returns the counts since the last call, and resets them.
     pub(crate) fn take_counts(&self) -> Counts {
         self.end_line();
         std::mem::take(&mut *self.lock())
     }
 
-    /// Writes how many errors a drawing met, if they are several.
+    /// Writes the number of errors of a rendering, if there are several.
     pub(crate) fn total(&self, settings: &Settings, counts: Counts) {
-        let talk = settings.talk;
-        let is_wanted = !talk.quiet && !talk.is_povray && self.format != MessageFormat::Json;
+        let verbosity = settings.verbosity;
+        let is_wanted =
+            !verbosity.quiet && !verbosity.is_povray && self.format != MessageFormat::Json;
         if is_wanted && counts.errors > 1 {
             self.line(format_args!("{}: {counts}", settings.scene.name()));
         }
     }
 
-    /// Writes a line where findings go.
+    /// Writes a line to the stream of findings.
     pub(crate) fn line(&self, line: impl fmt::Display) {
-        // A reader that has gone away is no reason to fail.
+        // A closed pipe is no reason to fail.
         let _ = match self.stream {
             Stream::Out => writeln!(io::stdout(), "{line}"),
             Stream::Err => writeln!(io::stderr(), "{line}"),
         };
     }
 
-    /// Writes an object where findings go.
+    /// Writes an object to the stream of findings.
     pub(crate) fn json(&self, line: &Line<'_>) {
         if let Ok(line) = serde_json::to_string(line) {
             self.line(line);
@@ -177,7 +178,7 @@ impl Reporter {
         }
     }
 
-    fn found(&self, message: &Message) {
+    fn write_finding(&self, message: &Message) {
         self.end_line();
         let mut counts = self.lock();
         match message.severity {
@@ -208,7 +209,7 @@ impl Reporter {
         is_terminal && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
     }
 
-    /// Ends the line of the scene's own words, so that what follows begins one.
+    /// Ends the line of the scene's output, so that the next output begins a line.
     fn end_line(&self) {
         if std::mem::take(&mut self.lock().is_within_line) {
             say("");
@@ -241,7 +242,7 @@ pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{plural}")
 }
 
-/// One message on standard error. A reader that has gone away is no reason to fail.
+/// Writes one message to standard error. A closed pipe is no reason to fail.
 pub(crate) fn say(message: impl fmt::Display) {
     let _ = writeln!(io::stderr(), "{message}");
 }

@@ -1,9 +1,9 @@
-//! Files for what is said: `+GDfile` and its kin, `Debug_File` and theirs.
+//! Message files: `+GDfile` and related switches, `Debug_File` and related options.
 //!
-//! POV-Ray sorts all that it says into streams, and each may go to a file as well as to the console. The files are made
-//! anew for each run; between the frames of an animation stands a banner, but not in what the scene writes by `#debug`
-//! (measured with POV-Ray 3.7). What the scene writes stands there as POV-Ray has it; findings stand in the form of
-//! POV-Ray's files, in this program's words; statistics are this program's own.
+//! POV-Ray sorts its messages into streams, and each may go to a file as well as to the console. The files are created
+//! anew for each run; a banner separates the frames of an animation, except in the `#debug` output (measured with
+//! POV-Ray 3.7). `#debug` output is written as in POV-Ray; findings have the format of POV-Ray's files, in this
+//! program's words; statistics are this program's own.
 
 use std::fs::File;
 use std::io::Write;
@@ -15,25 +15,25 @@ use crate::app::cli::options::settings::{Scene, Settings};
 use crate::base::source::{Message, Severity};
 use crate::output::Target;
 
-/// What is said, by kind.
+/// The kinds of messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stream {
     /// Everything: `+GA`.
     All,
-    /// What the scene writes: `+GD`.
+    /// The scene's `#debug` output: `+GD`.
     Debug,
     /// Errors: `+GF`.
     Fatal,
-    /// What is drawn and how: `+GR`.
+    /// The scene and the render options: `+GR`.
     Render,
-    /// What the drawing took: `+GS`.
+    /// Statistics of the rendering: `+GS`.
     Statistics,
     /// Warnings: `+GW`.
     Warning,
 }
 
 impl Stream {
-    /// The file of a stream that is to have one, but is not told which.
+    /// The default file of a stream.
     pub(crate) fn file(self) -> &'static str {
         match self {
             Stream::All => "alltext.out",
@@ -46,7 +46,7 @@ impl Stream {
     }
 }
 
-/// Lines of findings are no longer than this.
+/// Maximum length of the lines of findings.
 const WIDTH: usize = 79;
 
 const RULE: &str = "----------------------------------------------------------------------------";
@@ -65,10 +65,10 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Makes the files anew.
+    /// Creates the files anew.
     ///
     /// # Errors
-    /// When one cannot be made.
+    /// When one cannot be created.
     pub(crate) fn create(wanted: &[(Stream, PathBuf)]) -> Result<Self, CliError> {
         let mut files = Vec::new();
         for (stream, path) in wanted {
@@ -81,7 +81,7 @@ impl Files {
         Ok(Files { files })
     }
 
-    /// Says that a frame begins, which is not the first one.
+    /// Announces a frame other than the first.
     pub(crate) fn next_frame(&self) {
         for (stream, file) in &self.files {
             if *stream != Stream::Debug {
@@ -90,7 +90,7 @@ impl Files {
         }
     }
 
-    /// Writes text of a stream.
+    /// Writes text to a stream.
     pub(crate) fn write(&self, stream: Stream, text: &str) {
         for (kind, file) in &self.files {
             if *kind == stream || *kind == Stream::All {
@@ -100,7 +100,7 @@ impl Files {
     }
 
     /// Writes a finding.
-    pub(crate) fn found(&self, message: &Message) {
+    pub(crate) fn write_finding(&self, message: &Message) {
         if self.files.is_empty() {
             return;
         }
@@ -108,15 +108,15 @@ impl Files {
             Severity::Error => (Stream::Fatal, "Error"),
             Severity::Warning => (Stream::Warning, "Warning"),
         };
-        let place = message.place.as_ref();
-        let place = place.map_or_else(String::new, |place| {
-            format!("File: {}  Line: {}\n", place.file, place.line)
+        let position = message.place.as_ref();
+        let position = position.map_or_else(String::new, |position| {
+            format!("File: {}  Line: {}\n", position.file, position.line)
         });
         let text = wrapped(&format!("Parse {kind}: {}", message.message));
-        self.write(stream, &format!("{place}{text}\n"));
+        self.write(stream, &format!("{position}{text}\n"));
     }
 
-    /// Writes what is drawn and how.
+    /// Writes the scene and the render options.
     pub(crate) fn begin(&self, settings: &Settings) {
         if !self.files.is_empty() {
             let text = format!("{}{RULE}\n{}", drawn_what(settings), drawn_how(settings));
@@ -125,13 +125,13 @@ impl Files {
     }
 }
 
-/// A full disk is no reason to stop drawing.
+/// A full disk is no reason to stop rendering.
 fn put(file: &Mutex<File>, text: &str) {
     let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
     let _ = file.write_all(text.as_bytes());
 }
 
-/// The text in lines, all but the first with a blank before them.
+/// The text wrapped into lines, all but the first with a leading blank.
 fn wrapped(text: &str) -> String {
     let mut lines = String::new();
     let mut length = 0;
@@ -148,7 +148,7 @@ fn wrapped(text: &str) -> String {
     lines
 }
 
-/// The options of scene and picture as POV-Ray lists them, those that mean something here.
+/// The options of scene and picture as POV-Ray lists them, where they apply here.
 pub(crate) fn drawn_what(settings: &Settings) -> String {
     let scene = match &settings.scene {
         Scene::File(path) => path.display().to_string(),
@@ -185,7 +185,7 @@ pub(crate) fn drawn_what(settings: &Settings) -> String {
     text
 }
 
-/// The options of drawing as POV-Ray lists them.
+/// The render options as POV-Ray lists them.
 pub(crate) fn drawn_how(settings: &Settings) -> String {
     format!("Render Options\n  Quality: {:2}\n", settings.render.quality)
 }

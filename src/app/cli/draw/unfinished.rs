@@ -1,10 +1,10 @@
-//! `+C`: going on with a picture whose drawing was interrupted.
+//! `+C`: continues a picture from the checkpoint of an interrupted run.
 //!
-//! As in POV-Ray every drawing leaves what it has done beside its picture, as `NAME.povr-state`, until the picture is
-//! whole; one of less than two seconds leaves nothing unless `+C` is given. POV-Ray 3.7.0.10 was seen to do this with
-//! `+C`: without a state it draws all, and if the picture is there it says so and draws nothing; with a state of another
-//! size it ends without a picture; with one of a scene that has changed since, it goes on and mixes both, which this
-//! program does not.
+//! As in POV-Ray every rendering stores its finished pixels beside its picture, as `NAME.povr-state`, until the picture
+//! is complete; one of less than two seconds stores nothing unless `+C` is given. Behaviour of POV-Ray 3.7.0.10 with
+//! `+C`, as observed: without a state it renders everything, and if the picture is there it says so and renders
+//! nothing; with a state of another size it ends without a picture; with a state of a scene that has changed since, it
+//! continues and mixes both, which this program does not.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,16 +15,16 @@ use crate::app::cli::options::settings::Settings;
 use crate::base::options::CheckpointOptions;
 use crate::output::Target;
 
-/// What is appended to the name of the picture.
+/// Suffix of the checkpoint after the name of the picture.
 const ENDING: &str = ".povr-state";
 
-/// Whether there is nothing to go on with because the picture is there. Says so.
+/// True if there is nothing to continue because the picture is complete. Prints a message then.
 pub(crate) fn is_done(settings: &Settings) -> bool {
     let Some(picture) = picture(settings) else {
         return false;
     };
     let is_done = settings.continues && picture.is_file() && !state(picture).exists();
-    if is_done && !settings.talk.quiet {
+    if is_done && !settings.verbosity.quiet {
         say(format_args!(
             "povr: `{}` is there and nothing unfinished: skipping, as `+C` has it",
             picture.display()
@@ -33,7 +33,7 @@ pub(crate) fn is_done(settings: &Settings) -> bool {
     is_done
 }
 
-/// Has the drawing keep what it has done.
+/// Enables checkpoints for the rendering.
 pub(crate) fn keep(settings: &mut Settings) {
     if let Some(picture) = picture(settings) {
         settings.render.keep = Some(CheckpointOptions {
@@ -44,17 +44,17 @@ pub(crate) fn keep(settings: &mut Settings) {
     }
 }
 
-/// Removes what was kept: the picture is whole.
+/// Removes the checkpoint: the picture is complete.
 pub(crate) fn forget(settings: &Settings) {
     if let Some(keep) = &settings.render.keep {
-        // Mostly there is none.
+        // Usually there is none.
         let _ = fs::remove_file(&keep.file);
     }
 }
 
 fn picture(settings: &Settings) -> Option<&Path> {
     match &settings.output {
-        // A device or a pipe has no place beside it.
+        // A device or a pipe cannot have a checkpoint beside it.
         Some((Target::File(path), _)) if !path.exists() || path.is_file() => Some(path),
         _ => None,
     }
@@ -66,7 +66,7 @@ fn state(picture: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// What tells this program from others of the same version: its length and when it was made.
+/// Distinguishes builds of the same version: length and modification time of the program.
 fn build() -> String {
     let version = env!("CARGO_PKG_VERSION");
     let about = std::env::current_exe().and_then(fs::metadata);

@@ -7,21 +7,21 @@ use super::ini::Reader;
 use super::values::unquoted;
 use super::{keys, switches};
 
-/// Takes in a word.
+/// Reads a word.
 pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> {
     if word == "-" {
-        reader.typed.scene = Some("-".to_owned());
+        reader.raw_args.scene = Some("-".to_owned());
         return Ok(());
     }
     if let Some((key, value)) = assignment(word) {
         return set(reader, key, unquoted(value), word);
     }
-    if let Some(done) = switches::set(reader.typed, word) {
+    if let Some(done) = switches::set(reader.raw_args, word) {
         return done;
     }
     let name = unquoted(word);
     if has_ending(name, ".pov") {
-        reader.typed.scene = Some(name.to_owned());
+        reader.raw_args.scene = Some(name.to_owned());
         Ok(())
     } else if name.starts_with(['+', '-']) && !has_ending(name, ".ini") {
         Err(CliError::new(format!("unknown switch `{word}`"))
@@ -31,7 +31,7 @@ pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> 
     }
 }
 
-/// Sets an option; `Include_Ini` is no option but a file to read on the spot.
+/// Sets an option; `Include_Ini` is not an option but a file to read at once.
 pub(crate) fn set(
     reader: &mut Reader<'_>,
     key: &str,
@@ -41,7 +41,7 @@ pub(crate) fn set(
     if key.eq_ignore_ascii_case("Include_Ini") {
         reader.read_named(value)
     } else {
-        keys::set(reader.typed, key, value, said.trim())
+        keys::set(reader.raw_args, key, value, said.trim())
     }
 }
 
@@ -54,9 +54,9 @@ pub(crate) fn assignment(text: &str) -> Option<(&str, &str)> {
     is_key.then_some((key, value.trim()))
 }
 
-/// The words of an argument, or of a line of an ini file. Either may hold several (`"+W320 +H240"`), divided by white
-/// space that is not in quotes. POV-Ray takes every space in an argument for the end of a word; here one in a file name
-/// belongs to the name (`+Ia b.pov`): a name goes on until a switch or an assignment begins.
+/// The words of an argument, or of a line of an ini file. Either may contain several (`"+W320 +H240"`), separated by
+/// white space outside quotes. In POV-Ray every space in an argument ends a word; here a space in a file name belongs
+/// to the name (`+Ia b.pov`): a name extends to the next switch or assignment.
 pub(crate) fn of_argument(argument: &str) -> Vec<String> {
     let mut words: Vec<Range<usize>> = Vec::new();
     for piece in pieces(argument) {
@@ -69,7 +69,7 @@ pub(crate) fn of_argument(argument: &str) -> Vec<String> {
     words.into_iter().map(|w| argument[w].to_owned()).collect()
 }
 
-/// Returns true if a piece after white space goes on with the word before it.
+/// True if a piece after white space continues the word before it.
 fn belongs_to(word: &str, piece: &str) -> bool {
     let begins = assignment(piece).is_some()
         || piece
@@ -119,7 +119,7 @@ fn value_of(word: &str) -> Value {
     }
 }
 
-/// Returns true if a piece can be nothing but a scene or an ini file, in quotes or not.
+/// True if a piece, quoted or not, can only be a scene or an ini file.
 fn is_file(piece: &str) -> bool {
     let name = unquoted(piece);
     [".pov", ".ini", "]"]
@@ -134,7 +134,7 @@ pub(crate) fn has_ending(name: &str, ending: &str) -> bool {
         .is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
-/// The pieces between white space that is not in quotes.
+/// The pieces between white space outside quotes.
 fn pieces(text: &str) -> Vec<Range<usize>> {
     let mut pieces = Vec::new();
     let mut start = None;
@@ -158,8 +158,8 @@ fn pieces(text: &str) -> Vec<Range<usize>> {
     pieces
 }
 
-/// Returns true if a letter begins a stretch in quotes. An apostrophe does so only where a value begins (`'a b.pov'`,
-/// `+I'a b.pov'`, `Key='a b'`) and another one follows: names have apostrophes too.
+/// True if a character begins a quoted span. An apostrophe does so only at the start of a value (`'a b.pov'`, `+I'a
+/// b.pov'`, `Key='a b'`) and if another one follows: names contain apostrophes too.
 fn opens_quotes(c: char, before: &str, behind: &str) -> bool {
     let is_switch = |text: &str| {
         text.strip_prefix(['+', '-'])

@@ -1,4 +1,4 @@
-//! Where settings come from besides the command line: POV-Ray's ini files of the system and of the user.
+//! Settings from outside the command line: POV-Ray's ini files of the system and of the user.
 
 use std::env;
 use std::io::{self, IsTerminal};
@@ -9,29 +9,30 @@ use super::ini::Reader;
 use super::raw_args::RawArgs;
 use crate::app::cli::draw::report::MessageFormat;
 
-/// Where settings come from besides the command line.
+/// Settings from outside the command line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Environment {
-    /// The system's ini file. Only its folders count: its display and its talk are the distributor's taste.
+    /// The system's ini file. Only its library paths are used; display and verbosity are ignored.
     pub system_ini: Option<PathBuf>,
     /// The user's ini file.
     pub user_ini: Option<PathBuf>,
-    /// What was wrong with it.
+    /// A warning about it.
     pub warning: Option<String>,
-    /// Set if standard error is a terminal, where people read.
+    /// True if standard error is a terminal, where people read.
     pub is_terminal: bool,
-    /// Set if the program was called by the name `povray`.
+    /// True if the program was called by the name `povray`.
     pub is_povray: bool,
 }
 
 impl Environment {
-    /// Those of this process, found where POV-Ray looks: `$POVINI`, `povray.ini` here, in `~/.povray/3.7`, in `/etc`.
+    /// The environment of this process. Ini files are searched as in POV-Ray: `$POVINI`, `povray.ini` here, in
+    /// `~/.povray/3.7`, in `/etc`.
     #[must_use]
     pub fn of_this_process() -> Self {
         let named = env::var_os("POVINI").map(PathBuf::from);
         let missing = named.as_ref().filter(|file| !file.is_file());
         let home = env::var_os("HOME").map(PathBuf::from);
-        let places = [
+        let candidates = [
             named.clone(),
             Some(PathBuf::from("povray.ini")),
             home.map(|home| home.join(".povray/3.7/povray.ini")),
@@ -42,11 +43,11 @@ impl Environment {
                 .map(|file| format!("`POVINI` names `{}`, which is not there", file.display())),
             is_terminal: io::stderr().is_terminal(),
             is_povray: false,
-            user_ini: places.into_iter().flatten().find(|file| file.is_file()),
+            user_ini: candidates.into_iter().flatten().find(|file| file.is_file()),
         }
     }
 
-    /// The folders of the system's ini file, where includes and ini files are searched last.
+    /// The folders of the system's ini file, which are searched last for includes and ini files.
     pub(crate) fn standard_folders(&self) -> Result<Vec<PathBuf>, CliError> {
         let mut system = RawArgs::default();
         if let Some(file) = &self.system_ini {
@@ -55,7 +56,7 @@ impl Environment {
         Ok(system.library_paths)
     }
 
-    /// The form of messages that nobody chose: people get the lines of the scene, programs POV-Ray's one line.
+    /// The default format of messages: source lines for people, POV-Ray's one line for programs.
     pub(crate) fn message_format(&self) -> MessageFormat {
         if self.is_terminal && !self.is_povray {
             MessageFormat::Human
@@ -64,13 +65,13 @@ impl Environment {
         }
     }
 
-    /// What holds before the first argument is read: the settings of the user's ini file.
-    pub(crate) fn typed(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
-        let mut typed = RawArgs::default();
-        typed.doubts.extend(self.warning.clone());
+    /// The options before the first argument is read: those of the user's ini file.
+    pub(crate) fn raw_args(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
+        let mut raw_args = RawArgs::default();
+        raw_args.doubts.extend(self.warning.clone());
         if let Some(file) = &self.user_ini {
-            Reader::new(&mut typed, standard_folders).read_file(file, None)?;
+            Reader::new(&mut raw_args, standard_folders).read_file(file, None)?;
         }
-        Ok(typed)
+        Ok(raw_args)
     }
 }

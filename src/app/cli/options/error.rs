@@ -1,38 +1,38 @@
-//! What is wrong with a command line or an ini file, and what to do about it.
+//! Errors in a command line or an ini file, with hints.
 
 use std::fmt;
 use std::path::Path;
 
-/// A refusal: what is wrong, where, and what to do about it.
+/// An error: message, position, and hint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CliError {
     message: String,
-    place: Option<String>,
+    position: Option<String>,
     hint: Option<String>,
 }
 
 impl CliError {
-    /// A refusal in lower case, without a full stop.
+    /// An error in lower case, without a full stop.
     #[must_use]
     pub fn new(message: impl Into<String>) -> Self {
         CliError {
             message: message.into(),
-            place: None,
+            position: None,
             hint: None,
         }
     }
 
-    /// The same with something to do about it.
+    /// The error with a hint.
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
         self
     }
 
-    /// The same in a line of an ini file, unless a file inside it has claimed it already.
+    /// The error with a position in an ini file, unless a nested file has set one already.
     #[must_use]
     pub(crate) fn in_file(mut self, file: &Path, line: usize) -> Self {
-        self.place
+        self.position
             .get_or_insert_with(|| format!("`{}` line {line}: ", file.display()));
         self
     }
@@ -40,8 +40,8 @@ impl CliError {
 
 impl fmt::Display for CliError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = self.place.as_deref().unwrap_or_default();
-        write!(f, "{place}{}", self.message)?;
+        let position = self.position.as_deref().unwrap_or_default();
+        write!(f, "{position}{}", self.message)?;
         match &self.hint {
             Some(hint) => write!(f, "\n  hint: {hint}"),
             None => Ok(()),

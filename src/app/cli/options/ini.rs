@@ -1,7 +1,7 @@
-//! Ini files: lines of `Key=Value`, of switches, of further files; sections; comments.
+//! Ini files: lines of `Key=Value`, of switches, of nested files; sections; comments.
 //!
-//! What stands before the first `[section]` always counts, what stands in a section only if the file was named with
-//! it, `file.ini[section]`. `;` begins a comment, and `#` at the start of a word.
+//! Lines before the first `[section]` always count, lines in a section only if the file was named with it,
+//! `file.ini[section]`. `;` begins a comment, and so does `#` at the start of a word.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,31 +13,31 @@ use super::raw_args::RawArgs;
 use crate::app::cli::COMMANDS;
 use crate::base::source::read_regular;
 
-/// A folder with more entries is not searched to its end for a file that may have been meant.
+/// Folders with more entries are not fully searched for a file with a similar name.
 const MOST_NEIGHBOURS: usize = 10_000;
 
-/// Files may name further files, so many deep.
+/// Maximum depth of nested files.
 const DEEPEST: usize = 16;
 
-/// Takes words and files in, one after the other.
+/// Reads words and files, one after the other.
 pub(crate) struct Reader<'a> {
-    /// What has been typed so far.
-    pub(crate) typed: &'a mut RawArgs,
+    /// The options so far.
+    pub(crate) raw_args: &'a mut RawArgs,
     /// Folders searched for ini files after the current one and those of `Library_Path`.
     standard_folders: &'a [PathBuf],
     depth: usize,
 }
 
 impl<'a> Reader<'a> {
-    pub(crate) fn new(typed: &'a mut RawArgs, standard_folders: &'a [PathBuf]) -> Self {
+    pub(crate) fn new(raw_args: &'a mut RawArgs, standard_folders: &'a [PathBuf]) -> Self {
         Reader {
-            typed,
+            raw_args,
             standard_folders,
             depth: 0,
         }
     }
 
-    /// Reads the file a word names: `name`, `name.ini`, either with `[section]`.
+    /// Reads the file that a word names: `name`, `name.ini`, either with `[section]`.
     pub(crate) fn read_named(&mut self, word: &str) -> Result<(), CliError> {
         let (name, section) = match word.strip_suffix(']').and_then(|w| w.rsplit_once('[')) {
             Some((name, section)) => (name, Some(section)),
@@ -54,7 +54,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a file that is known to be there.
+    /// Reads an existing file.
     pub(crate) fn read_file(&mut self, file: &Path, section: Option<&str>) -> Result<(), CliError> {
         if self.depth == DEEPEST {
             return Err(CliError::new(format!(
@@ -79,8 +79,8 @@ impl<'a> Reader<'a> {
         let mut counts = true;
         for (number, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
             let line = without_comment(line).trim();
-            if let Some(found) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
-                counts = section.is_some_and(|s| s.trim().eq_ignore_ascii_case(found.trim()));
+            if let Some(heading) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
+                counts = section.is_some_and(|s| s.trim().eq_ignore_ascii_case(heading.trim()));
             } else if counts {
                 self.read_line(line)
                     .map_err(|refusal| refusal.in_file(file, number + 1))?;
@@ -99,14 +99,14 @@ impl<'a> Reader<'a> {
         let folders = [PathBuf::new()];
         folders
             .iter()
-            .chain(&self.typed.library_paths)
+            .chain(&self.raw_args.library_paths)
             .chain(self.standard_folders)
             .flat_map(|folder| [folder.join(name), folder.join(format!("{name}.ini"))])
             .find(|file| file.is_file())
     }
 }
 
-/// Refuses a name that stands for nothing, and names what it may have been meant for.
+/// An error for an unknown name, with a suggestion.
 fn missing(name: &str, kinds: &str, commands: &[&str]) -> CliError {
     let kinds = match arg_words::has_ending(name, ".ini") {
         true => "no ini file",
@@ -148,7 +148,7 @@ pub(crate) fn neighbour(missing: &Path) -> Option<String> {
     let names: Vec<String> = names.collect();
     let name = missing.file_name()?.to_string_lossy();
     let stems = names.iter().filter_map(|name| name.rsplit_once('.'));
-    let found = match name.contains('.') {
+    let suggestion = match name.contains('.') {
         true => nearest(&name, names.iter().map(String::as_str))?,
         false => {
             let stem = nearest(&name, stems.map(|(stem, _)| stem))?;
@@ -156,7 +156,7 @@ pub(crate) fn neighbour(missing: &Path) -> Option<String> {
             names.find(|name| name.starts_with(&format!("{stem}.")))?
         }
     };
-    Some(missing.with_file_name(found).display().to_string())
+    Some(missing.with_file_name(suggestion).display().to_string())
 }
 
 /// The line up to its comment.

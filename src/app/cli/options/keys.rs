@@ -1,7 +1,7 @@
-//! The options by their ini names: one list, what each does, and which have no effect here.
+//! The options by their ini names: one list with the effect of each, and those without effect here.
 //!
 //! Switches are other names of these (see `switches`). The list is that of the POV-Ray 3.7 reference, checked against
-//! what the program of 3.7.0.10 accepts.
+//! the options that the program of 3.7.0.10 accepts.
 
 use super::error::CliError;
 use super::nearest::nearest;
@@ -12,13 +12,18 @@ use super::values::{
 use crate::app::cli::draw::streams::Stream;
 use crate::base::options::Method;
 
-/// What an option does with its value. The third text is what was typed, for messages.
+/// The effect of an option with its value. The third text is the word as typed, for messages.
 pub(crate) type Set = fn(&mut RawArgs, &str, &str) -> Result<(), CliError>;
 
 /// Sets an option by its ini name.
-pub(crate) fn set(typed: &mut RawArgs, key: &str, value: &str, said: &str) -> Result<(), CliError> {
+pub(crate) fn set(
+    raw_args: &mut RawArgs,
+    key: &str,
+    value: &str,
+    word: &str,
+) -> Result<(), CliError> {
     match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
-        Some((_, set)) => set(typed, value, said),
+        Some((_, set)) => set(raw_args, value, word),
         None => {
             let refusal = CliError::new(format!("unknown option `{key}`"));
             Err(match nearest(key, KEYS.iter().map(|(name, _)| *name)) {
@@ -29,13 +34,13 @@ pub(crate) fn set(typed: &mut RawArgs, key: &str, value: &str, said: &str) -> Re
     }
 }
 
-/// Known, without effect on this program: said in verbose mode.
-const IDLE: Set = |typed, _, said| {
-    typed.idle.push(said.to_owned());
+/// Known, without effect on this program; reported in verbose mode.
+const IDLE: Set = |raw_args, _, word| {
+    raw_args.idle.push(word.to_owned());
     Ok(())
 };
 
-/// About a display or a keyboard, of which this program has none.
+/// Options for a display or a keyboard, which this program does not have.
 const SCREEN: Set = |_, _, _| Ok(());
 
 #[rustfmt::skip]
@@ -60,7 +65,7 @@ const KEYS: &[(&str, Set)] = &[
     ("BSP_MaxDepth", IDLE),
     ("BSP_MissChance", IDLE),
     ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
-    ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Clockless, on, s); Ok(()) }),
+    ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
     ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
     ("Create_Ini", IDLE),
@@ -70,7 +75,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Declare", declare),
     ("Display", SCREEN),
     ("Display_Gamma", SCREEN),
-    ("Dither", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Dither, on, s); Ok(()) }),
+    ("Dither", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Dither, on, s); Ok(()) }),
     ("Dither_Method", IDLE),
     ("Draw_Vistas", IDLE),
     ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
@@ -79,7 +84,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Fatal_Error_Command", IDLE),
     ("Fatal_Error_Return", IDLE),
     ("Fatal_File", |t, v, _| { t.stream(Stream::Fatal, v); Ok(()) }),
-    ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Fields, on, s); Ok(()) }),
+    ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Fields, on, s); Ok(()) }),
     ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
     ("Final_Clock", |t, v, s| { t.frames.final_clock = single(v, s)?; Ok(()) }),
     ("Final_Frame", |t, v, s| { t.frames.final_frame = Some(frame(v, s)?); Ok(()) }),
@@ -96,7 +101,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
     ("Light_Buffer", IDLE),
     ("Max_Image_Buffer_Memory", IDLE),
-    ("Odd_Field", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::OddField, on, s); Ok(()) }),
+    ("Odd_Field", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::OddField, on, s); Ok(()) }),
     ("Output_Alpha", |t, v, s| { t.alpha = flag(t, v, s); Ok(()) }),
     ("Output_File_Name", |t, v, s| { t.output = Output::Povray(name(v, s)?); Ok(()) }),
     ("Output_File_Type", |t, v, s| file_type(t, v, s)),
@@ -115,8 +120,8 @@ const KEYS: &[(&str, Set)] = &[
     ("Preview_Start_Size", SCREEN),
     ("Quality", |t, v, s| { t.quality = up_to(11, v, s)?; Ok(()) }),
     ("Radiosity_File_Name", IDLE),
-    ("Radiosity_From_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
-    ("Radiosity_To_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_From_File", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_To_File", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
     ("Radiosity_Vain_Pretrace", IDLE),
     ("Real_Time_Raytracing", IDLE),
     ("Remove_Bounds", IDLE),
@@ -148,28 +153,29 @@ const KEYS: &[(&str, Set)] = &[
     ("Work_Threads", |t, v, s| { t.threads = Some(whole(v, s)? as usize).filter(|&n| n > 0); Ok(()) }),
 ];
 
-/// POV-Ray's largest `+R`; larger ones count as this.
+/// POV-Ray's largest `+R`; larger values count as this.
 const MOST_DEPTH: u8 = 9;
 
-fn above_zero(value: &str, said: &str) -> Result<f64, CliError> {
-    match number(value, said)? {
+fn above_zero(value: &str, word: &str) -> Result<f64, CliError> {
+    match number(value, word)? {
         gamma if gamma > 0.0 && gamma.is_finite() => Ok(gamma),
         other => Err(CliError::new(format!(
-            "`{said}`: a gamma is above 0, found {other}"
+            "`{word}`: a gamma is above 0, found {other}"
         ))),
     }
 }
 
-/// Method 3 is a second name of method 2, as in POV-Ray; method 4 is one of this program and turns antialiasing on.
-fn method(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
-    typed.converges = false;
-    match whole(value, said)? {
-        1 => typed.antialias.method = Method::One,
-        2 | 3 => typed.antialias.method = Method::Two,
-        4 => typed.converge(),
+/// Method 3 is a second name of method 2, as in POV-Ray; method 4 exists only in this program and turns antialiasing
+/// on.
+fn method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
+    raw_args.converges = false;
+    match whole(value, word)? {
+        1 => raw_args.antialias.method = Method::One,
+        2 | 3 => raw_args.antialias.method = Method::Two,
+        4 => raw_args.converge(),
         other => {
             return Err(CliError::new(format!(
-                "`{said}`: there is no sampling method {other}; there are 1, 2 and 4"
+                "`{word}`: there is no sampling method {other}; there are 1, 2 and 4"
             ))
             .with_hint("4 samples until the error is small, see `--error`"));
         }
@@ -177,9 +183,9 @@ fn method(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> 
     Ok(())
 }
 
-/// A value of a small scale; POV-Ray takes what is beyond it for its end.
-fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
-    let value = number(value, said)?.clamp(0.0, f64::from(most));
+/// A value of a small scale; as in POV-Ray, values beyond it are clamped.
+fn up_to(most: u8, value: &str, word: &str) -> Result<u8, CliError> {
+    let value = number(value, word)?.clamp(0.0, f64::from(most));
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -188,33 +194,33 @@ fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
     Ok(value as u8)
 }
 
-fn bits(value: &str, said: &str) -> Result<u8, CliError> {
-    up_to(32, value, said)
+fn bits(value: &str, word: &str) -> Result<u8, CliError> {
+    up_to(32, value, word)
 }
 
-/// A number in single precision, as POV-Ray keeps clocks, and pixels or shares of the picture.
-fn single(value: &str, said: &str) -> Result<f32, CliError> {
+/// A number in single precision, as in POV-Ray: a clock, a pixel, or a share of the picture.
+fn single(value: &str, word: &str) -> Result<f32, CliError> {
     #[allow(clippy::cast_possible_truncation, reason = "POV-Ray rounds so")]
-    let single = number(value, said)? as f32;
+    let single = number(value, word)? as f32;
     if single.is_finite() {
         Ok(single)
     } else {
-        Err(CliError::new(format!("`{said}`: this number is too large")))
+        Err(CliError::new(format!("`{word}`: this number is too large")))
     }
 }
 
-/// A number of a frame without its fraction; what is below 0 counts as 0 where it matters.
-fn frame(value: &str, said: &str) -> Result<i64, CliError> {
+/// A frame number without its fraction; negative values count as 0 where it matters.
+fn frame(value: &str, word: &str) -> Result<i64, CliError> {
     #[allow(
         clippy::cast_possible_truncation,
         reason = "beyond the range is its end"
     )]
-    number(value, said).map(|frame| frame as i64)
+    number(value, word).map(|frame| frame as i64)
 }
 
-fn declare(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
+fn declare(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     let example = || {
-        CliError::new(format!("`{said}` declares no number"))
+        CliError::new(format!("`{word}` declares no number"))
             .with_hint("write `Declare=Name=2.5`, without spaces around the name")
     };
     let (name, value) = value.split_once('=').ok_or_else(example)?;
@@ -225,26 +231,26 @@ fn declare(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError>
     if !is_identifier || !value.is_finite() {
         return Err(example());
     }
-    typed.declares.retain(|(declared, _)| declared != name);
-    typed.declares.push((name.to_owned(), value));
+    raw_args.declares.retain(|(declared, _)| declared != name);
+    raw_args.declares.push((name.to_owned(), value));
     Ok(())
 }
 
-/// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
+/// The names of all options in alphabetical order, and true for options with an effect on this program.
 pub(crate) fn names() -> impl Iterator<Item = (&'static str, bool)> {
     KEYS.iter().map(|&(name, set)| (name, acts(set)))
 }
 
-/// Whether an option ever changes what is to be done, or refuses to.
+/// True if an option ever changes the settings, or is refused.
 fn acts(set: Set) -> bool {
     ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
         .iter()
         .any(|value| {
-            let mut typed = RawArgs::default();
-            let done = set(&mut typed, value, "");
-            typed.idle.clear();
-            typed.has_console = false;
-            done.is_err() || typed != RawArgs::default()
+            let mut raw_args = RawArgs::default();
+            let done = set(&mut raw_args, value, "");
+            raw_args.idle.clear();
+            raw_args.has_console = false;
+            done.is_err() || raw_args != RawArgs::default()
         })
 }
 
@@ -274,16 +280,16 @@ mod tests {
 
     #[test]
     fn a_declared_name_keeps_its_last_value() {
-        let mut typed = RawArgs::default();
+        let mut raw_args = RawArgs::default();
         for text in ["A=1", "b_2= -1.5e3", "A=2"] {
-            set(&mut typed, "Declare", text, text).unwrap();
+            set(&mut raw_args, "Declare", text, text).unwrap();
         }
         assert_eq!(
-            typed.declares,
+            raw_args.declares,
             [("b_2".to_owned(), -1500.0), ("A".to_owned(), 2.0)]
         );
         for text in ["A", "A=x", "2=3", "=4", "A=", "A=\"x\"", "A=inf"] {
-            let refused = set(&mut typed, "Declare", text, &format!("Declare={text}"));
+            let refused = set(&mut raw_args, "Declare", text, &format!("Declare={text}"));
             assert_eq!(
                 refused.unwrap_err().to_string(),
                 format!(
@@ -294,11 +300,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_beyond_a_scale_is_its_end() {
-        let mut typed = RawArgs::default();
-        set(&mut typed, "Quality", "12", "+Q12").unwrap();
-        assert_eq!(typed.quality, 11);
-        set(&mut typed, "quality", "-1", "+Q-1").unwrap();
-        assert_eq!(typed.quality, 0);
+    fn values_beyond_a_scale_are_clamped() {
+        let mut raw_args = RawArgs::default();
+        set(&mut raw_args, "Quality", "12", "+Q12").unwrap();
+        assert_eq!(raw_args.quality, 11);
+        set(&mut raw_args, "quality", "-1", "+Q-1").unwrap();
+        assert_eq!(raw_args.quality, 0);
     }
 }

@@ -1,4 +1,4 @@
-//! The face this program has beside POV-Ray's: long options, and `-o`.
+//! Long options (clap) beside POV-Ray's switches, and `-o`.
 
 use std::str::FromStr;
 use std::time::Duration;
@@ -63,7 +63,7 @@ pub(crate) struct LongOptions {
     version: Option<bool>,
 }
 
-/// Switches as people look for them, in lines that no terminal of 80 columns breaks.
+/// The switches that people look for, in lines that fit a terminal of 80 columns.
 pub(crate) const SWITCHES: &str = "\
 POV-Ray's switches, upper or lower case; later ones win:
   SCENE.pov, +IFILE     the scene; - is standard input
@@ -107,13 +107,13 @@ impl FromStr for Size {
     }
 }
 
-/// How many arguments from the first on belong to a face; 0 if the first does not.
-pub(crate) fn length<Face: CommandFactory>(arguments: &[String]) -> usize {
+/// Number of arguments, from the first on, that belong to an option of `CommandOptions`; 0 if the first is none.
+pub(crate) fn length<CommandOptions: CommandFactory>(arguments: &[String]) -> usize {
     let Some(first) = arguments.first() else {
         return 0;
     };
     let takes_value = |is_it: &dyn Fn(&clap::Arg) -> bool| {
-        Face::command()
+        CommandOptions::command()
             .get_arguments()
             .any(|a| is_it(a) && a.get_action().takes_values())
     };
@@ -127,25 +127,29 @@ pub(crate) fn length<Face: CommandFactory>(arguments: &[String]) -> usize {
     (1 + usize::from(takes_value)).min(arguments.len())
 }
 
-/// One option of a face with its value.
+/// Parses one option with its value.
 ///
 /// # Errors
-/// What clap has to say: a refusal, or the text of `--help` or `--version`.
-pub(crate) fn parse<Face: Parser>(option: &[String]) -> Result<Face, clap::Error> {
+/// clap's output: an error, or the text of `--help` or `--version`.
+pub(crate) fn parse<CommandOptions: Parser>(
+    option: &[String],
+) -> Result<CommandOptions, clap::Error> {
     let words = option.iter().map(|word| match word.as_str() {
         "-help" | "-?" => "--help",
         "-version" => "--version",
         other => other,
     });
-    Face::try_parse_from(std::iter::once("povr").chain(words))
+    CommandOptions::try_parse_from(std::iter::once("povr").chain(words))
 }
 
-/// The text that clap printed: an answer, or a refusal of an option of this face.
-pub(crate) fn printed<Face: CommandFactory>(said: &clap::Error) -> Result<String, CliError> {
+/// The text that clap printed: an answer, or an error about an option of this command.
+pub(crate) fn printed<CommandOptions: CommandFactory>(
+    said: &clap::Error,
+) -> Result<String, CliError> {
     if let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
         (said.kind(), said.get(ContextKind::InvalidArg))
     {
-        return Err(unknown::refused(option, &Face::command()));
+        return Err(unknown::refused(option, &CommandOptions::command()));
     }
     let text = said.render().to_string();
     if said.use_stderr() {
@@ -157,42 +161,43 @@ pub(crate) fn printed<Face: CommandFactory>(said: &clap::Error) -> Result<String
 }
 
 impl LongOptions {
-    /// Takes in what was given.
-    pub(crate) fn set(self, typed: &mut RawArgs) {
+    /// Sets the options given.
+    pub(crate) fn set(self, raw_args: &mut RawArgs) {
         if let Some(output) = self.output {
-            typed.output = Output::Exact(output);
-            typed.to_file = true;
+            raw_args.output = Output::Exact(output);
+            raw_args.to_file = true;
         }
         if let Some(Size(width, height)) = self.size {
-            (typed.width, typed.height) = (width, height);
+            (raw_args.width, raw_args.height) = (width, height);
         }
         if let Some(threads) = self.threads {
-            typed.threads = Some(usize::from(threads));
+            raw_args.threads = Some(usize::from(threads));
         }
-        typed.message_format = self.message_format.or(typed.message_format);
-        typed.quiet |= self.quiet;
-        typed.silent |= self.quiet;
-        typed.stats |= self.stats;
-        typed.json |= self.json;
+        raw_args.message_format = self.message_format.or(raw_args.message_format);
+        raw_args.quiet |= self.quiet;
+        raw_args.silent |= self.quiet;
+        raw_args.stats |= self.stats;
+        raw_args.json |= self.json;
         if self.error.is_some() || self.time.is_some() {
-            typed.error = self.error.or(typed.error);
-            typed.time = self.time.or(typed.time);
-            typed.converge();
+            raw_args.error = self.error.or(raw_args.error);
+            raw_args.time = self.time.or(raw_args.time);
+            raw_args.converge();
         }
         if self.pov_distances {
-            typed.least_distance = LeastDistance::PovRay;
+            raw_args.least_distance = LeastDistance::PovRay;
         }
         if self.pov_random {
-            typed.random_order = RandomOrder::PovRay;
+            raw_args.random_order = RandomOrder::PovRay;
         }
     }
 }
 
-/// The whole command line for programs that describe it: options, and commands with theirs.
+/// The whole command line for generated documentation: options, and commands with theirs.
 pub(crate) fn everything() -> clap::Command {
     let commands = COMMANDS.iter().map(|command| {
-        let face = (command.face)().about(command.about);
-        face.name(command.name)
+        let options = (command.options)().about(command.about);
+        options
+            .name(command.name)
             .bin_name(format!("povr {}", command.name))
     });
     LongOptions::command()

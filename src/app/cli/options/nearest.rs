@@ -1,4 +1,4 @@
-//! The word that was meant by one that nothing knows.
+//! Spelling suggestions for unknown words.
 
 /// The candidate that differs from `word` in the fewest letters: at most two, and less than half of them.
 pub(crate) fn nearest<T: AsRef<str>>(
@@ -17,7 +17,7 @@ pub(crate) fn nearest<T: AsRef<str>>(
         .map(|(_, _, candidate)| candidate)
 }
 
-/// The number of letters to put in, leave out, change, or swap with a neighbour (Damerau 1964, restricted).
+/// The number of letters to insert, delete, change, or swap with a neighbour (Damerau 1964, restricted).
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut before: Vec<usize> = Vec::new();

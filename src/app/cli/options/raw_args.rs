@@ -1,4 +1,4 @@
-//! What was typed, before it is decided what that means: every option's last value.
+//! The options as typed, before they are interpreted: every option's last value.
 
 use crate::base::options::{Antialias, LeastDistance, RandomOrder};
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ pub(crate) struct RawArgs {
     pub(crate) scene: Option<String>,
     pub(crate) output: Output,
     pub(crate) to_file: bool,
-    /// `None` until somebody names one.
+    /// `None` unless set.
     pub(crate) format: Option<Format>,
     pub(crate) bits: Option<u8>,
     pub(crate) grayscale: bool,
@@ -39,16 +39,16 @@ pub(crate) struct RawArgs {
     pub(crate) frames: Wanted,
     pub(crate) verbose: bool,
     pub(crate) quiet: bool,
-    /// By `--quiet`, which leaves out even what POV-Ray prints under `-GA`.
+    /// By `--quiet`, which suppresses even the output that POV-Ray prints under `-GA`.
     pub(crate) silent: bool,
     pub(crate) warnings: bool,
     pub(crate) debugs: bool,
     /// Options and times on POV-Ray's console.
     pub(crate) renders: bool,
     pub(crate) statistics: bool,
-    /// Files for what is said.
+    /// Files for messages.
     pub(crate) streams: Vec<(Stream, PathBuf)>,
-    /// `None` until somebody names one.
+    /// `None` unless set.
     pub(crate) message_format: Option<MessageFormat>,
     /// Set by any option about a console: the messages then have POV-Ray's form.
     pub(crate) has_console: bool,
@@ -56,37 +56,38 @@ pub(crate) struct RawArgs {
     pub(crate) json: bool,
     pub(crate) least_distance: LeastDistance,
     pub(crate) random_order: RandomOrder,
-    /// Whether to go on with an unfinished picture.
+    /// True to continue from a checkpoint.
     pub(crate) continues: bool,
     pub(crate) is_antialiased: bool,
     pub(crate) is_jittered: bool,
-    /// How, if it is antialiased.
+    /// The method, if antialiasing is on.
     pub(crate) antialias: Antialias,
-    /// Whether by the method that converges.
+    /// True for adaptive sampling.
     pub(crate) converges: bool,
-    /// Its target in steps of 1/255, and when it is to stop.
+    /// The target error of adaptive sampling in steps of 1/255, and its time limit.
     pub(crate) error: Option<f64>,
     pub(crate) time: Option<Duration>,
-    /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
+    /// Requested features that are not built, with the words that requested them. Removed by the opposite option.
     pub(crate) unbuilt: Vec<(Unbuilt, String)>,
     /// Options that are known and have no effect, as typed.
     pub(crate) idle: Vec<String>,
-    /// What was assumed about doubtful values.
+    /// Warnings about assumptions made for doubtful values.
     pub(crate) doubts: Vec<String>,
 }
 
-/// Where the picture is to go.
+/// The destination of the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Output {
-    /// Named by nobody: after the scene.
+    /// Not set: named after the scene.
     Unnamed,
-    /// By `+O`: the type's ending is appended unless it is there. `-` is standard output.
+    /// By `+O`: the type's ending is appended if it is missing. `-` is standard output.
     Povray(String),
     /// By `-o`: this very name, and it chooses the type unless `+F` did.
     Exact(String),
 }
 
-/// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
+/// POV-Ray's features that this program does not have yet. Requesting one is an error: ignoring it would change the
+/// picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unbuilt {
     Clockless,
@@ -151,7 +152,7 @@ impl Default for RawArgs {
 }
 
 impl RawArgs {
-    /// Names the file of a stream; an empty name means none, and a mere "yes" POV-Ray's own name for it.
+    /// Names the file of a stream; an empty name means none, and "yes" means POV-Ray's own name for it.
     pub(crate) fn stream(&mut self, stream: Stream, name: &str) {
         const YES: [&str; 4] = ["on", "true", "yes", "1"];
         self.streams.retain(|(other, _)| *other != stream);
@@ -162,29 +163,29 @@ impl RawArgs {
         }
     }
 
-    /// Whether statistics go to a file.
+    /// True if statistics go to a file.
     pub(crate) fn keeps_statistics(&self) -> bool {
         let mut streams = self.streams.iter();
         streams.any(|(stream, _)| matches!(stream, Stream::Statistics | Stream::All))
     }
 
-    /// Chooses the method that converges.
+    /// Chooses adaptive sampling.
     pub(crate) fn converge(&mut self) {
         self.is_antialiased = true;
         self.converges = true;
     }
 
-    /// Notes that something unbuilt was asked for, or that the wish was taken back.
-    pub(crate) fn ask(&mut self, what: Unbuilt, wanted: bool, said: &str) {
-        self.unbuilt.retain(|(asked, _)| *asked != what);
+    /// Records a request for an unbuilt feature, or its withdrawal.
+    pub(crate) fn request(&mut self, what: Unbuilt, wanted: bool, word: &str) {
+        self.unbuilt.retain(|(requested, _)| *requested != what);
         if wanted {
-            self.unbuilt.push((what, said.to_owned()));
+            self.unbuilt.push((what, word.to_owned()));
         }
     }
 }
 
 impl Unbuilt {
-    /// What it is, and how to do without: the two halves of a refusal.
+    /// The feature, and a workaround: the two halves of an error message.
     pub(crate) fn refusal(self) -> (&'static str, &'static str) {
         match self {
             Unbuilt::Clockless => (

@@ -1,4 +1,4 @@
-//! What is to be done, decided from what was typed.
+//! The settings of a run, derived from the options as typed.
 
 use std::env;
 use std::ops::Range;
@@ -17,49 +17,50 @@ use crate::base::options::{
 };
 use crate::output::{EncodeOptions, Format, Target};
 
-/// The most pixels of a picture: a film of 8 GiB.
+/// Upper limit of the pixels of a picture: a film of 8 GiB.
 const MOST_PIXELS: u64 = 1 << 29;
 
-/// A whole run.
+/// The settings of a whole run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The scene.
     pub scene: Scene,
-    /// How to read it.
+    /// Options for reading the scene.
     pub read: ReadOptions,
-    /// How to draw it.
+    /// Options for rendering.
     pub render: RenderOptions,
     /// The frames of an animation; `None` for a still picture.
     pub frames: Option<Frames>,
-    /// Whether to go on with an unfinished picture.
+    /// True to continue from a checkpoint.
     pub continues: bool,
-    /// Where the picture goes and how; `None` draws it without keeping it. The working space is the scene's to tell.
+    /// Destination and encoding of the picture; `None` renders without storing it. The working colour space comes from
+    /// the scene.
     pub output: Option<(Target, EncodeOptions)>,
-    /// What is said on the way.
-    pub talk: Talk,
-    /// Files for what is said, one for each stream.
+    /// The output for people and programs.
+    pub verbosity: Verbosity,
+    /// Files for messages, one for each stream.
     pub streams: Vec<(Stream, PathBuf)>,
-    /// Doubts about the command line, each ready to print.
+    /// Warnings about the command line, ready to print.
     pub warnings: Vec<String>,
-    /// Options without effect, each ready to print in verbose mode.
+    /// Options without effect, ready to print in verbose mode.
     pub notes: Vec<String>,
 }
 
-/// The scene a run is about.
+/// The scene of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Scene {
-    /// A file that was found.
+    /// An existing file.
     File(PathBuf),
     /// Standard input.
     Stdin,
 }
 
-/// What is printed besides errors.
+/// The output besides errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Talk {
+pub struct Verbosity {
     /// Warnings.
     pub warnings: bool,
-    /// What the scene writes by `#debug`.
+    /// The scene's `#debug` output.
     pub debugs: bool,
     /// The form of errors and warnings.
     pub format: MessageFormat,
@@ -67,43 +68,43 @@ pub struct Talk {
     pub verbose: bool,
     /// Nothing but errors.
     pub quiet: bool,
-    /// Not even what POV-Ray's console shows under `-GA`.
+    /// Not even the output of POV-Ray's console under `-GA`.
     pub is_silent: bool,
-    /// On POV-Ray's console: the options of the drawing,
+    /// On POV-Ray's console: the render options,
     pub renders: bool,
-    /// and its times.
+    /// and the times.
     pub statistics: bool,
     /// Statistics.
     pub stats: bool,
     /// The same as an object in a line.
     pub json: bool,
-    /// Set if people read standard error: a bar of progress, and a line about the picture at the end.
+    /// True if people read standard error: a progress bar, and a line about the picture at the end.
     pub is_terminal: bool,
-    /// Set if all that POV-Ray's console shows is to be printed in its form.
+    /// True to print all output of POV-Ray's console in its format.
     pub is_povray: bool,
 }
 
-/// Decides. `command` is the one to name in a remedy: `povr`, or `povr watch`.
+/// Derives the settings. `command` is the one to name in hints: `povr`, or `povr watch`.
 pub(crate) fn settle(
-    typed: RawArgs,
+    raw_args: RawArgs,
     standard_folders: &[PathBuf],
-    around: &Environment,
+    environment: &Environment,
     command: &str,
 ) -> Result<Settings, CliError> {
-    if let Some((unbuilt, said)) = typed.unbuilt.first() {
+    if let Some((unbuilt, said)) = raw_args.unbuilt.first() {
         let (what, instead) = unbuilt.refusal();
         return Err(CliError::new(format!("`{said}`: {what}")).with_hint(instead));
     }
-    let mut warnings = typed.doubts.clone();
-    let render = render_options(&typed)?;
-    let name = typed.scene.clone().ok_or_else(|| {
+    let mut warnings = raw_args.doubts.clone();
+    let render = render_options(&raw_args)?;
+    let name = raw_args.scene.clone().ok_or_else(|| {
         CliError::new("no scene is named").with_hint(format!(
             "write `{command} scene.pov`, or `{command} --help`"
         ))
     })?;
-    let output = output(&typed, &name, &mut warnings)?;
-    let frames = Frames::of(&typed.frames);
-    if frames.is_some() && typed.continues {
+    let output = output(&raw_args, &name, &mut warnings)?;
+    let frames = Frames::of(&raw_args.frames);
+    if frames.is_some() && raw_args.continues {
         return Err(
             CliError::new("`+C`: continuing an animation is not built yet")
                 .with_hint("draw the frames that are missing: `+SF` is the first, `+EF` the last"),
@@ -114,25 +115,25 @@ pub(crate) fn settle(
             "an animation of one frame has no step: its clock is `Initial_Clock` (in POV-Ray it is no number)".to_owned(),
         );
     }
-    let library_paths = [typed.library_paths.as_slice(), standard_folders].concat();
+    let library_paths = [raw_args.library_paths.as_slice(), standard_folders].concat();
     let scene = match name.as_str() {
         "-" => Scene::Stdin,
         name => Scene::File(find_scene(name, &library_paths)?),
     };
     Ok(Settings {
         scene,
-        read: read_options(&typed, library_paths),
+        read: read_options(&raw_args, library_paths),
         render,
-        continues: typed.continues,
+        continues: raw_args.continues,
         frames,
         output,
-        talk: talk(&typed, around),
-        streams: typed.streams.clone(),
+        verbosity: verbosity(&raw_args, environment),
+        streams: raw_args.streams.clone(),
         warnings: warnings
             .iter()
             .map(|doubt| format!("povr: warning: {doubt}"))
             .collect(),
-        notes: typed
+        notes: raw_args
             .idle
             .iter()
             .map(|said| format!("povr: note: `{said}` has no effect here"))
@@ -140,47 +141,47 @@ pub(crate) fn settle(
     })
 }
 
-fn talk(typed: &RawArgs, around: &Environment) -> Talk {
-    let format = match typed.message_format {
+fn verbosity(raw_args: &RawArgs, environment: &Environment) -> Verbosity {
+    let format = match raw_args.message_format {
         Some(format) => format,
-        None if typed.has_console => MessageFormat::Povray,
-        None => around.message_format(),
+        None if raw_args.has_console => MessageFormat::Povray,
+        None => environment.message_format(),
     };
-    Talk {
-        warnings: typed.warnings,
-        debugs: typed.debugs,
+    Verbosity {
+        warnings: raw_args.warnings,
+        debugs: raw_args.debugs,
         format,
-        verbose: typed.verbose,
-        quiet: typed.quiet,
-        is_silent: typed.silent,
-        renders: typed.renders,
-        statistics: typed.statistics,
-        stats: typed.stats,
-        json: typed.json,
-        is_terminal: around.is_terminal,
-        is_povray: around.is_povray,
+        verbose: raw_args.verbose,
+        quiet: raw_args.quiet,
+        is_silent: raw_args.silent,
+        renders: raw_args.renders,
+        statistics: raw_args.statistics,
+        stats: raw_args.stats,
+        json: raw_args.json,
+        is_terminal: environment.is_terminal,
+        is_povray: environment.is_povray,
     }
 }
 
-/// What reading takes from what was typed.
-pub(crate) fn read_options(typed: &RawArgs, library_paths: Vec<PathBuf>) -> ReadOptions {
+/// The options for reading.
+pub(crate) fn read_options(raw_args: &RawArgs, library_paths: Vec<PathBuf>) -> ReadOptions {
     ReadOptions {
         library_paths,
-        // As Debian's povray.conf has it.
+        // As in Debian's povray.conf.
         writable: vec![PathBuf::from("."), env::temp_dir()],
-        declares: typed.declares.clone(),
-        version: typed.version,
-        include_header: typed.include_header.clone(),
-        width: typed.width,
-        height: typed.height,
-        clock: typed.clock.unwrap_or(0.0),
-        clock_on: typed.clock.is_some(),
+        declares: raw_args.declares.clone(),
+        version: raw_args.version,
+        include_header: raw_args.include_header.clone(),
+        width: raw_args.width,
+        height: raw_args.height,
+        clock: raw_args.clock.unwrap_or(0.0),
+        clock_on: raw_args.clock.is_some(),
         ..ReadOptions::default()
     }
 }
 
-fn render_options(typed: &RawArgs) -> Result<RenderOptions, CliError> {
-    let (width, height) = (typed.width, typed.height);
+fn render_options(raw_args: &RawArgs) -> Result<RenderOptions, CliError> {
+    let (width, height) = (raw_args.width, raw_args.height);
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         return Err(CliError::new(format!(
             "a picture of {width} by {height} pixels is too large: the most is {MOST_PIXELS} pixels"
@@ -189,48 +190,48 @@ fn render_options(typed: &RawArgs) -> Result<RenderOptions, CliError> {
     Ok(RenderOptions {
         width,
         height,
-        columns: stretch("column", typed.start_column, typed.end_column, width)?,
-        rows: stretch("row", typed.start_row, typed.end_row, height)?,
-        quality: typed.quality,
-        threads: typed.threads,
-        alpha: typed.alpha,
-        least_distance: typed.least_distance,
-        random_order: typed.random_order,
-        statistics: typed.stats || typed.json || typed.keeps_statistics(),
-        sampling: sampling(typed),
+        columns: pixel_range("column", raw_args.start_column, raw_args.end_column, width)?,
+        rows: pixel_range("row", raw_args.start_row, raw_args.end_row, height)?,
+        quality: raw_args.quality,
+        threads: raw_args.threads,
+        alpha: raw_args.alpha,
+        least_distance: raw_args.least_distance,
+        random_order: raw_args.random_order,
+        statistics: raw_args.stats || raw_args.json || raw_args.keeps_statistics(),
+        sampling: sampling(raw_args),
         keep: None,
         only_for: None,
         stop: CancelToken::default(),
     })
 }
 
-fn sampling(typed: &RawArgs) -> Sampling {
-    let jitter = if typed.is_jittered {
-        typed.antialias.jitter
+fn sampling(raw_args: &RawArgs) -> Sampling {
+    let jitter = if raw_args.is_jittered {
+        raw_args.antialias.jitter
     } else {
         0.0
     };
-    match typed.is_antialiased {
+    match raw_args.is_antialiased {
         false => Sampling::Centres,
-        true if typed.converges => Sampling::Converging(Adaptive {
-            error: match (typed.error, typed.time) {
+        true if raw_args.converges => Sampling::Converging(Adaptive {
+            error: match (raw_args.error, raw_args.time) {
                 (Some(error), _) => error,
-                // The smaller the better, as long as there is time.
+                // As small as the time allows.
                 (None, Some(_)) => 0.0,
                 (None, None) => Adaptive::default().error,
             },
-            time: typed.time,
+            time: raw_args.time,
         }),
         true => Sampling::PovRay(Antialias {
             jitter,
-            ..typed.antialias
+            ..raw_args.antialias
         }),
     }
 }
 
-/// The pixels from a first to a last one, counted from 1, or given as shares of the side. A first one below 1 and a
-/// last one up to 1 is a share. The share is in single precision, as in POV-Ray: `+ER0.9` of 30 rows ends with row 26.
-fn stretch(
+/// The pixels from a first to a last one, counted from 1, or given as shares of the side. A first value below 1 and a
+/// last value up to 1 are shares. A share is in single precision, as in POV-Ray: `+ER0.9` of 30 rows ends with row 26.
+fn pixel_range(
     what: &str,
     first: Option<f32>,
     last: Option<f32>,
@@ -268,7 +269,7 @@ fn stretch(
     Ok(start..end.max(start))
 }
 
-/// The scene's file: as named, with `.pov`, in the current folder or one of the library's.
+/// The scene's file: as named, or with `.pov`, in the current folder or one of the library's.
 pub(crate) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, CliError> {
     let current = [PathBuf::new()];
     current
@@ -294,50 +295,50 @@ pub(crate) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
 }
 
 fn output(
-    typed: &RawArgs,
+    raw_args: &RawArgs,
     scene: &str,
     warnings: &mut Vec<String>,
 ) -> Result<Option<(Target, EncodeOptions)>, CliError> {
-    if !typed.to_file {
+    if !raw_args.to_file {
         return Ok(None);
     }
-    let format = format(typed)?;
-    let target = match &typed.output {
+    let format = format(raw_args)?;
+    let target = match &raw_args.output {
         Output::Povray(name) | Output::Exact(name) if name == "-" => Target::Stdout,
         Output::Exact(name) => Target::File(exact_path(name, scene, format)),
         Output::Povray(name) => Target::File(povray_path(name, scene, format)),
         Output::Unnamed => Target::File(povray_path("", scene, format)),
     };
     let ending = format.extension();
-    if typed.alpha && !format.has_alpha() {
+    if raw_args.alpha && !format.has_alpha() {
         warnings.push(format!(
             "{ending} files have no alpha channel: it is left out"
         ));
     }
-    if typed.grayscale && !has_grey(format) {
+    if raw_args.grayscale && !has_grey(format) {
         warnings.push(format!(
             "{ending} files have no grey form: colours are written"
         ));
     }
     let default = EncodeOptions::new(format);
     let options = EncodeOptions {
-        // POV-Ray's grey files have 16 bits, whatever else was said.
-        bits: match typed.grayscale {
+        // POV-Ray's grey files have 16 bits, regardless of other options.
+        bits: match raw_args.grayscale {
             true => 16,
-            false => typed.bits.unwrap_or(default.bits),
+            false => raw_args.bits.unwrap_or(default.bits),
         },
-        grayscale: typed.grayscale,
-        alpha: typed.alpha,
-        file_gamma: typed.file_gamma,
-        quality: typed.compression,
+        grayscale: raw_args.grayscale,
+        alpha: raw_args.alpha,
+        file_gamma: raw_args.file_gamma,
+        quality: raw_args.compression,
         ..default
     };
     Ok(Some((target, options)))
 }
 
-/// The type that was named, or that of the ending of a name given with `-o`, or PNG.
-fn format(typed: &RawArgs) -> Result<Format, CliError> {
-    match (&typed.output, typed.format) {
+/// The type that is set, or the one for the ending of a name given with `-o`, or PNG.
+fn format(raw_args: &RawArgs) -> Result<Format, CliError> {
+    match (&raw_args.output, raw_args.format) {
         (_, Some(format)) => Ok(format),
         (Output::Exact(name), None) => match ending(name) {
             Some(end) => format_of_ending(end).ok_or_else(|| {
@@ -354,7 +355,7 @@ fn ending(name: &str) -> Option<&str> {
     Path::new(name).extension()?.to_str()
 }
 
-/// Where `-o` writes: the very name, with an ending if it has none; in a folder, under the scene's name.
+/// The path for `-o`: the very name, with an ending if it has none; in a folder, the scene's name.
 fn exact_path(name: &str, scene: &str, format: Format) -> PathBuf {
     let path = Path::new(name);
     if name.ends_with('/') || path.is_dir() {
@@ -366,8 +367,8 @@ fn exact_path(name: &str, scene: &str, format: Format) -> PathBuf {
     }
 }
 
-/// Where `+O` writes: the ending of the type is appended unless the name has just that. An empty name is the
-/// scene's: beside the scene if nothing was said, in a folder that was named.
+/// The path for `+O`: the ending of the type is appended unless the name already has it. An empty name is replaced by
+/// the scene's: beside the scene by default, or in a folder that was named.
 fn povray_path(name: &str, scene: &str, format: Format) -> PathBuf {
     let end = format!(".{}", format.extension());
     let bare = name.strip_suffix(&end).unwrap_or(name);
@@ -423,8 +424,8 @@ mod tests {
             (Some(10.0), Some(5.0), 40, 9..9),
             (Some(0.51), Some(0.52), 40, 20..20),
         ] {
-            let found = stretch("column", first, last, side);
-            assert_eq!(found, Ok(expected), "{first:?} {last:?} of {side}");
+            let range = pixel_range("column", first, last, side);
+            assert_eq!(range, Ok(expected), "{first:?} {last:?} of {side}");
         }
     }
 
@@ -437,7 +438,9 @@ mod tests {
             (None, Some(0.0), "last", 0.0),
             (None, Some(0.01), "last", 0.01),
         ] {
-            let refused = stretch("column", first, last, 40).unwrap_err().to_string();
+            let refused = pixel_range("column", first, last, 40)
+                .unwrap_err()
+                .to_string();
             assert_eq!(
                 refused,
                 format!(
@@ -445,7 +448,7 @@ mod tests {
                 )
             );
         }
-        assert!(stretch("row", Some(f32::NAN), None, 40).is_err());
+        assert!(pixel_range("row", Some(f32::NAN), None, 40).is_err());
     }
 
     /// Measured with povray 3.7.0.10.

@@ -1,25 +1,25 @@
-//! POV-Ray's switches: which option each stands for.
+//! POV-Ray's switches, and the option that each sets.
 //!
-//! Letters of either case; the longest name that fits is meant (`+KFF3` is not `+K`). `+` and `-` differ only where
-//! a switch turns something on or off.
+//! Case is ignored; the longest matching name wins (`+KFF3` is not `+K`). `+` and `-` differ only where a switch turns
+//! something on or off.
 
 use super::error::CliError;
 use super::keys;
 use super::raw_args::RawArgs;
 use super::values::{file_type_switch, unquoted};
 
-/// How a switch is written and what it sets.
+/// The syntax of a switch and its option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
-    /// `+X` or `-X`, nothing behind it.
+    /// `+X` or `-X`, without a value.
     Flag(&'static str),
-    /// A value behind it.
+    /// With a value.
     Value(&'static str),
     /// `+X` or `-X` for the first option, with or without a value for the second.
     Both(&'static str, &'static str),
     /// `+F`.
     FileType,
-    /// Known, without effect, anything behind it.
+    /// Known, without effect, with any value.
     Idle,
 }
 
@@ -93,17 +93,17 @@ const SWITCHES: &[(&str, Form)] = &[
     ("X", Both("Test_Abort", "Test_Abort_Count")),
 ];
 
-/// How a switch is written, and which options it sets: for help and completions.
+/// The syntax of a switch, and the options that it sets: for help and completions.
 pub(crate) struct Described {
     /// `+W`.
     pub(crate) name: String,
-    /// What stands behind it: nothing, `<value>`, or `[value]`.
+    /// The value: nothing, `<value>`, or `[value]`.
     pub(crate) value: &'static str,
     /// `Width`.
     pub(crate) sets: String,
 }
 
-/// All switches, in the order of the alphabet.
+/// All switches in alphabetical order.
 pub(crate) fn described() -> impl Iterator<Item = Described> {
     SWITCHES.iter().map(|&(name, form)| {
         let (value, sets) = match form {
@@ -127,7 +127,7 @@ pub(crate) fn described() -> impl Iterator<Item = Described> {
     })
 }
 
-/// The switch that sets an option, as it is written: `+V`, `+W<value>`.
+/// The switch that sets an option: `+V`, `+W<value>`.
 pub(crate) fn of_key(key: &str) -> Option<String> {
     SWITCHES.iter().find_map(|&(name, form)| match form {
         Flag(sets) | Both(sets, _) if sets == key => Some(format!("+{name}")),
@@ -136,45 +136,44 @@ pub(crate) fn of_key(key: &str) -> Option<String> {
     })
 }
 
-/// The option that takes what is written behind a switch; `None` if this is no switch. That of a switch without a value
-/// is empty.
-pub(crate) fn key_of(said: &str) -> Option<&'static str> {
-    let (form, _) = meaning(said.strip_prefix(['+', '-'])?)?;
+/// The option that receives the value of a switch; empty for a switch without a value, `None` if this is not a switch.
+pub(crate) fn key_of(word: &str) -> Option<&'static str> {
+    let (form, _) = meaning(word.strip_prefix(['+', '-'])?)?;
     Some(match form {
         Value(key) | Both(_, key) => key,
         Flag(_) | FileType | Idle => "",
     })
 }
 
-/// Sets what a switch stands for. `None` if this is no switch.
-pub(crate) fn set(typed: &mut RawArgs, said: &str) -> Option<Result<(), CliError>> {
-    let body = said.strip_prefix(['+', '-'])?;
-    let state = if said.starts_with('+') { "on" } else { "off" };
+/// Sets the option of a switch. `None` if this is not a switch.
+pub(crate) fn set(raw_args: &mut RawArgs, word: &str) -> Option<Result<(), CliError>> {
+    let body = word.strip_prefix(['+', '-'])?;
+    let state = if word.starts_with('+') { "on" } else { "off" };
     let (form, text) = meaning(body)?;
     Some(match form {
-        Flag(key) => keys::set(typed, key, state, said),
-        Value(_) if text.is_empty() => Err(CliError::new(format!("`{said}` needs a value"))
+        Flag(key) => keys::set(raw_args, key, state, word),
+        Value(_) if text.is_empty() => Err(CliError::new(format!("`{word}` needs a value"))
             .with_hint("write it behind the switch without a space, like `+W320`")),
-        Value(key) => keys::set(typed, key, text, said),
-        Both(flag, value) => keys::set(typed, flag, state, said).and_then(|()| match text {
+        Value(key) => keys::set(raw_args, key, text, word),
+        Both(flag, value) => keys::set(raw_args, flag, state, word).and_then(|()| match text {
             "" => Ok(()),
-            text => keys::set(typed, value, text, said),
+            text => keys::set(raw_args, value, text, word),
         }),
         FileType => {
-            typed.to_file = state == "on";
+            raw_args.to_file = state == "on";
             match text {
                 "" => Ok(()),
-                text => file_type_switch(typed, text, said),
+                text => file_type_switch(raw_args, text, word),
             }
         }
         Idle => {
-            typed.idle.push(said.to_owned());
+            raw_args.idle.push(word.to_owned());
             Ok(())
         }
     })
 }
 
-/// The switch a text begins with, and what stands behind it. A flag has nothing behind it, a display three letters.
+/// The switch at the beginning of a text, and its value. A flag has no value, a display has three letters.
 fn meaning(body: &str) -> Option<(Form, &str)> {
     SWITCHES
         .iter()

@@ -1,4 +1,4 @@
-//! Remedies for options that a command does not have.
+//! Suggestions for options that a command does not have.
 
 use clap::CommandFactory;
 
@@ -8,7 +8,8 @@ use super::nearest::nearest;
 use super::{keys, switches};
 use crate::app::cli::COMMANDS;
 
-/// Refuses a long option that `own` does not have. `said` is what was typed, with or without a value behind `=`.
+/// The error for a long option that `own` does not have. `said` is the option as typed, with or without a value after
+/// `=`.
 pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
     let said = said.split('=').next().unwrap_or(said);
     let listed = format!("`{} --help` lists the options", own.get_name());
@@ -25,9 +26,9 @@ pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
     if let Some(switch) = switch_for(name) {
         return refusal.with_hint(format!("did you mean {switch}?"));
     }
-    let others = every_command().filter(|(_, face)| face.get_name() != own.get_name());
-    let others = others.flat_map(|(command, face)| {
-        long_options(&face).into_iter().map(move |option| Of {
+    let others = every_command().filter(|(_, options)| options.get_name() != own.get_name());
+    let others = others.flat_map(|(command, options)| {
+        long_options(&options).into_iter().map(move |option| Of {
             option,
             command: command.clone(),
         })
@@ -52,30 +53,30 @@ impl AsRef<str> for Of {
     }
 }
 
-/// Drawing, and the commands, with their options.
+/// Rendering, and the commands, with their options.
 fn every_command() -> impl Iterator<Item = (String, clap::Command)> {
     let drawing = std::iter::once(("povr".to_owned(), LongOptions::command()));
     drawing.chain(COMMANDS.iter().map(|command| {
-        let face = (command.face)();
-        (format!("povr {}", command.name), face)
+        let options = (command.options)();
+        (format!("povr {}", command.name), options)
     }))
 }
 
 /// The other commands that have an option of this name.
 fn commands_with(name: &str, own: &clap::Command) -> Vec<String> {
     every_command()
-        .filter(|(_, face)| face.get_name() != own.get_name())
-        .filter(|(_, face)| long_options(face).iter().any(|option| option == name))
+        .filter(|(_, options)| options.get_name() != own.get_name())
+        .filter(|(_, options)| long_options(options).iter().any(|option| option == name))
         .map(|(command, _)| command)
         .collect()
 }
 
-fn long_options(face: &clap::Command) -> Vec<String> {
-    let longs = face.get_arguments().filter_map(clap::Arg::get_long);
+fn long_options(options: &clap::Command) -> Vec<String> {
+    let longs = options.get_arguments().filter_map(clap::Arg::get_long);
     longs.map(str::to_owned).collect()
 }
 
-/// POV-Ray's form of an option that was written with two hyphens: `--work-threads` is `Work_Threads`, or `+WT`.
+/// POV-Ray's form of an option written with two hyphens: `--work-threads` is `Work_Threads`, or `+WT`.
 fn switch_for(name: &str) -> Option<String> {
     let key = name.replace('-', "_");
     let (known, _) = keys::names().find(|(known, _)| known.eq_ignore_ascii_case(&key))?;
@@ -123,7 +124,7 @@ mod tests {
             assert_eq!(refused(said, &own).to_string(), expected);
         }
         let watch = COMMANDS.iter().find(|command| command.name == "watch");
-        let watch = (watch.expect("it is there").face)();
+        let watch = (watch.expect("it is there").options)();
         let refusal = refused("--threads", &watch).to_string();
         assert_eq!(refusal, "`--threads` is an option of `povr`");
     }

@@ -21,8 +21,8 @@ pub(crate) fn unquoted(value: &str) -> &str {
 }
 
 /// A number in decimal notation.
-pub(crate) fn number(value: &str, said: &str) -> Result<f64, CliError> {
-    let found = match value {
+pub(crate) fn number(value: &str, word: &str) -> Result<f64, CliError> {
+    let shown_value = match value {
         "" => "nothing".to_owned(),
         text => format!("`{text}`"),
     };
@@ -30,15 +30,15 @@ pub(crate) fn number(value: &str, said: &str) -> Result<f64, CliError> {
         .parse()
         .ok()
         .filter(|v: &f64| v.is_finite())
-        .ok_or_else(|| CliError::new(format!("`{said}` needs a number, found {found}")))
+        .ok_or_else(|| CliError::new(format!("`{word}` needs a number, found {shown_value}")))
 }
 
-/// A number without its fraction, as POV-Ray cuts it off. Not negative.
-pub(crate) fn whole(value: &str, said: &str) -> Result<u32, CliError> {
-    let v = number(value, said)?;
+/// A number truncated to an integer, as in POV-Ray. Not negative.
+pub(crate) fn whole(value: &str, word: &str) -> Result<u32, CliError> {
+    let v = number(value, word)?;
     if !(0.0..=f64::from(u32::MAX)).contains(&v) {
         return Err(CliError::new(format!(
-            "`{said}` needs a number from 0 to {}",
+            "`{word}` needs a number from 0 to {}",
             u32::MAX
         )));
     }
@@ -51,18 +51,18 @@ pub(crate) fn whole(value: &str, said: &str) -> Result<u32, CliError> {
 }
 
 /// An error in steps of 1/255.
-pub(crate) fn error(value: &str, said: &str) -> Result<f64, CliError> {
-    match number(value, said)? {
+pub(crate) fn error(value: &str, word: &str) -> Result<f64, CliError> {
+    match number(value, word)? {
         error if error > 0.0 => Ok(error),
         other => Err(
-            CliError::new(format!("`{said}`: an error is above 0, found {other}"))
+            CliError::new(format!("`{word}`: an error is above 0, found {other}"))
                 .with_hint("write the error of a pixel in steps of 1/255, like `--error 0.5`"),
         ),
     }
 }
 
 /// A number of bytes: `500M`, `4G`, `1T`.
-pub(crate) fn bytes(value: &str, said: &str) -> Result<u64, CliError> {
+pub(crate) fn bytes(value: &str, word: &str) -> Result<u64, CliError> {
     let (text, unit) = [
         ('K', 1_u64 << 10),
         ('M', 1 << 20),
@@ -72,44 +72,44 @@ pub(crate) fn bytes(value: &str, said: &str) -> Result<u64, CliError> {
     .iter()
     .find_map(|&(end, unit)| Some((value.strip_suffix([end, end.to_ascii_lowercase()])?, unit)))
     .unwrap_or((value, 1));
-    whole(text, said).map(|number| u64::from(number) * unit)
+    whole(text, word).map(|number| u64::from(number) * unit)
 }
 
 /// A length of time: `10s`, `500ms`, `2m`, `1h`, or a number of seconds.
-pub(crate) fn duration(value: &str, said: &str) -> Result<Duration, CliError> {
+pub(crate) fn duration(value: &str, word: &str) -> Result<Duration, CliError> {
     let (text, unit) = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0)]
         .iter()
         .find_map(|&(end, unit)| Some((value.strip_suffix(end)?, unit)))
         .unwrap_or((value, 1.0));
-    number(text.trim(), said)
+    number(text.trim(), word)
         .ok()
         .filter(|&n| n >= 0.0)
         .and_then(|n| Duration::try_from_secs_f64(n * unit).ok())
         .ok_or_else(|| {
-            CliError::new(format!("`{said}` needs a length of time, found `{value}`"))
+            CliError::new(format!("`{word}` needs a length of time, found `{value}`"))
                 .with_hint("write it like 10s, 500ms, 2m or 1h")
         })
 }
 
 /// A side of the picture in pixels.
-pub(crate) fn size(value: &str, said: &str) -> Result<u32, CliError> {
-    let v = number(value, said)?;
+pub(crate) fn size(value: &str, word: &str) -> Result<u32, CliError> {
+    let v = number(value, word)?;
     if !(1.0..=LONGEST_SIDE).contains(&v) {
         return Err(CliError::new(format!(
-            "`{said}` needs a size from 1 to {LONGEST_SIDE} pixels"
+            "`{word}` needs a size from 1 to {LONGEST_SIDE} pixels"
         )));
     }
-    whole(value, said)
+    whole(value, word)
 }
 
-/// On or off. POV-Ray takes anything it does not know for off; so do we, and say so.
-pub(crate) fn flag(typed: &mut RawArgs, value: &str, said: &str) -> bool {
+/// On or off. POV-Ray treats unknown words as off; so does this program, with a warning.
+pub(crate) fn flag(raw_args: &mut RawArgs, value: &str, word: &str) -> bool {
     match value.to_ascii_lowercase().as_str() {
         "on" | "yes" | "true" | "1" => true,
         "off" | "no" | "false" | "0" => false,
         other => {
-            typed.doubts.push(format!(
-                "`{said}` is taken for off: `{other}` is neither on nor off"
+            raw_args.doubts.push(format!(
+                "`{word}` is taken for off: `{other}` is neither on nor off"
             ));
             false
         }
@@ -117,58 +117,58 @@ pub(crate) fn flag(typed: &mut RawArgs, value: &str, said: &str) -> bool {
 }
 
 /// A name that is not empty.
-pub(crate) fn name(value: &str, said: &str) -> Result<String, CliError> {
+pub(crate) fn name(value: &str, word: &str) -> Result<String, CliError> {
     if value.is_empty() {
-        return Err(CliError::new(format!("`{said}` names no file")));
+        return Err(CliError::new(format!("`{word}` names no file")));
     }
     Ok(value.to_owned())
 }
 
 /// The path of a name that is not empty.
-pub(crate) fn path(value: &str, said: &str) -> Result<PathBuf, CliError> {
-    name(value, said).map(PathBuf::from)
+pub(crate) fn path(value: &str, word: &str) -> Result<PathBuf, CliError> {
+    name(value, word).map(PathBuf::from)
 }
 
-/// A letter of `+F`, as `Output_File_Type` takes it. POV-Ray looks at no more than the first.
-pub(crate) fn file_type(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
+/// A letter of `+F`, as for `Output_File_Type`. POV-Ray ignores all but the first.
+pub(crate) fn file_type(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     let letter = value.chars().next().unwrap_or(' ');
-    typed.format = Some(format_of(letter).ok_or_else(|| no_type(said))?);
+    raw_args.format = Some(format_of(letter).ok_or_else(|| no_type(word))?);
     Ok(())
 }
 
-/// What stands behind `+F`: a letter, bits a channel, `g` for grey.
+/// The value of `+F`: a letter, bits a channel, `g` for grey.
 pub(crate) fn file_type_switch(
-    typed: &mut RawArgs,
+    raw_args: &mut RawArgs,
     text: &str,
-    said: &str,
+    word: &str,
 ) -> Result<(), CliError> {
     let mut rest = text.chars();
     let format = rest
         .next()
         .and_then(format_of)
-        .ok_or_else(|| no_type(said))?;
+        .ok_or_else(|| no_type(word))?;
     let rest = rest.as_str().to_ascii_lowercase();
     let digits = rest.trim_end_matches('g');
     let is_grey = digits.len() < rest.len();
     let bits = match digits {
         "" => None,
-        digits => Some(digits.parse::<u8>().map_err(|_| no_type(said))?),
+        digits => Some(digits.parse::<u8>().map_err(|_| no_type(word))?),
     };
     if rest.len() - digits.len() > 1 || (is_grey && !has_grey(format)) {
-        return Err(no_type(said));
+        return Err(no_type(word));
     }
-    typed.format = Some(format);
-    typed.bits = bits;
-    typed.grayscale = is_grey;
+    raw_args.format = Some(format);
+    raw_args.bits = bits;
+    raw_args.grayscale = is_grey;
     Ok(())
 }
 
-/// Whether a type has a form with one grey channel.
+/// True if a file type has a form with one grey channel.
 pub(crate) fn has_grey(format: Format) -> bool {
     matches!(format, Format::Png | Format::Ppm)
 }
 
-/// The type a file name asks for by its ending.
+/// The file type for an ending.
 pub(crate) fn format_of_ending(ending: &str) -> Option<Format> {
     Some(match ending.to_ascii_lowercase().as_str() {
         "png" => Format::Png,
@@ -182,8 +182,8 @@ pub(crate) fn format_of_ending(ending: &str) -> Option<Format> {
     })
 }
 
-/// `sRGB` or the number of a power law.
-pub(crate) fn file_gamma(value: &str, said: &str) -> Result<Gamma, CliError> {
+/// `sRGB` or the exponent of a power law.
+pub(crate) fn file_gamma(value: &str, word: &str) -> Result<Gamma, CliError> {
     if value.eq_ignore_ascii_case("srgb") {
         return Ok(Gamma::Srgb);
     }
@@ -194,7 +194,7 @@ pub(crate) fn file_gamma(value: &str, said: &str) -> Result<Gamma, CliError> {
         .map(Gamma::power)
         .ok_or_else(|| {
             CliError::new(format!(
-                "`{said}` needs `sRGB` or a number greater than 0, found `{value}`"
+                "`{word}` needs `sRGB` or a number greater than 0, found `{value}`"
             ))
         })
 }
@@ -213,8 +213,8 @@ fn format_of(letter: char) -> Option<Format> {
     })
 }
 
-fn no_type(said: &str) -> CliError {
-    CliError::new(format!("`{said}` names no file type")).with_hint(
+fn no_type(word: &str) -> CliError {
+    CliError::new(format!("`{word}` names no file type")).with_hint(
         "N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR",
     )
 }

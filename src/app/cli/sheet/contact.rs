@@ -1,4 +1,4 @@
-//! Contact sheets: the pictures of a shape beside each other, as a picture and as a page that needs no other file.
+//! Contact sheets: the pictures of a shape side by side, as a picture and as a self-contained page.
 
 use std::fmt::Write;
 use std::fs;
@@ -11,7 +11,7 @@ use super::{Entry, OVERVIEW, failed};
 use crate::app::batch::{escaped, page, pasted};
 use crate::app::cli::options::error::CliError;
 
-/// The width of each on the sheet, at most.
+/// Maximum width of each picture on the sheet.
 const MOST_WIDTH: u32 = 160;
 /// Writes `sheet.png` and `sheet.html` into the folder of a shape.
 pub(super) fn write(

@@ -1,4 +1,4 @@
-//! POV-Ray's picture beside ours.
+//! Compares pictures with POV-Ray's.
 
 use std::fmt;
 use std::path::{Path, absolute};
@@ -9,30 +9,30 @@ use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::long_options::Size;
 use crate::app::compare::{Picture, Renderer, compare};
 
-/// The folder of POV-Ray's pictures, in that of the sheet.
+/// The folder of POV-Ray's pictures, inside the folder of the sheet.
 const FOLDER: &str = "povray";
-/// So many percent of the pixels are to be right within one step.
+/// Least percentage of pixels that must be right within one step.
 const LEAST: f64 = 99.5;
-/// The pictures of a sheet take POV-Ray a second.
+/// Time limit: the pictures of a sheet take POV-Ray a second.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// POV-Ray, found on this machine.
+/// POV-Ray, installed on this machine.
 #[derive(Debug)]
 pub(super) struct Comparer(Renderer);
 
-/// What POV-Ray says to a picture.
+/// The result of a comparison with POV-Ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
-    /// Nobody was asked.
+    /// Not compared.
     NotCompared,
-    /// So many percent of the pixels are the same, and so many within one step.
+    /// Percentages of the pixels.
     Compared {
         /// Equal.
         same: f64,
         /// Equal or one step off.
         near: f64,
     },
-    /// POV-Ray draws none.
+    /// POV-Ray renders none.
     NoPicture,
 }
 
@@ -51,13 +51,14 @@ impl Comparer {
     ) -> Result<Verdict, CliError> {
         let theirs = folder.join(FOLDER).join(format!("{name}.png"));
         super::make_folder(&folder.join(FOLDER))?;
-        let place = |path: &Path| absolute(path).map_err(|error| failed("find", path, &error));
-        let root = place(folder)?;
+        let absolute_path =
+            |path: &Path| absolute(path).map_err(|error| failed("find", path, &error));
+        let root = absolute_path(folder)?;
         let ended = self
             .0
             .draw(&Picture {
                 scene: &root.join(format!("{name}.pov")),
-                file: &place(&theirs)?,
+                file: &absolute_path(&theirs)?,
                 switches: &[
                     format!("+W{}", size.0),
                     format!("+H{}", size.1),
@@ -74,20 +75,20 @@ impl Comparer {
         }
         let open = |path: &Path| image::open(path).map_err(|error| failed("read", path, &error));
         let ours = folder.join(format!("{name}.png"));
-        let Ok(found) = compare(&open(&theirs)?, &open(&ours)?) else {
+        let Ok(comparison) = compare(&open(&theirs)?, &open(&ours)?) else {
             return Ok(Verdict::NoPicture);
         };
         #[allow(clippy::cast_precision_loss, reason = "pixels of one picture")]
-        let percent = |pixels: u64| 100.0 * pixels as f64 / found.pixels() as f64;
+        let percent = |pixels: u64| 100.0 * pixels as f64 / comparison.pixels() as f64;
         Ok(Verdict::Compared {
-            same: percent(found.same),
-            near: percent(found.same + found.off_by_one),
+            same: percent(comparison.same),
+            near: percent(comparison.same + comparison.off_by_one),
         })
     }
 }
 
 impl Verdict {
-    /// Whether the picture is not POV-Ray's.
+    /// True if the picture differs from POV-Ray's.
     pub(super) fn is_wrong(&self) -> bool {
         match *self {
             Verdict::NotCompared => false,

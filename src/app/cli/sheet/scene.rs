@@ -4,10 +4,10 @@ use super::transforms::Move;
 use crate::app::cli::options::long_options::Size;
 use std::fmt::Write;
 
-/// The shape of a sheet as its scenes say it.
+/// The shape of a sheet in the scene language.
 #[derive(Clone, Debug)]
 pub(super) struct Subject {
-    /// What its folder is called.
+    /// The name of its folder.
     pub(super) name: String,
     /// Declares `Shape`.
     pub(super) declaration: String,
@@ -15,7 +15,7 @@ pub(super) struct Subject {
     pub(super) file: Option<(String, String)>,
 }
 
-const LOOKS: &str = "\
+const TEXTURE: &str = "\
 #declare Looks = texture {
   pigment { gradient <1, 0.7, 0.4> color_map { [0 rgb <1, 0.35, 0.2>] [1 rgb <0.2, 0.5, 1>] } scale 5 translate -2.5 }
   finish { ambient 0.2 diffuse 0.7 phong 0.4 }
@@ -40,8 +40,8 @@ const BACKGROUND: &str = "background { rgb <0.75, 0.8, 0.85> }\n";
 
 /// Columns of the overview.
 const COLUMNS: u32 = 8;
-/// The room that an object has in the overview.
-const ROOM: f64 = 5.4;
+/// Space for each object in the overview.
+const SPACING: f64 = 5.4;
 
 impl Subject {
     /// The scene of one transform.
@@ -55,7 +55,7 @@ impl Subject {
         format!(
             "// {}: {shown}\n{HEAD}\
              camera {{ location <3.2, 2.8, -6> right {ratio}*x look_at 0 angle 45 }}\n\
-             light_source {{ <2, 6, -8> rgb 1 }}\n{BACKGROUND}\n{LOOKS}\n{AXES}\n{}\n\
+             light_source {{ <2, 6, -8> rgb 1 }}\n{BACKGROUND}\n{TEXTURE}\n{AXES}\n{}\n\
              object {{ Axes }}\nobject {{ Shape texture {{ Looks }} {} }}\n",
             self.name, self.declaration, moved.text
         )
@@ -67,11 +67,11 @@ impl Subject {
             .unwrap_or(u32::MAX)
             .div_ceil(COLUMNS);
         let ratio = f64::from(width) / f64::from(height);
-        let across = ROOM * f64::from(COLUMNS).max(f64::from(rows) * ratio);
+        let across = SPACING * f64::from(COLUMNS).max(f64::from(rows) * ratio);
         let mut text = format!(
             "// {}: all transforms\n{HEAD}\
              camera {{ orthographic location <0, 0, -40> direction z right {across}*x up {}*y }}\n\
-             light_source {{ <-60, 90, -120> rgb 1 parallel point_at 0 }}\n{BACKGROUND}\n{LOOKS}\n{}\n",
+             light_source {{ <-60, 90, -120> rgb 1 parallel point_at 0 }}\n{BACKGROUND}\n{TEXTURE}\n{}\n",
             self.name,
             across / ratio,
             self.declaration
@@ -79,12 +79,12 @@ impl Subject {
         for (number, moved) in (0_u32..).zip(moves) {
             let column = f64::from(number % COLUMNS) - 0.5 * f64::from(COLUMNS - 1);
             let row = 0.5 * f64::from(rows - 1) - f64::from(number / COLUMNS);
-            let place = (column * ROOM, row * ROOM);
+            let offset = (column * SPACING, row * SPACING);
             // Writing to a string cannot fail.
             let _ = writeln!(
                 text,
                 "object {{ Shape texture {{ Looks }} {} rotate 28*y rotate -22*x translate <{}, {}, 0> }}",
-                moved.text, place.0, place.1
+                moved.text, offset.0, offset.1
             );
         }
         text

@@ -1,12 +1,12 @@
-//! The shapes of the sheets: one object each that fits into two units about the origin and looks different from all
-//! sides.
+//! The shapes of the sheets: one object each that fits into two units about the origin and has a different view from
+//! every side.
 
-/// A shape by name and the object that stands for it, in the scene language.
+/// A shape by name, and its object in the scene language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Sample {
-    /// The word that begins it.
+    /// The keyword.
     pub(super) name: &'static str,
-    /// The object, without looks.
+    /// The object, without texture.
     pub(super) text: &'static str,
 }
 
@@ -14,7 +14,7 @@ const fn sample(name: &'static str, text: &'static str) -> Sample {
     Sample { name, text }
 }
 
-/// Every primitive and every combination. What has no end is clipped.
+/// Every primitive and every CSG combination. Infinite ones are clipped.
 pub(super) const SHAPES: &[Sample] = &[
     sample("sphere", "sphere { 0, 1 }"),
     sample("box", "box { <-1, -0.7, -0.4>, <1, 0.7, 0.4> }"),
@@ -161,7 +161,7 @@ pub(super) const SHAPES: &[Sample] = &[
     ),
 ];
 
-/// The heights of the height field, which its scenes read from beside themselves.
+/// The heights of the height field, in a file beside the scenes.
 pub(super) const HEIGHTS: (&str, &str) = (
     "heights.pgm",
     "P2

@@ -27,10 +27,10 @@ fn leaves(object: &str) -> Vec<Leaf> {
     compile(scene, &RenderOptions::default()).leaves().to_vec()
 }
 
-/// Spans shorter than this say nothing: some surfaces are only found to their accuracy.
+/// Shorter spans are ignored: the roots of some surfaces have limited accuracy.
 const SHORTEST: f64 = 0.02;
 
-/// How often the inside test agrees with the roots of random rays, and how often not.
+/// Counts how often the inside test agrees with the roots of random rays, and how often not.
 fn agreement(leaf: &Leaf, rng: &mut Random) -> (u32, u32) {
     let (mut right, mut wrong) = (0, 0);
     for _ in 0..300 {
@@ -40,8 +40,8 @@ fn agreement(leaf: &Leaf, rng: &mut Random) -> (u32, u32) {
         let mut is_inside = leaf.roots(&ray, &mut roots) == Start::Inside;
         let mut from = -10.0;
         let end = roots.last().map_or(0.0, |root| root.t) + 1.0;
-        let places = roots.iter().map(|root| (root.t, root.crossing));
-        for (to, crossing) in places.chain([(end, Crossing::Touch)]) {
+        let hits = roots.iter().map(|root| (root.t, root.crossing));
+        for (to, crossing) in hits.chain([(end, Crossing::Touch)]) {
             if to - from > SHORTEST {
                 let agrees = leaf.contains(ray.at(0.5 * (from + to))) == is_inside;
                 *(if agrees { &mut right } else { &mut wrong }) += 1;
@@ -58,9 +58,9 @@ fn agreement(leaf: &Leaf, rng: &mut Random) -> (u32, u32) {
 }
 
 #[test]
-fn inside_of_every_solid_is_what_its_hits_say() {
+fn the_inside_test_of_every_solid_agrees_with_its_hits() {
     let mut rng = Random::new(5);
-    // Those that read files, an image and a font, have such a test beside them.
+    // Shapes that read files, an image or a font, are tested in their own modules.
     let reads_files = |sample: &&shapes::Sample| ["height_field", "text"].contains(&sample.name);
     let alone = SHAPES.iter().filter(|sample| !reads_files(sample));
     for sample in alone {

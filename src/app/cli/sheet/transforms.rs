@@ -1,6 +1,6 @@
-//! The transforms of a sheet: every elementary one, and compositions in both orders.
+//! The transforms of a sheet: all elementary ones, and compositions in both orders.
 
-/// A transform by the name of its files, and as a scene writes it.
+/// A transform: its file name, and its text in the scene language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Move {
     /// `rotate_x_90`.
@@ -9,10 +9,10 @@ pub(super) struct Move {
     pub(super) text: String,
 }
 
-/// By how much axes are sheared.
+/// The amount by which axes are sheared.
 const SHEAR: &str = "0.5";
 
-/// All of them, in the order of the sheet.
+/// All transforms, in the order of the sheet.
 pub(super) fn all() -> Vec<Move> {
     let mut moves = vec![made("none", "")];
     for axis in ["x", "y", "z"] {
@@ -61,14 +61,14 @@ fn made(name: &str, text: &str) -> Move {
     }
 }
 
-/// A vector of ones but along an axis.
+/// A vector of ones except along an axis.
 fn along(axis: usize, value: &str) -> String {
     let mut parts = ["1"; 3];
     parts[axis] = value;
     format!("<{}>", parts.join(", "))
 }
 
-/// The matrix that moves one coordinate with another. Its rows say where the axes go.
+/// The matrix that adds a multiple of one coordinate to another. Its rows are the images of the axes.
 fn shear(moved: usize, by: usize) -> String {
     let mut rows = [["0"; 3]; 4];
     for (axis, row) in rows.iter_mut().take(3).enumerate() {

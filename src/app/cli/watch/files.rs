@@ -1,8 +1,8 @@
-//! The files that a picture depends on, and how one learns that they have changed.
+//! The files that a picture depends on, and detection of changes in them.
 //!
-//! The system's word (`notify`) only says when to look: what counts is whether a file's length, time or presence is
-//! other than when the scene was read. So nothing is missed where the system says nothing (network file systems), and
-//! nothing is drawn again for a file that was only read.
+//! Notifications of the system (`notify`) only trigger a check: a file has changed if its length, time or presence
+//! differs from when the scene was read. So nothing is missed where the system sends no notifications (network file
+//! systems), and nothing is rendered again for a file that was only read.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,19 +11,19 @@ use std::time::SystemTime;
 
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 
-/// What a file was like: its length and when it was written; nothing if it was not there.
+/// The state of a file: its length and modification time; `None` if it does not exist.
 type Stamp = Option<(u64, Option<SystemTime>)>;
 
-/// Files as they were when a scene was read.
+/// Files in their states when a scene was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Known {
     files: Vec<(PathBuf, Stamp)>,
-    /// A file that was written while the scene was being read, and so perhaps read as it was before.
+    /// A file that was written while the scene was being read, so that perhaps its old contents were read.
     doubtful: Option<PathBuf>,
 }
 
 impl Known {
-    /// Files as they are now, of a reading that began at some time.
+    /// Files in their current states, for a reading that began at some time.
     pub(super) fn of(paths: impl IntoIterator<Item = PathBuf>, began: SystemTime) -> Known {
         let now = SystemTime::now();
         let mut doubtful = None;
@@ -41,7 +41,7 @@ impl Known {
         }
     }
 
-    /// The same files as they are now.
+    /// The same files in their current states.
     pub(super) fn again(&self) -> Known {
         let files = self
             .files
@@ -53,7 +53,7 @@ impl Known {
         }
     }
 
-    /// A file that is not as it was.
+    /// A file whose state differs.
     pub(super) fn changed(&self) -> Option<PathBuf> {
         let mut files = self.files.iter();
         let changed = files.find(|(path, before)| stamp(path) != *before);
@@ -68,36 +68,36 @@ fn stamp(path: &Path) -> Stamp {
     Some((about.len(), about.modified().ok()))
 }
 
-/// The folders in which something may happen.
+/// The watched folders.
 pub(super) struct Watched {
-    /// `None` where the system tells of no changes.
+    /// `None` where the system sends no notifications.
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
 }
 
 impl Watched {
-    /// Calls `tell` whenever something happens in a watched folder.
-    pub(super) fn new(tell: impl Fn() + Send + 'static) -> Watched {
-        let heard = move |event: notify::Result<notify::Event>| {
-            // To read a file changes nothing.
+    /// Calls `notify_change` for every event in a watched folder.
+    pub(super) fn new(notify_change: impl Fn() + Send + 'static) -> Watched {
+        let handler = move |event: notify::Result<notify::Event>| {
+            // Reading a file changes nothing.
             if event.is_ok_and(|event| !event.kind.is_access()) {
-                tell();
+                notify_change();
             }
         };
         Watched {
-            watcher: notify::recommended_watcher(heard).ok(),
+            watcher: notify::recommended_watcher(handler).ok(),
             folders: BTreeSet::new(),
         }
     }
 
-    /// Watches the folders of these files and no others. A folder, not a file: editors put new files in place of old.
+    /// Watches the folders of these files and no others. Folders, not files, because editors replace files.
     pub(super) fn watch(&mut self, known: &Known) {
         let Some(watcher) = &mut self.watcher else {
             return;
         };
         let folders = known.files.iter().filter_map(|(path, _)| nearest(path));
         let folders: BTreeSet<PathBuf> = folders.collect();
-        // A folder that has gone, or of which the system does not tell, is looked at all the same.
+        // A folder that has gone, or that sends no notifications, is still polled.
         for gone in self.folders.difference(&folders) {
             let _ = watcher.unwatch(gone);
         }
@@ -108,7 +108,7 @@ impl Watched {
     }
 }
 
-/// The folder of a file, or the nearest one above that is there.
+/// The folder of a file, or the nearest existing folder above.
 fn nearest(path: &Path) -> Option<PathBuf> {
     let path = std::path::absolute(path).ok()?;
     path.ancestors()
@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_changes_appears_or_goes_is_seen() {
+    fn changed_new_and_removed_files_are_detected() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         fs::write(path("a"), "1").unwrap();
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_while_it_was_read_is_doubtful() {
+    fn files_written_during_reading_are_doubtful() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a");
         let began = SystemTime::now() - std::time::Duration::from_secs(5);

@@ -1,7 +1,8 @@
-//! The picture on a page of this machine: a small server for a browser that somebody opens.
+//! The picture on a page of this machine: a small server for a local browser.
 //!
-//! It listens on the loopback address only, answers only requests that name it so (another page cannot reach it by a name
-//! of its own), and knows three addresses: `/`, `/picture.png`, and `/events`, a stream of server-sent events.
+//! It listens on the loopback address only, answers only requests with this address as their host (so that another page
+//! cannot reach it by a name of its own), and serves three paths: `/`, `/picture.png`, and `/events`, a stream of
+//! server-sent events.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -14,11 +15,11 @@ use super::shown::{Shown, State};
 
 /// Connections at once: a browser takes a few.
 const MOST: usize = 32;
-/// The longest head of a request in bytes.
+/// Maximum length of the head of a request in bytes.
 const LONGEST: u64 = 16 << 10;
-/// How long a request may take to arrive.
+/// Time limit for a request to arrive.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// A stream without news says so, or would not notice that nobody listens.
+/// Interval of keep-alive messages, without which a closed connection would go unnoticed.
 const STILL_HERE: Duration = Duration::from_secs(5);
 
 const PAGE: &str = include_str!("page.html");
@@ -39,7 +40,7 @@ pub(super) fn serve(listener: TcpListener, shown: Arc<Shown>, title: String) -> 
 }
 
 struct Server {
-    /// What a request may call this server.
+    /// Accepted values of the `Host` header.
     hosts: [String; 2],
     page: String,
     shown: Arc<Shown>,
@@ -59,7 +60,7 @@ impl Server {
             }
             let server = Arc::clone(self);
             let answering = thread::Builder::new().spawn(move || {
-                // Who has gone away gets no answer.
+                // A closed connection gets no answer.
                 let _ = server.answer(stream);
                 server.open.fetch_sub(1, Ordering::Relaxed);
             });
@@ -71,7 +72,7 @@ impl Server {
 
     fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
         stream.set_read_timeout(Some(PATIENCE))?;
-        let (path, host) = asked(&stream)?;
+        let (path, host) = parse_request(&stream)?;
         if !self.hosts.contains(&host) {
             return respond(&mut stream, "403 Forbidden", "text/plain", b"not this host");
         }
@@ -89,19 +90,19 @@ impl Server {
                     b"no picture yet",
                 ),
             },
-            Some("/events") => self.tell(&mut stream),
+            Some("/events") => self.stream_events(&mut stream),
             _ => respond(&mut stream, "404 Not Found", "text/plain", b"nothing here"),
         }
     }
 
-    /// Tells of every change, for as long as somebody listens.
-    fn tell(&self, stream: &mut TcpStream) -> io::Result<()> {
+    /// Sends every change, as long as the connection is open.
+    fn stream_events(&self, stream: &mut TcpStream) -> io::Result<()> {
         stream.write_all(
             b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
         )?;
         let mut state = self.shown.now();
         loop {
-            stream.write_all(format!("data: {}\n\n", told(&state)).as_bytes())?;
+            stream.write_all(format!("data: {}\n\n", state_json(&state)).as_bytes())?;
             stream.flush()?;
             let number = state.number;
             state = self.shown.after(number, STILL_HERE);
@@ -109,8 +110,8 @@ impl Server {
     }
 }
 
-/// A state as the page takes it.
-fn told(state: &State) -> String {
+/// The JSON of a state for the page.
+fn state_json(state: &State) -> String {
     let picture = state.picture.as_ref();
     serde_json::json!({
         "number": state.number,
@@ -123,8 +124,8 @@ fn told(state: &State) -> String {
     .to_string()
 }
 
-/// The path that is asked for, and the host it is asked of.
-fn asked(stream: &TcpStream) -> io::Result<(String, String)> {
+/// The path and the host of a request.
+fn parse_request(stream: &TcpStream) -> io::Result<(String, String)> {
     let mut lines = BufReader::new(stream.take(LONGEST)).lines();
     let malformed = || io::Error::from(io::ErrorKind::InvalidData);
     let first = lines.next().ok_or_else(malformed)??;

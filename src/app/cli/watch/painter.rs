@@ -1,4 +1,4 @@
-//! Drawing once for `povr watch`: a small picture first, then the whole one, and both are shown.
+//! One rendering for `povr watch`: a preview first, then the whole picture; both are shown.
 
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Instant, SystemTime};
@@ -17,29 +17,28 @@ use crate::base::options::{CancelToken, Event, Input, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::output::{self, EncodeOptions, Format};
 
-/// The preview has so many times fewer pixels, along each side,
+/// The factor by which a preview is smaller, along each side,
 const PREVIEW: u32 = 4;
-/// and there is none of a picture with fewer pixels than this.
+/// and the number of pixels below which a picture has none.
 const SMALL: u64 = 200 * 150;
 
-/// Who draws, and shows what is drawn.
+/// Renders and shows pictures.
 pub(super) struct Painter {
     pub(super) input: Input,
     pub(super) settings: Settings,
     pub(super) reporter: Reporter,
     pub(super) shown: Arc<Shown>,
-    /// Whether nothing is shown in the terminal.
+    /// True to show nothing in the terminal.
     pub(super) is_silent: bool,
 }
 
 impl Painter {
-    /// The preview and the picture, one after the other.
+    /// Renders the preview and the picture.
     pub(super) fn draw(&self, stop: &CancelToken, began: SystemTime, read: &Mutex<Option<Known>>) {
-        let talk = self.settings.talk;
-        let pool =
-            self.settings.render.threads.map(|threads| {
-                crate::pool(threads, &|event| self.reporter.hear(event)).map(Arc::new)
-            });
+        let verbosity = self.settings.verbosity;
+        let pool = self.settings.render.threads.map(|threads| {
+            crate::pool(threads, &|event| self.reporter.report(event)).map(Arc::new)
+        });
         let pool = match pool.transpose() {
             Ok(pool) => pool,
             Err(_) => return,
@@ -67,11 +66,11 @@ impl Painter {
                     let mut errors = errors.lock().unwrap_or_else(PoisonError::into_inner);
                     errors.push_str(&format!("{}\n", message.excerpt));
                 }
-                // The second drawing says nothing that the first has not said.
+                // The second pass repeats the messages of the first.
                 if (pass == 0 || !matches!(event, Event::Said(_) | Event::Found(_)))
                     && !stop.is_asked()
                 {
-                    self.reporter.hear(event);
+                    self.reporter.report(event);
                 }
             };
             let start = Instant::now();
@@ -93,13 +92,13 @@ impl Painter {
             if let Err(error) = self.write(&picture) {
                 say(format_args!("povr: {error}"));
             }
-            if !talk.quiet {
+            if !verbosity.quiet {
                 say(format_args!("povr: drawn in {seconds:.2} s"));
             }
         }
     }
 
-    /// What is drawn: a small picture without antialiasing first, unless the picture is small itself.
+    /// The passes: a small picture without antialiasing first, unless the picture is small itself.
     fn passes(&self, stop: &CancelToken) -> Vec<RenderOptions> {
         let whole = RenderOptions {
             stop: stop.clone(),

@@ -1,40 +1,40 @@
-//! What there is to see: the last good picture, and what is wrong since.
+//! The current display: the last good picture, and errors since.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// A picture as it is shown.
+/// A picture on display.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
     /// A PNG file.
     pub(super) png: Arc<Vec<u8>>,
-    /// Whether a better one is being drawn.
+    /// True if a better one is in progress.
     pub(super) is_preview: bool,
-    /// How long it took.
+    /// The render time in seconds.
     pub(super) seconds: f64,
     /// The size of the whole picture.
     pub(super) size: (u32, u32),
 }
 
-/// What is shown, to any number of pages.
+/// The display for any number of pages.
 #[derive(Debug, Default)]
 pub(super) struct Shown {
     state: Mutex<State>,
     changed: Condvar,
 }
 
-/// What is shown at a moment.
+/// The display at one moment.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
-    /// Goes up with every change.
+    /// Incremented by every change.
     pub(super) number: u64,
     pub(super) picture: Option<Picture>,
-    /// What is wrong with the scene; empty if nothing.
+    /// The errors of the scene; empty if none.
     pub(super) errors: String,
 }
 
 impl Shown {
-    /// Shows a picture: nothing is wrong.
+    /// Shows a picture and clears the errors.
     pub(super) fn put(&self, picture: Picture) {
         let mut state = self.lock();
         state.picture = Some(picture);
@@ -43,7 +43,7 @@ impl Shown {
         self.changed.notify_all();
     }
 
-    /// Says what is wrong beside the last picture.
+    /// Shows errors beside the last picture.
     pub(super) fn fail(&self, errors: String) {
         let mut state = self.lock();
         state.errors = errors;
@@ -51,12 +51,12 @@ impl Shown {
         self.changed.notify_all();
     }
 
-    /// What is shown now.
+    /// The current state.
     pub(super) fn now(&self) -> State {
         self.lock().clone()
     }
 
-    /// What is shown as soon as it is other than at some number, or after some time.
+    /// The first state whose number differs, or the current one after some time.
     pub(super) fn after(&self, number: u64, patience: Duration) -> State {
         let same = |state: &mut State| state.number == number;
         let waited = self.changed.wait_timeout_while(self.lock(), patience, same);

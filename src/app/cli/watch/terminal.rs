@@ -1,5 +1,5 @@
-//! The picture in the terminal, where that can draw: by the protocols of kitty and iTerm, by sixels, else by half
-//! characters in colour.
+//! The picture in the terminal, if it has graphics: by the protocols of kitty and iTerm, by sixels, else by coloured
+//! half-block characters.
 
 use std::io::{IsTerminal, stdout};
 
@@ -19,6 +19,6 @@ pub(super) fn show(png: &[u8], is_preview: bool) {
         height: Some(if is_preview { ROWS.0 } else { ROWS.1 }),
         ..viuer::Config::default()
     };
-    // A terminal that cannot draw shows nothing.
+    // A terminal without graphics shows nothing.
     let _ = viuer::print(&picture, &config);
 }
