@@ -1,10 +1,10 @@
 //! The compiled scene: prepared surfaces, the BVH over the objects, lights, camera, and global shading settings.
 
-use super::bvh_items::{IndexedItem, ItemBvh};
 use super::csg::program::RawHit;
 use super::interiors::{InteriorId, Interiors};
 use super::light_buffers::LightBuffers;
 use super::lights::Lights;
+use super::model::{IndexedItem, ItemBvh};
 use super::model::{Item, Model};
 use super::primitive::Leaf;
 use super::surface::{Surface, SurfaceSummary};
@@ -304,5 +304,22 @@ impl SingleBox {
     pub(super) fn bounds(&self) -> Bounds {
         let [min, max] = self.0.map(|end| DVec3::from(end.map(f64::from)));
         Bounds { min, max }
+    }
+}
+
+impl World {
+    /// Returns true if the camera and all lights have light buffers.
+    #[must_use]
+    pub fn has_all_light_buffers(&self) -> bool {
+        self.light_buffers.are_all_known()
+    }
+
+    /// Returns true if camera rays between these slopes certainly hit nothing; slopes run across and up the picture
+    /// from -0.5 to 0.5.
+    #[must_use]
+    pub fn is_background(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let camera = self.light_buffers.camera.as_ref();
+        self.bvh().unbounded.is_empty()
+            && camera.is_some_and(|light_buffer| light_buffer.is_empty(low, high))
     }
 }

@@ -1,10 +1,8 @@
 //! The compiled scene: lowering of objects to primitives, CSG programs and instances, and ray queries on them.
 
-mod bvh_items;
 mod compiled;
 mod csg;
 mod index;
-mod instance;
 mod interiors;
 mod light_buffers;
 mod lights;
@@ -32,8 +30,8 @@ pub use surface::{OwnedOrShared, Surface};
 use crate::base::options::RenderOptions;
 use crate::scene::pattern::Settings;
 use crate::scene::{Object, Scene};
-use lower::flatten::Lowering;
-use lower::targets::Targets;
+use lower::lowering::Lowering;
+use lower::parts::targets::Targets;
 use std::sync::Arc;
 
 /// Below this quality there are no photons (facts 4.11).

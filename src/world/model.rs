@@ -4,14 +4,15 @@
 //! The indices of leaves continue from the model's own ones through its instances, one range for each. So an index
 //! identifies every copy of every primitive, however deeply instances are nested.
 
-use super::bvh_items::ItemBvh;
 use super::csg::packet_strategy::PacketStrategy;
 use super::csg::program::CsgProgram;
-use super::instance::Instance;
 use super::primitive::Leaf;
 use super::sphere_soa::SphereSoa;
+use crate::base::accel::Bvh;
+use crate::base::math::normal_from_inverse;
 use crate::scene::shape::{Shape, TextureWeights};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
+use std::sync::Arc;
 
 /// An item of the BVH.
 #[derive(Clone, Copy, Debug)]
@@ -180,5 +181,61 @@ impl Model {
             || self.bvh.tree.around(point, |position| {
                 self.item_holds(self.bvh.bounded[position as usize].item, point)
             })
+    }
+}
+
+/// An item with its index in file order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct IndexedItem {
+    pub(crate) number: u32,
+    pub(crate) item: Item,
+}
+
+/// The items of a model and the BVH over them.
+#[derive(Debug)]
+pub(crate) struct ItemBvh {
+    /// BVH over `bounded`.
+    pub(crate) tree: Bvh,
+    /// In BVH order.
+    pub(crate) bounded: Vec<IndexedItem>,
+    /// Items without a finite box.
+    pub(crate) unbounded: Vec<IndexedItem>,
+}
+
+impl ItemBvh {
+    /// The items whose boxes contain a point.
+    pub(crate) fn around(&self, point: DVec3) -> Vec<IndexedItem> {
+        let mut items = self.unbounded.clone();
+        self.tree.around(point, |position| {
+            items.push(self.bounded[position as usize]);
+            false
+        });
+        items
+    }
+}
+
+/// A shared model with its transform.
+#[derive(Debug)]
+pub(crate) struct Instance {
+    /// The shared model.
+    pub(crate) model: Arc<Model>,
+    /// World-to-model matrix; the world is the surrounding model.
+    pub(crate) object_from_world: DAffine3,
+    /// Index of its first leaf.
+    pub(crate) first: u32,
+    /// Index of its first surface.
+    pub(crate) surface: u32,
+}
+
+impl Instance {
+    /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.
+    pub(crate) fn normals(&self, leaf: u32, point: DVec3, face: u32) -> (DVec3, DVec3) {
+        let local = self.object_from_world.transform_point3(point);
+        let (geometric, shading) = self.model.normals(leaf - self.first, local, face);
+        let around =
+            |normal| normal_from_inverse(&self.object_from_world, normal).normalize_or_zero();
+        let turned = around(geometric);
+        let is_smooth = shading != geometric;
+        (turned, if is_smooth { around(shading) } else { turned })
     }
 }

@@ -2,7 +2,7 @@
 //! not checked for every ray.
 
 use super::compiled::World;
-use super::instance::Instance;
+use super::model::Instance;
 use super::model::Model;
 use super::primitive::Leaf;
 use super::surface::Surface;

@@ -9,8 +9,8 @@ mod projector;
 pub(super) mod ray_counts;
 pub(super) mod transmission;
 
-use super::bvh_items::IndexedItem;
 use super::csg::program::{RawHit, Sweep};
+use super::model::IndexedItem;
 use super::query::packet::hits::ShadowPacket4;
 use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;

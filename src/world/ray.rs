@@ -83,3 +83,7 @@ pub enum Occlusion {
     /// At least one opaque surface.
     Opaque,
 }
+
+/// Distance along a ray, relative to the size of the coordinates, within which rounding can make the ray hit the
+/// surface it starts on: 4096 roundings of a double.
+pub(in crate::world) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;

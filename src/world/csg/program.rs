@@ -11,7 +11,7 @@
 //! together, and one is shown if the ray enters or leaves the node as a whole there: no double surface, no hole.
 
 use super::inside::{InsideInit, InsideState};
-use super::simplify::OperandOrder;
+use crate::base::accel::Bvh;
 use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
 use crate::world::primitive::Leaf;
@@ -593,4 +593,31 @@ pub(crate) fn hide_departure(
     let root = own.min_by(|a, b| a.t.abs().total_cmp(&b.t.abs()))?;
     root.is_visible = false;
     Some(root.t)
+}
+
+/// Most parts whose boxes are tested.
+pub(crate) const MOST_PARTS: usize = 64;
+
+/// The order in which a program intersects its operands.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct OperandOrder {
+    /// Required operands: nothing shows outside them, so they clip the interval of the ray.
+    pub(crate) required: SmallVec<[u32; 4]>,
+    /// All others, except those in the BVH.
+    pub(crate) others: SmallVec<[u32; 4]>,
+    /// BVH over operands and parts, if there are enough.
+    pub(crate) boxed: Option<Box<OperandBvh>>,
+}
+
+/// BVH over operands and parts of a program.
+#[derive(Clone, Debug)]
+pub(crate) struct OperandBvh {
+    /// Over `bounded`, followed by `parts`.
+    pub(crate) tree: Bvh,
+    /// The bounded operands of a large program.
+    pub(crate) bounded: Vec<u32>,
+    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MOST_PARTS`].
+    pub(crate) parts: Vec<Range<u32>>,
+    /// For each node, the numbers of its operands that are not required, plain and inverse.
+    pub(crate) resting: Vec<[u32; 2]>,
 }

@@ -4,46 +4,18 @@
 //! intersection, and the inverse of a merge within one, are one intersection of all their operands.
 
 use super::inside::InsideInit;
-use super::program::{Combine, CsgProgram, NONE, Node};
+use super::program::{Combine, CsgProgram, MOST_PARTS, NONE, Node, OperandBvh, OperandOrder};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::scene::shape::{Geometry, Shape};
 use crate::world::primitive::Leaf;
 use glam::DVec3;
-use smallvec::SmallVec;
 use std::ops::Range;
 
 /// With fewer bounded operands each is tested by itself; packets test up to eight that way.
 const TREE_FROM: usize = 9;
 /// Same, where some operand lacks packet code and no required operand clips the interval.
 const TREE_OF_LONE_RAYS_FROM: usize = 4;
-
-/// Most parts whose boxes are tested.
-const MOST_PARTS: usize = 64;
-
-/// The order in which a program intersects its operands.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct OperandOrder {
-    /// Required operands: nothing shows outside them, so they clip the interval of the ray.
-    pub(crate) required: SmallVec<[u32; 4]>,
-    /// All others, except those in the BVH.
-    pub(crate) others: SmallVec<[u32; 4]>,
-    /// BVH over operands and parts, if there are enough.
-    pub(crate) boxed: Option<Box<OperandBvh>>,
-}
-
-/// BVH over operands and parts of a program.
-#[derive(Clone, Debug)]
-pub(crate) struct OperandBvh {
-    /// Over `bounded`, followed by `parts`.
-    pub(crate) tree: Bvh,
-    /// The bounded operands of a large program.
-    pub(crate) bounded: Vec<u32>,
-    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MOST_PARTS`].
-    pub(crate) parts: Vec<Range<u32>>,
-    /// For each node, the numbers of its operands that are not required, plain and inverse.
-    pub(crate) resting: Vec<[u32; 2]>,
-}
 
 impl CsgProgram {
     /// Simplifies the nodes and computes the order. `bounds` are those of the operands, `boxed` the parts with boxes.

@@ -1,8 +1,8 @@
 //! Lowering of CSG objects, and of clipped and bounded objects, to CSG programs.
 
-use super::flatten::Lowering;
-use super::inherit::{CsgRole, Inherited, joined};
-use super::model::PendingItem;
+use super::lowering::Lowering;
+use super::parts::inherited::{CsgRole, Inherited, joined};
+use super::parts::model::PendingItem;
 use super::seen_in::{holds, seen_in};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;

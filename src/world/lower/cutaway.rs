@@ -7,11 +7,12 @@
 //!
 //! Missing: textures of single blob components or mesh triangles that a difference cuts.
 
-use super::flatten::Lowering;
-use super::inherit::{Inherited, TransformedTexture, joined, texture_steps};
+use super::inherit::texture_steps;
+use super::lowering::Lowering;
+use super::parts::inherited::{Inherited, TransformedTexture, joined};
 use crate::scene::{Kind, Object, Operation};
 use crate::world::index::index;
-use crate::world::lower::probe::compiled;
+use crate::world::lower::probe::solid;
 use crate::world::surface::cutaway::{CutPart, Cutaway};
 use std::sync::Arc;
 
@@ -61,7 +62,7 @@ impl Lowering {
                 (Kind::Csg { .. }, _) => None,
                 _ => continue,
             };
-            let solid = compiled(&Arc::new(child.as_solid(is_inverse, &above.steps)));
+            let solid = solid(&Arc::new(child.as_solid(is_inverse, &above.steps)));
             into.parts.push(CutPart {
                 solid,
                 texture,

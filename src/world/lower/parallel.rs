@@ -1,22 +1,17 @@
 //! Parallel lowering of runs of top-level shapes of one colour, of which there may be millions.
 
-use super::flatten::Lowering;
-use super::model::PendingItem;
-use crate::base::color::Color;
+use super::lowering::Lowering;
+use super::parts::model::PendingItem;
+use super::parts::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::base::math::Bounds;
-use crate::base::memory::{self, prefetch};
-use crate::scene::shape::{Geometry, Sphere};
-use crate::scene::texture::{Finish, PreparedTexture};
+use crate::base::memory;
+use crate::scene::shape::Geometry;
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
-use crate::world::lights::LightList;
 use crate::world::primitive::{Absorb, Extent, Leaf};
-use crate::world::surface::flags::ObjectFlags;
-use crate::world::surface::{OwnedOrShared, Surface};
 use rayon::prelude::*;
 use std::mem::take;
-use std::ptr;
 use std::sync::Arc;
 
 /// Fewest objects worth parallel lowering.
@@ -24,25 +19,6 @@ const MIN_PARALLEL: usize = 64;
 
 /// Number of freed objects from which trimming the heap pays off.
 const LARGE: usize = 4096;
-
-/// Shapes of one colour each, in chunks that have the same size except for the last.
-#[derive(Debug)]
-pub(crate) struct PlainShapes {
-    pieces: Vec<Vec<Entry>>,
-    /// Logarithm (base 2) of the chunk size; a single chunk may be smaller.
-    log_size: u32,
-}
-
-/// Per-thread template for surfaces that differ only in colour. Each thread has its own copy of the finish, since
-/// contention on a shared reference count would serialise the threads.
-#[derive(Default)]
-pub(crate) struct SurfaceTemplate {
-    /// Address of the last finish seen.
-    seen: usize,
-    finish: Arc<Finish>,
-    /// Surfaces with this finish: in an opaque colour, and in a transmissive one.
-    known: [Option<Surface>; 2],
-}
 
 impl Lowering {
     /// Lowers all top-level objects; passes each to `drop_object` when it is no longer needed.
@@ -166,96 +142,6 @@ impl Lowering {
         let surfaces = indices.zip(first..first + index(count));
         let surfaces = surfaces.map_init(SurfaceTemplate::default, surface);
         self.surfaces.par_extend(surfaces);
-    }
-}
-
-impl PlainShapes {
-    /// Takes chunks whose size is a power of two, or a single chunk.
-    fn new(pieces: Vec<Vec<Entry>>, size: usize) -> Self {
-        debug_assert!(pieces.len() == 1 || size.is_power_of_two());
-        PlainShapes {
-            pieces,
-            log_size: size.next_power_of_two().trailing_zeros(),
-        }
-    }
-
-    fn len(&self) -> usize {
-        self.pieces.iter().map(Vec::len).sum()
-    }
-
-    fn entry(&self, at: usize) -> &Entry {
-        let piece = at >> self.log_size;
-        &self.pieces[piece][at - (piece << self.log_size)]
-    }
-
-    /// The object at an index.
-    fn object(&self, at: usize) -> Colored<'_> {
-        let colored = self.entry(at).colored();
-        colored.expect("it was found to be of one colour")
-    }
-
-    /// The object at an index, if it is a sphere.
-    pub(crate) fn sphere(&self, at: usize) -> Option<Sphere> {
-        self.entry(at).ball()
-    }
-
-    /// Prefetches the object at an index.
-    #[inline]
-    pub(crate) fn expect(&self, at: usize) {
-        prefetch(self.entry(at));
-    }
-
-    fn has_only_spheres(&self) -> bool {
-        let is_sphere = |entry: &Entry| entry.ball().is_some();
-        let pieces = self.pieces.par_iter();
-        pieces.all(|piece| piece.iter().all(is_sphere))
-    }
-
-    /// Frees them in parallel.
-    pub(crate) fn free(self) {
-        self.pieces.into_par_iter().for_each(drop);
-    }
-}
-
-impl SurfaceTemplate {
-    /// The surface of the shape at an index.
-    #[inline]
-    pub(crate) fn surface_at(
-        &mut self,
-        shapes: &PlainShapes,
-        at: usize,
-        interior: InteriorId,
-    ) -> Surface {
-        let attributes = shapes.entry(at).looks();
-        let (color, finish) = attributes.expect("it was found to be of one colour");
-        self.surface(color, finish, interior)
-    }
-
-    /// The surface with this colour and finish.
-    #[inline]
-    fn surface(&mut self, color: Color, finish: &Arc<Finish>, interior: InteriorId) -> Surface {
-        let address = ptr::from_ref(&**finish).addr();
-        if self.seen != address {
-            self.seen = address;
-            if *self.finish != **finish {
-                self.finish = Arc::new((**finish).clone());
-                self.known = [None, None];
-            }
-        }
-        let known = &mut self.known[usize::from(color.is_transparent())];
-        let like = known.get_or_insert_with(|| {
-            let texture = PreparedTexture::colored(color, Arc::clone(&self.finish));
-            Surface::new(
-                OwnedOrShared::Own(texture),
-                None,
-                Box::default(),
-                interior,
-                LightList::default(),
-                ObjectFlags::default(),
-            )
-        });
-        let surface = like.in_color(color, interior);
-        surface.expect("what is alike is of one colour")
     }
 }
 

@@ -8,7 +8,7 @@ use crate::scene::pattern::Solid;
 use crate::scene::shape::Shape;
 use crate::scene::{Background, Globals, Object, Objects, Scene};
 use crate::world::compiled::World;
-use crate::world::lower::flatten::Lowering;
+use crate::world::lower::lowering::Lowering;
 use crate::world::query::Scratch;
 use crate::world::ray::{Query, RayKind};
 use crate::world::surface::Surface;
@@ -98,13 +98,20 @@ impl Solid for ProbedObject {
 /// Compiles an object for point queries.
 pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
     let object = Arc::clone(object).downcast::<Object>().ok()?;
-    Some(Arc::new(ProbedObject(compiled(&object))))
+    Some(solid(&object))
+}
+
+/// The solid of an object.
+pub(super) fn solid(object: &Arc<Object>) -> Arc<dyn Solid> {
+    Arc::new(ProbedObject(compiled(object)))
 }
 
 /// A world of one object, visible to all rays.
-pub(in crate::world) fn compiled(object: &Arc<Object>) -> World {
-    let mut flat = Lowering::default();
-    flat.needs_insides = true;
+fn compiled(object: &Arc<Object>) -> World {
+    let mut flat = Lowering {
+        needs_insides: true,
+        ..Lowering::default()
+    };
     flat.add(object);
     flat.surfaces.iter_mut().for_each(Surface::show);
     let scene = Scene {

@@ -1,7 +1,7 @@
 //! Boxes outside which objects are invisible (see `scene::seen_in`), as bounds of CSG programs that would show more.
 
-use super::flatten::Lowering;
-use super::inherit::Inherited;
+use super::lowering::Lowering;
+use super::parts::inherited::Inherited;
 use crate::base::math::{Bounds, Step, Transform};
 use crate::scene::shape::{Cuboid, Shape, Sphere};
 use crate::scene::{Kind, Object};

@@ -1,6 +1,6 @@
 //! Assembles the compiled world from what lowering has gathered.
 
-use super::flatten::Lowering;
+use super::lowering::Lowering;
 use crate::base::color::{Color, Rgb};
 use crate::base::options::RenderOptions;
 use crate::render::photons::Photons;

@@ -10,14 +10,11 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use crate::base::options::LeastDistance;
 use crate::scene::shape::Root;
-use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
-use crate::world::ray::{Hit, Query, RayKind, SpawnSurface};
+use crate::world::model::IndexedItem;
+use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 
-/// Distance along a ray, relative to the size of the coordinates, within which rounding can make the ray hit the
-/// surface it starts on: 4096 roundings of a double.
-pub(in crate::world) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
 /// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
 pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;

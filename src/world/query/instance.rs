@@ -4,7 +4,7 @@ use super::Scratch;
 use super::intersect::{HitPolicy, IndexBase, Search};
 use crate::base::math::simd::with_widest;
 use crate::world::csg::program::RawHit;
-use crate::world::instance::Instance;
+use crate::world::model::Instance;
 use crate::world::ray::SpawnSurface;
 use glam::DVec3;
 

@@ -1,14 +1,15 @@
 //! Occlusion queries: opaque and transmissive surfaces between a point and a light.
 
 use super::Scratch;
-use super::closest::{BLUR, POV_RAY_SHADOW};
+use super::closest::POV_RAY_SHADOW;
 use super::intersect::{HitPolicy, Search};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::LeastDistance;
-use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
+use crate::world::model::IndexedItem;
 use crate::world::model::Item;
+use crate::world::ray::BLUR;
 use crate::world::ray::{Occlusion, Query};
 use glam::DVec3;
 

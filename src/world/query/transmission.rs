@@ -1,15 +1,15 @@
 //! Transmissive hits along a shadow ray: collected in one traversal, then iterated without another one.
 
-use super::closest::BLUR;
 use super::{ClosestHit, Scratch};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
 use crate::base::options::LeastDistance;
 use crate::scene::shape::{Geometry, Root};
-use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::{RawHit, hide_departure};
+use crate::world::model::IndexedItem;
 use crate::world::model::Item;
+use crate::world::ray::BLUR;
 use crate::world::ray::{Hit, Query};
 use smallvec::SmallVec;
 

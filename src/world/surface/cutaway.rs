@@ -1,8 +1,8 @@
 //! Textures that the cut parts of CSG objects take from the objects they cut (`cutaway_textures`).
 
+use crate::scene::pattern::Solid;
 use crate::scene::shape::{TextureWeight, TextureWeights};
 use crate::scene::texture::PreparedTexture;
-use crate::world::compiled::World;
 use crate::world::index::index;
 use glam::DVec3;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ pub(crate) struct Cutaway {
 
 #[derive(Debug)]
 pub(crate) struct CutPart {
-    pub(crate) solid: World,
+    pub(crate) solid: Arc<dyn Solid>,
     /// Its texture; `None` for a CSG object.
     pub(crate) texture: Option<u32>,
     /// Index of the next part outside it.

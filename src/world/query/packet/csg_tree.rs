@@ -1,6 +1,6 @@
 //! CSG trees for packets of four rays: like `packet_csg`, but each end is tested with the formula of the whole tree.
 
-use super::csg::{CsgPacket, CsgPacketHits, NearestEnd};
+use super::csg_packet::{CsgPacket, CsgPacketHits, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
 use crate::world::csg::packet_strategy::{MOST_NODES, MOST_OPERANDS};
 use crate::world::csg::program::{Combine, NONE};

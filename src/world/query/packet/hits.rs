@@ -10,7 +10,7 @@ use crate::scene::shape::{Crossing, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::query::ClosestHit;
-use crate::world::query::closest::BLUR;
+use crate::world::ray::BLUR;
 use crate::world::ray::{Hit, Occlusion, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 

@@ -1,14 +1,14 @@
 //! Packets of four rays and an instance of a small union of spheres: bit for bit the hits of single rays.
 
 use super::bundle::StreamPacket;
-use super::csg::may_be_self_hit;
+use super::csg_packet::may_be_self_hit;
 use super::hits::NO_LEAF;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, Root, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
-use crate::world::instance::Instance;
+use crate::world::model::Instance;
 
 /// A ray packet and an instance. If `ANY`, any hit ends the search.
 struct InstancePacket<'a, const ANY: bool> {

@@ -8,9 +8,9 @@ use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot, scale, splat, sub, t
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::base::math::watertight::{RayFrame, RayFrames4};
 use crate::scene::shape::{Mesh, Shape};
-use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
+use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::primitive::Leaf;
 use crate::world::query::{ClosestHit, Scratch};

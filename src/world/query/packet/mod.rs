@@ -2,6 +2,7 @@
 
 pub(in crate::world) mod bundle;
 pub(in crate::world) mod csg;
+pub(crate) mod csg_packet;
 pub(in crate::world) mod csg_tree;
 pub(in crate::world) mod hits;
 pub(in crate::world) mod instance;

@@ -1,7 +1,7 @@
 //! Packets of four rays and a primitive: bit for bit the hits of single rays.
 
 use super::bundle::StreamPacket;
-use super::csg::may_be_self_hit;
+use super::csg_packet::may_be_self_hit;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root};

@@ -1,23 +1,18 @@
 //! Builds models: the BVH over their items, with the leaves stored in its order, so that neighbours in space are
 //! neighbours in memory.
 
-use super::spheres::DeferredSpheres;
+use super::spheres::{AHEAD, DeferredSpheres};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::base::memory::prefetch;
-use crate::world::bvh_items::{IndexedItem, ItemBvh};
 use crate::world::csg::program::CsgProgram;
 use crate::world::index::index;
-use crate::world::instance::Instance;
-use crate::world::model::{Item, Model};
+use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model};
 use crate::world::primitive::Leaf;
 use crate::world::sphere_soa::SphereSoa;
 use crate::world::surface::Surface;
 use rayon::prelude::*;
 use std::mem::take;
-
-/// Prefetch distance in leaves: about one memory latency ahead.
-pub(in crate::world) const AHEAD: usize = 32;
 
 /// An item before the BVH is built.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,7 @@
 //! Spheres that become leaves, and get their surfaces, once the order of the BVH is known: with a million of them, one
 //! pass less saves a tenth of the preparation time, and neighbours in space are stored together.
 
-use super::model::AHEAD;
-use super::parallel::{PlainShapes, SurfaceTemplate};
+use super::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::scene::shape::{Shape, Sphere};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
@@ -96,3 +95,6 @@ impl DeferredSpheres {
         leaves
     }
 }
+
+/// Prefetch distance in leaves: about one memory latency ahead.
+pub(in crate::world) const AHEAD: usize = 32;

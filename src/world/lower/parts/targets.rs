@@ -1,6 +1,6 @@
 //! Photon targets: objects that say `target`, each with its bounding box.
 
-use super::inherit::Inherited;
+use super::inherited::Inherited;
 use crate::render::photons::PhotonTarget;
 use crate::scene::Object;
 use crate::scene::light::PhotonRole;

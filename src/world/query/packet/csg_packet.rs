@@ -1,0 +1,364 @@
+//! Packets of rays against CSG programs: hits, and the nearest visible end of a span.
+
+use super::rays::RayPacket4;
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
+use crate::scene::shape::{RayPacket, SpanPacket};
+use crate::world::csg::packet_strategy::{MOST_OPERANDS, Numbers};
+use crate::world::csg::program::CsgProgram;
+use crate::world::primitive::Leaf;
+use crate::world::query::closest::SKIN;
+
+/// A ray packet and the program that it is intersected with.
+#[derive(Clone, Copy)]
+pub(in crate::world) struct CsgPacket<'a> {
+    pub(in crate::world) program: &'a CsgProgram,
+    pub(in crate::world) leaves: &'a [Leaf],
+    pub(in crate::world) rays: &'a RayPacket4,
+    /// Mask of the active lanes.
+    pub(in crate::world) active: u32,
+    /// The operands to be tested besides the required ones.
+    pub(in crate::world) others: &'a [u32],
+}
+
+/// Hits of a ray packet.
+pub(in crate::world) struct CsgPacketHits {
+    pub(in crate::world) t: [f64; 4],
+    /// The operand, as a whole number.
+    pub(in crate::world) operand: [f64; 4],
+    /// Mask of the lanes that hit something.
+    pub(in crate::world) hit_mask: u32,
+    /// Mask of the lanes that need the scalar path.
+    pub(in crate::world) unknown: u32,
+}
+
+/// The interval of each ray inside all required operands, in which something may show.
+pub(in crate::world) struct ClipInterval<F> {
+    pub(in crate::world) low: F,
+    pub(in crate::world) high: F,
+    pub(crate) enter: End<F>,
+    pub(crate) leave: End<F>,
+    /// Mask of the lanes that need the scalar path.
+    pub(in crate::world) unknown: u32,
+}
+
+/// The last of several entries, or the first of several exits.
+#[derive(Clone, Copy)]
+pub(crate) struct End<F> {
+    pub(crate) t: F,
+    /// The operand, as a whole number; negative if it only clips.
+    pub(crate) operand: F,
+    /// Positive where two of them coincide.
+    pub(crate) tied: F,
+}
+
+impl<F: F64Lanes> End<F> {
+    #[inline(always)]
+    fn at(t: f64) -> Self {
+        End {
+            t: F::splat(t),
+            operand: F::splat(-1.0),
+            tied: F::splat(0.0),
+        }
+    }
+
+    /// Takes the end of an operand into account, which replaces the current one where `is_new`.
+    #[inline(always)]
+    fn extend(&mut self, t: F, operand: F, is_new: F::Mask) {
+        let [zero, one] = [F::splat(0.0), F::splat(1.0)];
+        let tied = F::select(t.eq(self.t), one, self.tied);
+        self.tied = F::select(is_new, zero, tied);
+        self.operand = F::select(is_new, operand, self.operand);
+        self.t = F::select(is_new, t, self.t);
+    }
+
+    /// Distance at which it may be shown: infinity where it only clips.
+    #[inline(always)]
+    fn shown(&self) -> F {
+        let zero = F::splat(0.0);
+        let is_shown = zero.le(self.operand) | zero.lt(self.tied);
+        F::select(is_shown, self.t, F::splat(f64::INFINITY))
+    }
+}
+
+/// Computes the interval of four rays in which something may show, and the lanes where it is not empty.
+pub(crate) struct ClipKernel<'a>(CsgPacket<'a>);
+
+impl SimdKernel for ClipKernel<'_> {
+    type Output = ([[f64; 4]; 2], u32);
+
+    #[inline(always)]
+    fn run<F: F64Lanes>(self) -> ([[f64; 4]; 2], u32) {
+        match self.0.narrowed(&self.0.rays.load::<F>()) {
+            None => ([[0.0; 4]; 2], 0),
+            Some(ClipInterval {
+                low, high, unknown, ..
+            }) => {
+                let left = F::bitmask(low.le(high)) | unknown;
+                ([low.to_array(), high.to_array()], left & self.0.active)
+            }
+        }
+    }
+}
+
+impl SimdKernel for CsgPacket<'_> {
+    type Output = CsgPacketHits;
+
+    #[inline(always)]
+    fn run<F: F64Lanes>(self) -> CsgPacketHits {
+        let rays = self.rays.load::<F>();
+        let Some(clip) = self.narrowed(&rays) else {
+            return CsgPacketHits::NOTHING;
+        };
+        if let Some(hits) = self.early_hits(&clip, &rays) {
+            return hits;
+        }
+        let endless = F::splat(f64::INFINITY);
+        let mut unknown = clip.unknown;
+        let mut ends = [(endless, -endless); MOST_OPERANDS];
+        for (ends, &number) in ends.iter_mut().zip(self.others) {
+            let (own, own_unknown) = self.ends(number, &rays, clip.low, clip.high);
+            *ends = own;
+            unknown |= own_unknown & self.active;
+        }
+        let cuts = &ends[..self.others.len().min(MOST_OPERANDS)];
+        let mut best = self.nearer(&clip, cuts, clip.enter.shown(), endless);
+        best = self.nearer(&clip, cuts, clip.leave.shown(), best);
+        for (ends, &number) in cuts.iter().zip(self.others) {
+            if !self.program.operands[number as usize].is_hidden {
+                best = self.nearer(&clip, cuts, ends.0, best);
+                best = self.nearer(&clip, cuts, ends.1, best);
+            }
+        }
+        let mut at = NearestEnd::none();
+        for end in [&clip.enter, &clip.leave] {
+            at.add_tie(F::splat(0.0).lt(end.tied) & end.t.eq(best));
+            at.add(end.t.eq(best), end.operand);
+        }
+        for (ends, &number) in cuts.iter().zip(self.others) {
+            at.add(ends.0.eq(best), F::splat(f64::from(number)));
+            at.add(ends.1.eq(best), F::splat(f64::from(number)));
+        }
+        at.answer(best, unknown, self.active)
+    }
+}
+
+/// The operand whose end is the closest shown.
+pub(in crate::world) struct NearestEnd<F: F64Lanes> {
+    pub(crate) operand: F,
+    pub(crate) once: F::Mask,
+    pub(crate) twice: F::Mask,
+}
+
+impl<F: F64Lanes> NearestEnd<F> {
+    #[inline(always)]
+    pub(in crate::world) fn none() -> Self {
+        NearestEnd {
+            operand: F::splat(0.0),
+            once: F::mask_from_bits(0),
+            twice: F::mask_from_bits(0),
+        }
+    }
+
+    #[inline(always)]
+    pub(in crate::world) fn add(&mut self, is_best: F::Mask, operand: F) {
+        self.twice = self.twice | (self.once & is_best);
+        self.once = self.once | is_best;
+        self.operand = F::select(is_best, operand, self.operand);
+    }
+
+    #[inline(always)]
+    fn add_tie(&mut self, is_tied: F::Mask) {
+        self.twice = self.twice | is_tied;
+    }
+
+    /// The hits, with the closest surface shown at `best`, or at infinity.
+    #[inline(always)]
+    pub(in crate::world) fn answer(&self, best: F, unknown: u32, active: u32) -> CsgPacketHits {
+        let hit_mask = F::bitmask(best.lt(F::splat(f64::INFINITY))) & active;
+        let unknown = unknown | F::bitmask(self.twice) & hit_mask;
+        CsgPacketHits {
+            t: best.to_array(),
+            operand: self.operand.to_array(),
+            hit_mask: hit_mask & !unknown,
+            unknown,
+        }
+    }
+}
+
+impl CsgPacketHits {
+    pub(in crate::world) const NOTHING: CsgPacketHits = CsgPacketHits {
+        t: [0.0; 4],
+        operand: [0.0; 4],
+        hit_mask: 0,
+        unknown: 0,
+    };
+}
+
+impl CsgPacket<'_> {
+    /// The intersection of the required operands; `None` if no active ray is left in it.
+    #[inline(always)]
+    pub(in crate::world) fn narrowed<F: F64Lanes>(
+        &self,
+        rays: &RayPacket<F>,
+    ) -> Option<ClipInterval<F>> {
+        let mut clip = ClipInterval {
+            low: F::from_array(&self.rays.t_min),
+            high: F::from_array(&self.rays.t_max),
+            enter: End::at(f64::NEG_INFINITY),
+            leave: End::at(f64::INFINITY),
+            unknown: 0,
+        };
+        for &number in &self.program.order.required {
+            let ((enter, leave), unknown) = self.ends(number, rays, clip.low, clip.high);
+            clip.unknown |= unknown & self.active;
+            let operand = if self.program.operands[number as usize].is_hidden {
+                -1.0
+            } else {
+                f64::from(number)
+            };
+            let operand = F::splat(operand);
+            clip.enter.extend(enter, operand, clip.enter.t.lt(enter));
+            clip.leave.extend(leave, operand, leave.lt(clip.leave.t));
+            clip.low = clip.low.lane_max(enter);
+            clip.high = clip.high.lane_min(leave);
+            let is_open = F::bitmask(clip.low.le(clip.high)) | clip.unknown;
+            if is_open & self.active == 0 {
+                return None;
+            }
+        }
+        Some(clip)
+    }
+
+    /// The hits if each ray either misses the required operands, or enters them at a point clear of all subtracted
+    /// operands: then the ends of those are not needed.
+    #[inline(always)]
+    fn early_hits<F: F64Lanes>(
+        &self,
+        clip: &ClipInterval<F>,
+        rays: &RayPacket<F>,
+    ) -> Option<CsgPacketHits> {
+        let t = clip.enter.shown();
+        let passes = F::bitmask(clip.high.lt(clip.low));
+        let is_plain = (F::from_array(&self.rays.t_min).lt(t) & t.lt(clip.high))
+            & (t.eq(clip.low) & clip.enter.tied.eq(F::splat(0.0)));
+        let mut clear = F::bitmask(is_plain) & !passes;
+        for &number in self.others {
+            if (clear | passes) & self.active != self.active {
+                break;
+            }
+            let leaf = &self.leaves[(self.program.first + number) as usize];
+            clear &= F::bitmask(match &leaf.object_from_world {
+                None => leaf.shape.four_clear(rays, t),
+                Some(matrix) => leaf.shape.four_clear(&rays.to_object(matrix), t),
+            });
+        }
+        let is_known = clip.unknown == 0 && (clear | passes) & self.active == self.active;
+        is_known.then(|| CsgPacketHits {
+            t: t.to_array(),
+            operand: clip.enter.operand.to_array(),
+            hit_mask: clear & self.active,
+            unknown: 0,
+        })
+    }
+
+    /// The nearer of `best` and, where it is shown, an end at `t`; `cuts` are the spans subtracted. Not a closure,
+    /// which would not be compiled for the wide lanes.
+    #[inline(always)]
+    fn nearer<F: F64Lanes>(&self, clip: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
+        let from = F::from_array(&self.rays.t_min);
+        let is_within = clip.low.le(t) & t.le(clip.high);
+        let mut is_shown = (from.lt(t) & is_within) & t.lt(best);
+        if F::bitmask(is_shown) & self.active == 0 {
+            return best;
+        }
+        for (enter, leave) in cuts {
+            is_shown = is_shown & (t.le(*enter) | leave.le(t));
+        }
+        F::select(is_shown, t, best)
+    }
+
+    /// Entry and exit of each ray into an operand, and the lanes that take the scalar path; ends outside the intervals
+    /// `low` to `high` may be missing. A missed operand is entered at infinity and left at minus infinity.
+    #[inline(always)]
+    pub(in crate::world) fn ends<F: F64Lanes>(
+        &self,
+        number: u32,
+        rays: &RayPacket<F>,
+        low: F,
+        high: F,
+    ) -> ((F, F), u32) {
+        let spans = self.spans(number, rays, low, high);
+        let endless = F::splat(f64::INFINITY);
+        let ends = (
+            F::select(spans.is_met, spans.enter, endless),
+            F::select(spans.is_met, spans.leave, -endless),
+        );
+        (ends, spans.unknown)
+    }
+
+    #[inline(always)]
+    fn spans<F: F64Lanes>(
+        &self,
+        number: u32,
+        rays: &RayPacket<F>,
+        low: F,
+        high: F,
+    ) -> SpanPacket<F> {
+        let leaf = &self.leaves[(self.program.first + number) as usize];
+        // A single call site, so that all shapes are inlined once.
+        let rays = match &leaf.object_from_world {
+            None => *rays,
+            Some(matrix) => rays.to_object(matrix),
+        };
+        leaf.shape.four(&rays, (low, high))
+    }
+
+    /// Adds the operands of a large program whose boxes some of the rays hit within their clip intervals, and updates
+    /// the active lanes; drops operands of parts whose boxes no ray hits. Returns `None` if there are too many.
+    #[inline(always)]
+    pub(crate) fn gather(&mut self, lanes: SimdLevel, others: &mut Numbers) -> Option<()> {
+        let order = &self.program.order;
+        let boxed = order.boxed.as_ref();
+        let Some(boxed) = boxed.filter(|boxed| !boxed.bounded.is_empty()) else {
+            return Some(());
+        };
+        let ([low, high], left) = lanes.run(ClipKernel(*self));
+        self.active = left;
+        let capacity = match self.program.nodes.len() {
+            1 => MOST_OPERANDS,
+            _ => MOST_OPERANDS - order.required.len(),
+        };
+        let mut hit_parts = 0u64;
+        for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
+            let is_full = boxed.tree.any_in(
+                lanes,
+                &self.rays.ray(lane),
+                (low[lane], high[lane]),
+                #[inline(always)]
+                |position| {
+                    match boxed.bounded.get(position as usize) {
+                        Some(number) if others.contains(number) => {}
+                        Some(&number) => others.push(number),
+                        None => hit_parts |= 1 << (position as usize - boxed.bounded.len()),
+                    }
+                    others.len() > capacity
+                },
+            );
+            if is_full {
+                return None;
+            }
+        }
+        for (part, operands) in boxed.parts.iter().enumerate() {
+            if hit_parts >> part & 1 == 0 {
+                others.retain(|number| !operands.contains(number));
+            }
+        }
+        Some(())
+    }
+}
+
+/// Returns true if a hit at `t` may lie on the surface that the ray starts on, for its near limit.
+#[inline(always)]
+pub(in crate::world) fn may_be_self_hit(t_min: f64, t: f64) -> bool {
+    SKIN * t <= t_min
+}
