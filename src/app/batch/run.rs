@@ -3,6 +3,16 @@
 //! Workers read one scene each; all of them render with the threads of one pool. Scenes that need the machine to
 //! themselves are rendered alone at the end: scenes that write files, that ran out of memory, and very large pictures.
 
+use super::fingerprint::{Fingerprints, now};
+use super::journal::Journal;
+use super::picture::Picture;
+use super::watchdog::Watchdog;
+use super::{BatchError, Shard};
+use crate::base::options::{CancelToken, Event, Failure, Input};
+use crate::base::source::{Code, Dependency, Message, Severity};
+use crate::output::EncodeOptions;
+use crate::{RenderSession, output};
+use rayon::prelude::*;
 use std::any::Any;
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,36 +21,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use rayon::prelude::*;
-
-use super::fingerprint::{Fingerprints, now};
-use super::journal::Journal;
-use super::watchdog::Watchdog;
-use super::{BatchError, Shard};
-use crate::RenderSession;
-use crate::base::options::{CancelToken, Event, Failure, Input, ReadOptions, RenderOptions};
-use crate::base::source::{Code, Dependency, Message, Severity};
-use crate::output::{self, EncodeOptions};
-
 /// Larger pictures are rendered alone: their films take a GiB and more.
 const LARGE: u64 = 1 << 26;
-
-/// A picture to render.
-#[derive(Clone, Debug)]
-pub struct Picture {
-    /// The scene.
-    pub scene: PathBuf,
-    /// Successive pictures with the same number are frames of one animation.
-    pub series: usize,
-    /// The file, relative to the folder of the run. The ending matches the format.
-    pub output: PathBuf,
-    /// Options for reading the scene.
-    pub read: ReadOptions,
-    /// Options for rendering; `threads` is ignored.
-    pub render: RenderOptions,
-    /// Options for encoding; the working colour space comes from the scene.
-    pub encode: EncodeOptions,
-}
 
 /// Options of a run.
 #[derive(Clone, Debug, Default)]

@@ -6,6 +6,7 @@
 mod list;
 mod tell;
 
+use crate::app::cli::options::command_line;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -15,12 +16,13 @@ use clap::Parser;
 use self::list::List;
 use self::tell::BatchReporter;
 use super::Command;
-use super::draw::report::{MessageFormat, say};
+use super::draw::report::say;
 use super::options::arg_words;
 use super::options::environment::Environment;
 use super::options::error::CliError;
 use super::options::long_options;
 use super::options::long_options::Size;
+use super::options::output_kinds::MessageFormat;
 use super::options::values::{bytes, duration};
 use crate::app::batch::{self, Batch, Figure, Shard};
 
@@ -166,12 +168,12 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<CommandOptions>(option) {
+        match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 out = options.output.clone().or(out);
                 wanted.take_in(options);
             }
-            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
+            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }

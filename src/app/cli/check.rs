@@ -4,18 +4,21 @@
 //! Findings and counts go to standard output, as the result of the command; `#debug` output of scenes goes to standard
 //! error. Exit code 0: every scene could be rendered; 1: some could not; 2: the command line is wrong.
 
+use crate::app::cli::options::command_line;
+use crate::app::cli::options::ini;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 
 use super::Command;
-use super::draw::report::{Line, MessageFormat, Reporter, Stream, counted, say};
+use super::draw::report::{Line, Reporter, Stream, counted, say};
 use super::options::arg_words;
 use super::options::environment::Environment;
 use super::options::error::CliError;
 use super::options::ini::Reader;
 use super::options::long_options;
+use super::options::output_kinds::MessageFormat;
 use super::options::raw_args::RawArgs;
 use super::options::settings::{Scene, find_scene, read_options};
 use crate::app::batch::scenes_below;
@@ -115,12 +118,12 @@ fn read_arguments(
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<CommandOptions>(option) {
+        match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 wanted.is_quiet |= options.quiet;
                 wanted.format = options.message_format.or(wanted.format);
             }
-            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
+            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }
@@ -153,7 +156,7 @@ fn read_word(
     }
     arg_words::of_argument(argument)
         .iter()
-        .try_for_each(|word| arg_words::read(reader, word))
+        .try_for_each(|word| ini::read(reader, word))
 }
 
 /// The scenes for some names: files in the order given, those of a folder sorted, without duplicates.

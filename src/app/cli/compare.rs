@@ -7,6 +7,7 @@ mod page;
 mod row;
 mod table;
 
+use crate::app::cli::options::command_line;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -199,9 +200,9 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match long_options::parse::<CommandOptions>(option) {
+        match command_line::parse::<CommandOptions>(option) {
             Ok(options) => wanted.set(options),
-            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
+            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
         }
         rest = others;
     }

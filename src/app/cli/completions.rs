@@ -1,5 +1,6 @@
 //! `povr completions`: shell scripts that complete command lines, POV-Ray's switches included.
 
+use crate::app::cli::options::command_line;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -39,7 +40,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr completions".to_owned());
     match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => put(&script(options.shell)),
-        Err(said) => say(long_options::printed::<CommandOptions>(&said)?.trim_end()),
+        Err(said) => say(command_line::printed::<CommandOptions>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,5 +1,6 @@
 //! `povr curve`: renders a scene with many settings and reports error against run time.
 
+use crate::app::cli::options::command_line;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -133,7 +134,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match long_options::parse::<CommandOptions>(option) {
+        match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 wanted.out = options.out.or(wanted.out);
                 wanted.settings = options.settings.or(wanted.settings);
@@ -142,7 +143,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.truth = options.truth.or(wanted.truth);
                 wanted.is_fresh |= options.fresh;
             }
-            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
+            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
         }
         rest = behind;
     }

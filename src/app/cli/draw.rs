@@ -11,6 +11,9 @@ pub(super) mod report;
 pub(super) mod streams;
 pub(super) mod unfinished;
 
+use super::options::output_kinds;
+use crate::app::cli::options::command_line;
+use crate::app::cli::options::ini;
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -27,10 +30,11 @@ use super::options::error::CliError;
 use super::options::ini::Reader;
 
 use super::draw::progress::{Progress, ProgressKind};
-use super::draw::report::{Line, MessageFormat, Reporter, Stream, say};
+use super::draw::report::{Line, Reporter, Stream, say};
 use super::draw::streams::Files;
 use super::options::long_options;
 use super::options::long_options::LongOptions;
+use super::options::output_kinds::MessageFormat;
 use super::options::settings;
 use super::options::settings::{Scene, Settings, Verbosity};
 
@@ -108,19 +112,19 @@ pub(super) fn request_of(
         let modern = long_options::length::<LongOptions>(rest);
         if modern > 0 {
             let (option, others) = rest.split_at(modern);
-            match long_options::parse::<LongOptions>(option) {
+            match command_line::parse::<LongOptions>(option) {
                 Ok(given) => given.set(reader.raw_args),
                 Err(said) if said.kind() == DisplayVersion && environment.is_povray => {
                     return Ok(Request::Print(console::version()));
                 }
                 Err(said) => {
-                    return long_options::printed::<LongOptions>(&said).map(Request::Print);
+                    return command_line::printed::<LongOptions>(&said).map(Request::Print);
                 }
             }
             rest = others;
         } else {
             for word in arg_words::of_argument(first) {
-                arg_words::read(&mut reader, &word)?;
+                ini::read(&mut reader, &word)?;
             }
             rest = others;
         }
@@ -230,7 +234,7 @@ pub(super) fn report_statistics(
 ) {
     reporter
         .files
-        .write(streams::Stream::Statistics, &statistics.to_string());
+        .write(output_kinds::Stream::Statistics, &statistics.to_string());
     if verbosity.stats {
         say(statistics.to_string().trim_end());
     }

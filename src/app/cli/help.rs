@@ -1,5 +1,6 @@
 //! `povr help`: the same as `povr --help`, and `povr help COMMAND` as `povr COMMAND --help`.
 
+use crate::app::cli::options::command_line;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
@@ -7,7 +8,6 @@ use clap::{CommandFactory, Parser};
 use super::draw::report::say;
 use super::options::environment::Environment;
 use super::options::error::CliError;
-use super::options::long_options;
 use super::options::nearest::nearest;
 use super::{COMMANDS, Command, draw};
 
@@ -31,7 +31,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     let options = match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => options,
         Err(said) => {
-            say(long_options::printed::<CommandOptions>(&said)?.trim_end());
+            say(command_line::printed::<CommandOptions>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };

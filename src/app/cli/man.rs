@@ -1,5 +1,6 @@
 //! `povr man`: the manual page, generated from the lists of options that the program itself uses.
 
+use crate::app::cli::options::command_line;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -35,7 +36,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr man".to_owned());
     match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => put(&page(options.command.as_deref())?),
-        Err(said) => say(long_options::printed::<CommandOptions>(&said)?.trim_end()),
+        Err(said) => say(command_line::printed::<CommandOptions>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -19,10 +19,10 @@ mod watch;
 
 pub use draw::frames::Frames;
 pub use draw::progress::{Progress, ProgressKind};
-pub use draw::report::MessageFormat;
 pub use draw::{Request, request};
 pub use options::environment::Environment;
 pub use options::error::CliError;
+pub use options::output_kinds::MessageFormat;
 pub use options::settings::{Scene, Settings, Verbosity};
 
 use std::path::Path;

@@ -9,6 +9,7 @@ mod scene;
 mod shapes;
 mod transforms;
 
+use crate::app::cli::options::command_line;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -25,7 +26,6 @@ use super::draw::report::say;
 use super::draw::{self, Request};
 use super::options::environment::Environment;
 use super::options::error::CliError;
-use super::options::long_options;
 use super::options::long_options::Size;
 
 pub(super) const COMMAND: Command = Command {
@@ -84,7 +84,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     let options = match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => options,
         Err(said) => {
-            say(long_options::printed::<CommandOptions>(&said)?.trim_end());
+            say(command_line::printed::<CommandOptions>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };

@@ -2,8 +2,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::draw::streams::Stream;
 use super::draw::{Draw, carry_out};
+use super::options::output_kinds::Stream;
 use super::*;
 use crate::base::color::Gamma;
 use crate::base::film::{Film, Pixel};

@@ -10,6 +10,7 @@ mod painter;
 mod shown;
 mod terminal;
 
+use crate::app::cli::options::command_line;
 use std::net::TcpListener;
 use std::process::ExitCode;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -165,14 +166,14 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match long_options::parse::<CommandOptions>(option) {
+        match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 wanted.is_served |= options.serve;
                 wanted.port = options.port.or(wanted.port);
                 wanted.is_silent |= options.no_terminal;
                 wanted.times = options.times.or(wanted.times);
             }
-            Err(said) => return long_options::printed::<CommandOptions>(&said).map(Err),
+            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
         }
         rest = behind;
     }

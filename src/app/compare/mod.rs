@@ -10,6 +10,7 @@
 mod case;
 mod check;
 mod difference;
+pub(crate) mod error;
 mod flip;
 mod kinds;
 mod limits;
@@ -21,8 +22,9 @@ mod side_by_side;
 mod thresholds;
 
 pub use case::{Case, CaseError};
-pub use check::{Bench, CheckError, Checked, Compared, Explanation, pictures};
+pub use check::{Bench, Checked, Compared, Explanation, pictures};
 pub use difference::steps_apart;
+pub use error::CheckError;
 pub use flip::flip;
 pub use kinds::alike;
 pub(crate) use kinds::shown;

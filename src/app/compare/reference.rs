@@ -1,6 +1,6 @@
 //! Stored pictures of POV-Ray, keyed by a hash of all inputs: only new and changed scenes are rendered again.
 
-use super::check::CheckError;
+use super::error::CheckError;
 use super::renderer::{Picture, Renderer};
 use super::{Ended, tail};
 use rustc_hash::FxHasher;

@@ -7,6 +7,7 @@
 //! later run with the same scene continues where an earlier one ended.
 
 mod error;
+pub(crate) mod files;
 mod page;
 mod plot;
 mod povray;
@@ -173,10 +174,10 @@ impl Sweep {
                     .filter(|known| to_come.iter().any(|s| s.file_stem() == known.file_stem))
                     .cloned(),
             );
-            store::write_json(&json, &stored)?;
+            files::write_json(&json, &stored)?;
         }
         step(of, "the page");
-        store::write_json(&json, &report)?;
+        files::write_json(&json, &report)?;
         self.publish(&report)?;
         Ok(report)
     }
@@ -184,12 +185,12 @@ impl Sweep {
     /// Writes table, plot and page.
     fn publish(&self, report: &Report) -> Result<(), CurveError> {
         let svg = plot::svg(report)?;
-        store::write(&self.folder.join("curve.csv"), report.csv().as_bytes())?;
-        store::write(&self.folder.join("curve.svg"), svg.as_bytes())?;
+        files::write(&self.folder.join("curve.csv"), report.csv().as_bytes())?;
+        files::write(&self.folder.join("curve.svg"), svg.as_bytes())?;
         #[cfg(feature = "plot-png")]
-        store::write(&self.folder.join("curve.png"), &plot::png(&svg)?)?;
+        files::write(&self.folder.join("curve.png"), &plot::png(&svg)?)?;
         let page = page::html(report, &svg, &self.folder.join("pictures"))?;
-        store::write(&self.folder.join("index.html"), page.as_bytes())
+        files::write(&self.folder.join("index.html"), page.as_bytes())
     }
 
     fn measure(
@@ -270,5 +271,5 @@ fn write_png(path: &Path, size: &Linear, bytes: &[u8]) -> Result<(), CurveError>
             writer.finish()
         })
         .map_err(|error| CurveError::new(format!("cannot write `{}`: {error}", path.display())))?;
-    store::write(path, &file)
+    files::write(path, &file)
 }

@@ -1,15 +1,11 @@
 //! Stored measurements: JSON for continuing in a later run, and CSV for tables.
 
-use std::fmt::Write as _;
-use std::path::Path;
-
-use serde::{Deserialize, Serialize};
-
-use super::CurveError;
 use super::error::Errors;
 use super::setting::Family;
 use super::truth::Truth;
-use crate::output::Pending;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
+use std::path::Path;
 
 /// All results for a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -124,28 +120,6 @@ impl Report {
         let bytes = std::fs::read(path).ok()?;
         let report: Report = serde_json::from_slice(&bytes).ok()?;
         (report.key == key).then_some(report)
-    }
-}
-
-/// Writes a file atomically.
-pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
-    let written = Pending::new(path).and_then(|mut file| {
-        std::io::Write::write_all(&mut file, bytes)?;
-        file.take_name()
-    });
-    written.map(drop).map_err(|error| {
-        CurveError::new(format!("cannot write `{}`: {error}", path.display()))
-            .with_hint("name another folder with `--out`")
-    })
-}
-
-pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), CurveError> {
-    match serde_json::to_vec_pretty(value) {
-        Ok(bytes) => write(path, &bytes),
-        Err(error) => Err(CurveError::new(format!(
-            "cannot write `{}`: {error}",
-            path.display()
-        ))),
     }
 }
 

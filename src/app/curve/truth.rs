@@ -64,8 +64,8 @@ pub(super) fn stored_or_rendered(
     };
     let values = picture.pixels.iter().flatten();
     let bytes: Vec<u8> = values.flat_map(|c| c.to_le_bytes()).collect();
-    super::store::write(&folder.join(PICTURE), &bytes)?;
-    super::store::write_json(&folder.join(FACTS), &truth)?;
+    super::files::write(&folder.join(PICTURE), &bytes)?;
+    super::files::write_json(&folder.join(FACTS), &truth)?;
     Ok((truth, picture))
 }
 

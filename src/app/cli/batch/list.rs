@@ -1,11 +1,11 @@
 //! The list of the pictures of a batch, with their settings.
 
+use crate::app::cli::options::ini;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::Wanted;
 use crate::app::batch::{Globs, Picture, scenes_below};
-use crate::app::cli::options::arg_words;
 use crate::app::cli::options::environment::Environment;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::ini::Reader;
@@ -93,7 +93,7 @@ fn of_scene(
 fn take_in(wanted: &Wanted, raw_args: &mut RawArgs, folders: &[PathBuf]) -> Result<(), CliError> {
     let mut reader = Reader::new(raw_args, folders);
     for word in &wanted.switches {
-        arg_words::read(&mut reader, word)?;
+        ini::read(&mut reader, word)?;
     }
     if let Some(Size(width, height)) = wanted.size {
         (raw_args.width, raw_args.height) = (width, height);

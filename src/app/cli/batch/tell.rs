@@ -11,9 +11,10 @@ use serde::Serialize;
 
 use super::Wanted;
 use crate::app::batch::{News, Outcome, Picture, Status};
-use crate::app::cli::draw::report::{MessageFormat, Reporter, Stream, counted, say};
+use crate::app::cli::draw::report::{Reporter, Stream, counted, say};
 use crate::app::cli::options::environment::Environment;
 use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::base::options::Event;
 use crate::base::source::Message;
 

@@ -13,30 +13,16 @@
 //! Lines and columns count from 1, columns in characters. Lines of standard error that do not begin with `{` are about
 //! the command line.
 
-use std::fmt;
-use std::io::{self, IsTerminal, Write};
-use std::sync::Mutex;
-
-use clap::ValueEnum;
-use serde::Serialize;
-
-use super::streams::{self, Files};
+use super::streams::Files;
+use crate::app::cli::options::output_kinds;
+use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::settings::Settings;
 use crate::base::options::{Event, Statistics};
 use crate::base::source::{Message, Severity};
-
-/// The format of findings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MessageFormat {
-    /// POV-Ray's line, for programs that look for it.
-    Povray,
-    /// The lines of the scene with what is wrong beside them.
-    Human,
-    /// One line each: `file:line:column: error: message`.
-    Short,
-    /// One object a line.
-    Json,
-}
+use serde::Serialize;
+use std::io::{IsTerminal, Write};
+use std::sync::Mutex;
+use std::{fmt, io};
 
 /// The standard stream for findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +94,7 @@ impl Reporter {
     /// Reports an event.
     pub(crate) fn report(&self, event: Event<'_>) {
         match &event {
-            Event::Said(text) => self.files.write(streams::Stream::Debug, text),
+            Event::Said(text) => self.files.write(output_kinds::Stream::Debug, text),
             Event::Found(message) => self.files.write_finding(message),
             _ => {}
         }

@@ -5,46 +5,15 @@
 //! POV-Ray 3.7). `#debug` output is written as in POV-Ray; findings have the format of POV-Ray's files, in this
 //! program's words; statistics are this program's own.
 
+use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::output_kinds::Stream;
+use crate::app::cli::options::settings::{Scene, Settings};
+use crate::base::source::{Message, Severity};
+use crate::output::Target;
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
-
-use crate::app::cli::options::error::CliError;
-use crate::app::cli::options::settings::{Scene, Settings};
-use crate::base::source::{Message, Severity};
-use crate::output::Target;
-
-/// The kinds of messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stream {
-    /// Everything: `+GA`.
-    All,
-    /// The scene's `#debug` output: `+GD`.
-    Debug,
-    /// Errors: `+GF`.
-    Fatal,
-    /// The scene and the render options: `+GR`.
-    Render,
-    /// Statistics of the rendering: `+GS`.
-    Statistics,
-    /// Warnings: `+GW`.
-    Warning,
-}
-
-impl Stream {
-    /// The default file of a stream.
-    pub(crate) fn file(self) -> &'static str {
-        match self {
-            Stream::All => "alltext.out",
-            Stream::Debug => "debug.out",
-            Stream::Fatal => "fatal.out",
-            Stream::Render => "render.out",
-            Stream::Statistics => "stats.out",
-            Stream::Warning => "warning.out",
-        }
-    }
-}
 
 /// Maximum length of the lines of findings.
 const WIDTH: usize = 79;

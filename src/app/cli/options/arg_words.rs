@@ -1,49 +1,8 @@
 //! One word of a command line or an ini file: a switch, `Key=Value`, a scene, or an ini file.
 
-use std::ops::Range;
-
-use super::error::CliError;
-use super::ini::Reader;
+use super::switches;
 use super::values::unquoted;
-use super::{keys, switches};
-
-/// Reads a word.
-pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> {
-    if word == "-" {
-        reader.raw_args.scene = Some("-".to_owned());
-        return Ok(());
-    }
-    if let Some((key, value)) = assignment(word) {
-        return set(reader, key, unquoted(value), word);
-    }
-    if let Some(done) = switches::set(reader.raw_args, word) {
-        return done;
-    }
-    let name = unquoted(word);
-    if has_ending(name, ".pov") {
-        reader.raw_args.scene = Some(name.to_owned());
-        Ok(())
-    } else if name.starts_with(['+', '-']) && !has_ending(name, ".ini") {
-        Err(CliError::new(format!("unknown switch `{word}`"))
-            .with_hint("`povr --help` tells which switches there are"))
-    } else {
-        reader.read_named(name)
-    }
-}
-
-/// Sets an option; `Include_Ini` is not an option but a file to read at once.
-pub(crate) fn set(
-    reader: &mut Reader<'_>,
-    key: &str,
-    value: &str,
-    said: &str,
-) -> Result<(), CliError> {
-    if key.eq_ignore_ascii_case("Include_Ini") {
-        reader.read_named(value)
-    } else {
-        keys::set(reader.raw_args, key, value, said.trim())
-    }
-}
+use std::ops::Range;
 
 /// `Key=Value`, with or without spaces around the sign.
 pub(crate) fn assignment(text: &str) -> Option<(&str, &str)> {

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use super::error::CliError;
 use super::ini::Reader;
 use super::raw_args::RawArgs;
-use crate::app::cli::draw::report::MessageFormat;
+use crate::app::cli::options::output_kinds::MessageFormat;
 
 /// Settings from outside the command line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

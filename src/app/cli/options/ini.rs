@@ -3,15 +3,17 @@
 //! Lines before the first `[section]` always count, lines in a section only if the file was named with it,
 //! `file.ini[section]`. `;` begins a comment, and so does `#` at the start of a word.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use super::arg_words;
+use super::arg_words::{assignment, has_ending};
 use super::error::CliError;
 use super::nearest::nearest;
 use super::raw_args::RawArgs;
+use super::values::unquoted;
+use super::{arg_words, keys, switches};
 use crate::app::cli::COMMANDS;
+use crate::app::cli::options::ini;
 use crate::base::source::read_regular;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Folders with more entries are not fully searched for a file with a similar name.
 const MOST_NEIGHBOURS: usize = 10_000;
@@ -92,7 +94,7 @@ impl<'a> Reader<'a> {
     fn read_line(&mut self, line: &str) -> Result<(), CliError> {
         arg_words::of_argument(line)
             .iter()
-            .try_for_each(|word| arg_words::read(self, word))
+            .try_for_each(|word| ini::read(self, word))
     }
 
     fn find(&self, name: &str) -> Option<PathBuf> {
@@ -175,6 +177,44 @@ fn without_comment(line: &str) -> &str {
         before = c;
     }
     line
+}
+
+/// Reads a word.
+pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> {
+    if word == "-" {
+        reader.raw_args.scene = Some("-".to_owned());
+        return Ok(());
+    }
+    if let Some((key, value)) = assignment(word) {
+        return set(reader, key, unquoted(value), word);
+    }
+    if let Some(done) = switches::set(reader.raw_args, word) {
+        return done;
+    }
+    let name = unquoted(word);
+    if has_ending(name, ".pov") {
+        reader.raw_args.scene = Some(name.to_owned());
+        Ok(())
+    } else if name.starts_with(['+', '-']) && !has_ending(name, ".ini") {
+        Err(CliError::new(format!("unknown switch `{word}`"))
+            .with_hint("`povr --help` tells which switches there are"))
+    } else {
+        reader.read_named(name)
+    }
+}
+
+/// Sets an option; `Include_Ini` is not an option but a file to read at once.
+pub(crate) fn set(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: &str,
+    said: &str,
+) -> Result<(), CliError> {
+    if key.eq_ignore_ascii_case("Include_Ini") {
+        reader.read_named(value)
+    } else {
+        keys::set(reader.raw_args, key, value, said.trim())
+    }
 }
 
 #[cfg(test)]

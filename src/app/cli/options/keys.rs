@@ -9,7 +9,7 @@ use super::raw_args::{Output, RawArgs, Unbuilt};
 use super::values::{
     duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
 };
-use crate::app::cli::draw::streams::Stream;
+use crate::app::cli::options::output_kinds::Stream;
 use crate::base::options::Method;
 
 /// The effect of an option with its value. The third text is the word as typed, for messages.

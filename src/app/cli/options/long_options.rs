@@ -1,18 +1,13 @@
 //! Long options (clap) beside POV-Ray's switches, and `-o`.
 
-use std::str::FromStr;
-use std::time::Duration;
-
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{CommandFactory, Parser};
-
-use super::error::CliError;
+use super::output_kinds::MessageFormat;
 use super::raw_args::{Output, RawArgs};
-use super::unknown;
 use super::values::{duration, error};
 use crate::app::cli::COMMANDS;
-use crate::app::cli::draw::report::MessageFormat;
 use crate::base::options::{LeastDistance, RandomOrder};
+use clap::{CommandFactory, Parser};
+use std::str::FromStr;
+use std::time::Duration;
 
 /// Draws POV-Ray scenes.
 #[derive(Debug, Parser)]
@@ -125,39 +120,6 @@ pub(crate) fn length<CommandOptions: CommandFactory>(arguments: &[String]) -> us
         None => return 0,
     };
     (1 + usize::from(takes_value)).min(arguments.len())
-}
-
-/// Parses one option with its value.
-///
-/// # Errors
-/// clap's output: an error, or the text of `--help` or `--version`.
-pub(crate) fn parse<CommandOptions: Parser>(
-    option: &[String],
-) -> Result<CommandOptions, clap::Error> {
-    let words = option.iter().map(|word| match word.as_str() {
-        "-help" | "-?" => "--help",
-        "-version" => "--version",
-        other => other,
-    });
-    CommandOptions::try_parse_from(std::iter::once("povr").chain(words))
-}
-
-/// The text that clap printed: an answer, or an error about an option of this command.
-pub(crate) fn printed<CommandOptions: CommandFactory>(
-    said: &clap::Error,
-) -> Result<String, CliError> {
-    if let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
-        (said.kind(), said.get(ContextKind::InvalidArg))
-    {
-        return Err(unknown::refused(option, &CommandOptions::command()));
-    }
-    let text = said.render().to_string();
-    if said.use_stderr() {
-        let text = text.trim_end();
-        Err(CliError::new(text.strip_prefix("error: ").unwrap_or(text)))
-    } else {
-        Ok(text)
-    }
 }
 
 impl LongOptions {

@@ -1,12 +1,14 @@
 //! Options: POV-Ray's switches, ini files, long options, and the settings that they amount to.
 
 pub(super) mod arg_words;
+pub(crate) mod command_line;
 pub(super) mod environment;
 pub(super) mod error;
 pub(super) mod ini;
 pub(super) mod keys;
 pub(super) mod long_options;
 pub(super) mod nearest;
+pub(crate) mod output_kinds;
 pub(super) mod raw_args;
 pub(super) mod settings;
 pub(super) mod switches;

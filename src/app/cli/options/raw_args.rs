@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crate::app::cli::draw::frames::Wanted;
-use crate::app::cli::draw::report::MessageFormat;
-use crate::app::cli::draw::streams::Stream;
+use crate::app::cli::options::output_kinds::MessageFormat;
+use crate::app::cli::options::output_kinds::Stream;
 use crate::base::color::Gamma;
 use crate::output::Format;
 

@@ -10,8 +10,8 @@ use super::ini::neighbour;
 use super::raw_args::{Output, RawArgs};
 use super::values::{format_of_ending, has_grey};
 use crate::app::cli::draw::frames::Frames;
-use crate::app::cli::draw::report::MessageFormat;
-use crate::app::cli::draw::streams::Stream;
+use crate::app::cli::options::output_kinds::MessageFormat;
+use crate::app::cli::options::output_kinds::Stream;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
