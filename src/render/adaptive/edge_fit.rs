@@ -4,7 +4,7 @@
 use super::coverage::PixelParts;
 use super::edge::{ClassifiedPoint, Division, Wedge};
 use super::estimate::Estimate;
-use super::sample::AdaptiveSample;
+use super::sample::{AdaptiveSample, PointSample};
 use super::slope::Sums;
 use super::strip::Strip;
 use super::triple_edge::Sides;
@@ -17,9 +17,6 @@ const ON_AN_EDGE_TOGETHER: u32 = 3;
 const FAR: f64 = 64.0;
 /// Parts with this many samples do not need the samples on their edges for their colour.
 const ENOUGH: f64 = 4.0;
-
-/// A sample and its point in pixels.
-pub(super) type PointSample = ([f64; 2], AdaptiveSample);
 
 /// The error to reach.
 #[derive(Clone, Copy, Debug)]

@@ -4,13 +4,14 @@
 //! Many pixels are finished side by side, and the samples they request are traced together: rays traced in packets cost
 //! a fraction of single rays.
 
-use super::band::{Band, FinishedPixel};
-use super::edge_fit::{Buffers, EdgeFit, ErrorGoal, NextStep, PointSample};
+use super::edge_fit::{Buffers, EdgeFit, ErrorGoal, NextStep};
 use super::estimate::{Estimate, after_half, of_all};
 use super::neighbors::first_estimate;
+use super::pixels::{Band, FinishedPixel};
+use super::rectangles::TinyObjects;
+use super::sample::PointSample;
 use super::sample::{AdaptiveSample, SamplerScratch, TOGETHER, pixel};
 use super::slope::{Slopes, Sums};
-use super::tiny_objects::TinyObjects;
 use crate::world::RayCounts;
 use std::ops::Range;
 

@@ -15,6 +15,8 @@ mod edge_fit;
 mod estimate;
 mod finish;
 mod neighbors;
+pub(crate) mod pixels;
+pub(crate) mod rectangles;
 mod sample;
 mod slope;
 mod strip;
@@ -29,11 +31,12 @@ use crate::base::film::Film;
 use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
 use crate::render::shade::Tracer;
 use crate::world::RayCounts;
-use band::{Band, ErrorTarget, FinishedPixel, MARGIN};
+use band::MARGIN;
+use pixels::{Band, ErrorTarget, FinishedPixel};
+use rectangles::TinyObjects;
 use sample::PixelSampler;
 use std::ops::Range;
 use std::time::Instant;
-use tiny_objects::TinyObjects;
 
 /// Upper limit of the pixels sampled together: their samples take 100 to 300 bytes each.
 const BAND_PIXELS: u32 = 1 << 18;

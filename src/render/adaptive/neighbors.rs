@@ -1,7 +1,7 @@
 //! The samples adjacent to a sample, in its pixel and in the pixels around.
 
-use super::band::{Band, FINER, FIRST_AT_MOST, SampleFilter};
 use super::estimate::{Estimate, SHARE_OF_VARIANCE};
+use super::pixels::{Band, FINER, FIRST_AT_MOST, SampleFilter};
 use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use smallvec::SmallVec;

@@ -1,6 +1,6 @@
 //! The samples of a pixel, and the sampler that traces them.
 
-use super::tiny_objects::TinyObjects;
+use super::rectangles::TinyObjects;
 use crate::base::film::Pixel;
 use crate::base::math::sampling::sobol::Sobol;
 use crate::render::shade::{BLOCK, BlockScratch, Tracer};
@@ -225,3 +225,6 @@ impl PixelSampler<'_> {
 fn position((x, y): (u32, u32)) -> (u16, u16) {
     ((x >> 16) as u16, (y >> 16) as u16)
 }
+
+/// A sample and its point in pixels.
+pub(crate) type PointSample = ([f64; 2], AdaptiveSample);

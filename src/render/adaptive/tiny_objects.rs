@@ -5,8 +5,9 @@
 //! show the pixel without it, and the samples in the rectangle show what it adds. This is exact rather than a guess at
 //! hidden features: the mean is the same however the samples are moved.
 
-use super::band::{Band, FinishedPixel};
 use super::estimate::{Estimate, of_all};
+use super::pixels::{Band, FinishedPixel};
+use super::rectangles::{Rectangle, TinyObjects, TinyObjectsOfPixel};
 use super::sample::{AdaptiveSample, PixelSampler, SamplerScratch, pixel};
 use super::slope::Slopes;
 use crate::base::math::Bounds;
@@ -14,7 +15,6 @@ use crate::scene::camera::Camera;
 use crate::world::{RayCounts, World};
 use glam::DVec3;
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
 
 /// Larger boxes, in pixels, are hit by regular samples.
 const WIDEST: f64 = 2.0;
@@ -33,77 +33,11 @@ const MOST_SAMPLES: u32 = 1 << 10;
 /// Share of the requested error that a rectangle may have.
 const SHARE: f64 = 0.25;
 
-/// A rectangle in a pixel, as shares of its sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Rectangle {
-    from: [f64; 2],
-    to: [f64; 2],
-}
-
 /// A rectangle with its number in its pixel, from 1, which selects its Sobol sequence.
 #[derive(Clone, Copy)]
 struct NumberedRectangle<'a> {
     number: u32,
     rectangle: &'a Rectangle,
-}
-
-/// The rectangles of all pixels that have any.
-#[derive(Debug, Default)]
-pub(super) struct TinyObjects {
-    of_pixels: FxHashMap<(u32, u32), Vec<Rectangle>>,
-}
-
-/// The rectangles of one pixel.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TinyObjectsOfPixel<'a>(&'a [Rectangle]);
-
-impl TinyObjectsOfPixel<'_> {
-    /// Moves a point of the pixel out of the rectangle it lies in, if any.
-    pub(super) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
-        let here = self.0.iter().find(|one| one.holds(point));
-        here.map_or(point, |rectangle| rectangle.moved_out(point))
-    }
-}
-
-impl Rectangle {
-    fn area(&self) -> f64 {
-        (self.to[0] - self.from[0]) * (self.to[1] - self.from[1])
-    }
-
-    fn holds(&self, point: [f64; 2]) -> bool {
-        (0..2).all(|i| self.from[i] < point[i] && point[i] < self.to[i])
-    }
-
-    fn overlaps(&self, other: &Rectangle) -> bool {
-        (0..2).all(|i| self.from[i] < other.to[i] && other.from[i] < self.to[i])
-    }
-
-    fn with(&self, other: &Rectangle) -> Rectangle {
-        Rectangle {
-            from: [0, 1].map(|i| self.from[i].min(other.from[i])),
-            to: [0, 1].map(|i| self.to[i].max(other.to[i])),
-        }
-    }
-
-    /// The point at a share of the sides.
-    fn at(&self, share: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| self.from[i] + share[i] * (self.to[i] - self.from[i]))
-    }
-
-    /// Moves a point to the nearest side of the rectangle that is not a side of the pixel.
-    fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
-        let mut best = (f64::INFINITY, point);
-        for i in 0..2 {
-            for side in [self.from[i], self.to[i]] {
-                let distance = (point[i] - side).abs();
-                if side > 0.0 && side < 1.0 && distance < best.0 {
-                    best = (distance, point);
-                    best.1[i] = side;
-                }
-            }
-        }
-        best.1
-    }
 }
 
 impl TinyObjects {

@@ -1,7 +1,7 @@
 //! Pixels with three surface sides in a row, as the front of a bar, its flank, and the background.
 
-use super::edge_fit::PointSample;
 use super::sample::AdaptiveSample;
+use super::sample::PointSample;
 use smallvec::SmallVec;
 
 /// Three surface sides, the second between the others: a sample of each.
