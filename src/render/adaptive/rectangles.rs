@@ -1,47 +1,46 @@
 //! Rectangles that tiny objects cover in pixels.
 
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// A rectangle in a pixel, as shares of its sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rectangle {
-    pub(crate) from: [f64; 2],
-    pub(crate) to: [f64; 2],
+pub(super) struct Rectangle {
+    pub(super) from: [f64; 2],
+    pub(super) to: [f64; 2],
 }
 
 /// The rectangles of all pixels that have any.
 #[derive(Debug, Default)]
-pub(crate) struct TinyObjects {
-    pub(crate) of_pixels: FxHashMap<(u32, u32), Vec<Rectangle>>,
+pub(super) struct TinyObjects {
+    pub(super) of_pixels: FxHashMap<(u32, u32), Vec<Rectangle>>,
 }
 
 /// The rectangles of one pixel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct TinyObjectsOfPixel<'a>(pub(crate) &'a [Rectangle]);
+pub(super) struct TinyObjectsOfPixel<'a>(pub(super) &'a [Rectangle]);
 
 impl TinyObjectsOfPixel<'_> {
     /// Moves a point of the pixel out of the rectangle it lies in, if any.
-    pub(crate) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
         let here = self.0.iter().find(|one| one.holds(point));
         here.map_or(point, |rectangle| rectangle.moved_out(point))
     }
 }
 
 impl Rectangle {
-    pub(crate) fn area(&self) -> f64 {
+    pub(super) fn area(&self) -> f64 {
         (self.to[0] - self.from[0]) * (self.to[1] - self.from[1])
     }
 
-    pub(crate) fn holds(&self, point: [f64; 2]) -> bool {
+    pub(super) fn holds(&self, point: [f64; 2]) -> bool {
         (0..2).all(|i| self.from[i] < point[i] && point[i] < self.to[i])
     }
 
-    pub(crate) fn overlaps(&self, other: &Rectangle) -> bool {
+    pub(super) fn overlaps(&self, other: &Rectangle) -> bool {
         (0..2).all(|i| self.from[i] < other.to[i] && other.from[i] < self.to[i])
     }
 
-    pub(crate) fn with(&self, other: &Rectangle) -> Rectangle {
+    pub(super) fn with(&self, other: &Rectangle) -> Rectangle {
         Rectangle {
             from: [0, 1].map(|i| self.from[i].min(other.from[i])),
             to: [0, 1].map(|i| self.to[i].max(other.to[i])),
@@ -49,12 +48,12 @@ impl Rectangle {
     }
 
     /// The point at a share of the sides.
-    pub(crate) fn at(&self, share: [f64; 2]) -> [f64; 2] {
+    pub(super) fn at(&self, share: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|i| self.from[i] + share[i] * (self.to[i] - self.from[i]))
     }
 
     /// Moves a point to the nearest side of the rectangle that is not a side of the pixel.
-    pub(crate) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn moved_out(&self, point: [f64; 2]) -> [f64; 2] {
         let mut best = (f64::INFINITY, point);
         for i in 0..2 {
             for side in [self.from[i], self.to[i]] {
