@@ -1,29 +1,47 @@
-//! What a picture is to be stored as.
+//! Picture formats, and options of their encoders.
 
 use crate::base::color::Gamma;
 
-/// The kinds of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// Portable Network Graphics.
-    Png,
-    /// Targa without compression.
-    Tga,
-    /// Targa with run-length compression.
-    CompressedTga,
-    /// Windows bitmap.
-    Bmp,
-    /// Portable pixmap, or greymap for a grey picture.
-    Ppm,
-    /// JPEG.
-    Jpeg,
-    /// OpenEXR.
-    Exr,
-    /// Radiance.
-    Hdr,
+/// A picture format. Its properties, and the constant that names it, stand in the file of its encoder in
+/// [`crate::output`], which has the list of all formats.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Format(pub(crate) &'static FormatProperties);
+
+/// Properties of a picture format.
+#[derive(Debug, PartialEq, Eq, Hash)]
+pub struct FormatProperties {
+    /// Name in messages.
+    pub name: &'static str,
+    /// Letter in POV-Ray's switch `+F` and in `Output_File_Type`.
+    pub letter: char,
+    /// Extensions of file names without the dot; the first is the one that POV-Ray gives.
+    pub extensions: &'static [&'static str],
+    /// True if there can be an alpha channel.
+    pub has_alpha: bool,
+    /// True if there can be a single grey channel.
+    pub has_grey: bool,
+    /// True if channels can have 16 bits.
+    pub has_words: bool,
+    /// True if the values are always linear light.
+    pub is_linear: bool,
+    /// Bits for each channel where nothing else is requested.
+    pub bits: u8,
 }
 
-/// How a picture becomes bytes. What a format has no room for is left out.
+impl std::ops::Deref for Format {
+    type Target = FormatProperties;
+    fn deref(&self) -> &FormatProperties {
+        self.0
+    }
+}
+
+impl std::fmt::Debug for Format {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+/// Options of an encoder. What a format cannot hold is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EncodeOptions {
     /// The kind of file.
@@ -43,36 +61,10 @@ pub struct EncodeOptions {
 }
 
 impl Format {
-    /// All formats.
-    pub const ALL: [Format; 8] = [
-        Format::Png,
-        Format::Tga,
-        Format::CompressedTga,
-        Format::Bmp,
-        Format::Ppm,
-        Format::Jpeg,
-        Format::Exr,
-        Format::Hdr,
-    ];
-
-    /// The ending POV-Ray gives such files, without the dot.
+    /// The extension that POV-Ray gives such files, without the dot.
     #[must_use]
     pub fn extension(self) -> &'static str {
-        match self {
-            Format::Png => "png",
-            Format::Tga | Format::CompressedTga => "tga",
-            Format::Bmp => "bmp",
-            Format::Ppm => "ppm",
-            Format::Jpeg => "jpg",
-            Format::Exr => "exr",
-            Format::Hdr => "hdr",
-        }
-    }
-
-    /// Whether such a file can keep an alpha channel.
-    #[must_use]
-    pub fn has_alpha(self) -> bool {
-        !matches!(self, Format::Ppm | Format::Jpeg | Format::Hdr)
+        self.extensions[0]
     }
 }
 
@@ -82,7 +74,7 @@ impl EncodeOptions {
     pub fn new(format: Format) -> Self {
         EncodeOptions {
             format,
-            bits: if format == Format::Exr { 16 } else { 8 },
+            bits: format.bits,
             grayscale: false,
             alpha: false,
             file_gamma: Gamma::Srgb,

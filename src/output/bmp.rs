@@ -4,8 +4,22 @@ use image::ExtendedColorType;
 use image::codecs::bmp::BmpEncoder;
 
 use super::quantize;
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// Windows bitmap.
+    pub const BMP: Format = Format(&FormatProperties {
+        name: "BMP",
+        letter: 'B',
+        extensions: &["bmp"],
+        has_alpha: true,
+        has_grey: false,
+        has_words: false,
+        is_linear: false,
+        bits: 8,
+    });
+}
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::of(film, options)?;

@@ -5,8 +5,22 @@ use std::io::Cursor;
 use exr::prelude::*;
 
 use super::quantize::to_linear;
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// OpenEXR.
+    pub const EXR: Format = Format(&FormatProperties {
+        name: "EXR",
+        letter: 'E',
+        extensions: &["exr"],
+        has_alpha: true,
+        has_grey: false,
+        has_words: false,
+        is_linear: true,
+        bits: 16,
+    });
+}
 
 /// ZIP over sixteen lines, as POV-Ray's library does by default.
 const ENCODING: Encoding = Encoding {

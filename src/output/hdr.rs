@@ -4,8 +4,22 @@ use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 
 use super::quantize::to_linear;
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// Radiance.
+    pub const HDR: Format = Format(&FormatProperties {
+        name: "HDR",
+        letter: 'H',
+        extensions: &["hdr"],
+        has_alpha: false,
+        has_grey: false,
+        has_words: false,
+        is_linear: true,
+        bits: 8,
+    });
+}
 
 /// The largest value the common exponent can name, 2^127, and a little less.
 const BRIGHTEST: f32 = 1.7e38;

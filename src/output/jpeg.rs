@@ -4,8 +4,22 @@ use image::ExtendedColorType;
 use image::codecs::jpeg::JpegEncoder;
 
 use super::quantize;
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// JPEG.
+    pub const JPEG: Format = Format(&FormatProperties {
+        name: "JPEG",
+        letter: 'J',
+        extensions: &["jpg", "jpeg"],
+        has_alpha: false,
+        has_grey: false,
+        has_words: false,
+        is_linear: false,
+        bits: 8,
+    });
+}
 
 /// What POV-Ray takes when nobody says.
 const POVRAY_QUALITY: u8 = 85;

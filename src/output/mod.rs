@@ -14,7 +14,7 @@ mod png;
 mod ppm;
 mod tga;
 
-pub use crate::base::encoding::{EncodeOptions, Format};
+pub use crate::base::encoding::{EncodeOptions, Format, FormatProperties};
 pub(crate) use place::{Pending, save, try_to_append, try_to_write};
 
 use std::fmt;
@@ -66,16 +66,28 @@ impl From<io::Error> for Refusal {
     }
 }
 
-fn encoder(format: Format) -> fn(&Film, &EncodeOptions) -> EncodeResult {
-    match format {
-        Format::Png => png::encode,
-        Format::Tga | Format::CompressedTga => tga::encode,
-        Format::Bmp => bmp::encode,
-        Format::Ppm => ppm::encode,
-        Format::Jpeg => jpeg::encode,
-        Format::Exr => exr::encode,
-        Format::Hdr => hdr::encode,
-    }
+type Encode = fn(&Film, &EncodeOptions) -> EncodeResult;
+
+/// All formats with their encoders. The first of two with the same extension is the one that the extension names.
+static FORMATS: &[(Format, Encode)] = &[
+    (Format::PNG, png::encode),
+    (Format::TGA, tga::encode),
+    (Format::COMPRESSED_TGA, tga::encode),
+    (Format::BMP, bmp::encode),
+    (Format::PPM, ppm::encode),
+    (Format::JPEG, jpeg::encode),
+    (Format::EXR, exr::encode),
+    (Format::HDR, hdr::encode),
+];
+
+/// All formats.
+pub fn formats() -> impl Iterator<Item = Format> {
+    FORMATS.iter().map(|(format, _)| *format)
+}
+
+fn encoder(format: Format) -> Encode {
+    let mut known = FORMATS.iter().filter(|(known, _)| *known == format);
+    known.next().expect("every format is in the list").1
 }
 
 /// The bytes of a file that holds the picture.
@@ -94,7 +106,7 @@ fn can_hold(film: &Film, format: Format) -> Result<(), String> {
     if film.width == 0 || film.height == 0 {
         return Err("it has no pixels".to_owned());
     }
-    if film.levels.is_some() && matches!(format, Format::Exr | Format::Hdr) {
+    if film.levels.is_some() && format.is_linear {
         return Err(quantize::OF_ANOTHER.to_owned());
     }
     Ok(())
@@ -106,7 +118,7 @@ fn can_hold(film: &Film, format: Format) -> Result<(), String> {
 /// When the format cannot hold the picture, or the system refuses to write.
 pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<(), OutputError> {
     let format = options.format;
-    let (Target::File(path), Format::Png) = (target, format) else {
+    let (Target::File(path), Format::PNG) = (target, format) else {
         return put(&encode(film, options)?, target);
     };
     let written = can_hold(film, format).map_err(Refusal::ByFormat);

@@ -7,9 +7,23 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
 use std::io::Write;
 
 use super::quantize::{self, Channels, Depth};
-use super::{EncodeOptions, EncodeResult, Refusal};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties, Refusal};
 use crate::base::color::Gamma;
 use crate::base::film::Film;
+
+impl Format {
+    /// Portable Network Graphics.
+    pub const PNG: Format = Format(&FormatProperties {
+        name: "PNG",
+        letter: 'N',
+        extensions: &["png"],
+        has_alpha: true,
+        has_grey: true,
+        has_words: true,
+        is_linear: false,
+        bits: 8,
+    });
+}
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::of(film, options)?;

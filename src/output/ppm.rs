@@ -1,8 +1,22 @@
 //! PPM and PGM, binary: 8 or 16 bits, no alpha.
 
 use super::quantize::{self, Depth};
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// Portable pixmap, or greymap for a grey picture.
+    pub const PPM: Format = Format(&FormatProperties {
+        name: "PPM",
+        letter: 'P',
+        extensions: &["ppm", "pgm", "pnm"],
+        has_alpha: false,
+        has_grey: true,
+        has_words: true,
+        is_linear: false,
+        bits: 8,
+    });
+}
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let kind = if options.grayscale { 5 } else { 6 };

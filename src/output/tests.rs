@@ -38,13 +38,13 @@ fn options(kind: &str) -> EncodeOptions {
         None => (kind, false),
     };
     let format = match kind.as_bytes()[0] {
-        b'N' => Format::Png,
-        b'T' => Format::Tga,
-        b'C' => Format::CompressedTga,
-        b'B' => Format::Bmp,
-        b'P' => Format::Ppm,
-        b'E' => Format::Exr,
-        b'H' => Format::Hdr,
+        b'N' => Format::PNG,
+        b'T' => Format::TGA,
+        b'C' => Format::COMPRESSED_TGA,
+        b'B' => Format::BMP,
+        b'P' => Format::PPM,
+        b'E' => Format::EXR,
+        b'H' => Format::HDR,
         other => panic!("no such format: {other}"),
     };
     let mut options = EncodeOptions::new(format);
@@ -91,7 +91,7 @@ fn files_hold_what_the_files_of_povray_hold() {
         let file = encode(&film(), &options).unwrap();
         let ours = match options.format {
             // The stored bytes, behind the header: the common exponent would be lost in decoding.
-            Format::Hdr => rgbe_of(&file),
+            Format::HDR => rgbe_of(&file),
             format => decoded(&file, format),
         };
         let theirs: Vec<f64> = values
@@ -138,7 +138,7 @@ fn every_format_is_read_by_the_image_crate() {
             transmit: v * 0.5,
         };
     }
-    for format in Format::ALL {
+    for format in formats() {
         for alpha in [false, true] {
             for (bits, grayscale) in [(8, false), (16, false), (32, false), (8, true), (16, true)] {
                 let options = EncodeOptions {
@@ -153,7 +153,7 @@ fn every_format_is_read_by_the_image_crate() {
                 assert_eq!((image.width(), image.height()), (37, 23), "{options:?}");
                 assert_eq!(
                     image.color().has_alpha(),
-                    alpha && format.has_alpha(),
+                    alpha && format.has_alpha,
                     "{options:?}"
                 );
             }
@@ -169,7 +169,7 @@ fn a_jpeg_is_within_a_few_levels_of_the_png() {
         pixel.rgb = Rgb::new(v, v * 0.8, 0.2 - 0.1 * v);
     }
     let of = |format| decoded(&encode(&film, &EncodeOptions::new(format)).unwrap(), format);
-    let pairs = of(Format::Jpeg).into_iter().zip(of(Format::Png));
+    let pairs = of(Format::JPEG).into_iter().zip(of(Format::PNG));
     let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(worst <= 8.0, "{worst}");
 }
@@ -180,7 +180,7 @@ fn a_png_says_which_curve_it_holds() {
         let at = file.windows(4).position(|w| w == name)?;
         Some(file[at + 4..at + 8].to_vec())
     };
-    let mut options = EncodeOptions::new(Format::Png);
+    let mut options = EncodeOptions::new(Format::PNG);
     let file = encode(&film(), &options).unwrap();
     assert_eq!(chunk(&file, b"gAMA"), Some(45455u32.to_be_bytes().to_vec()));
     assert!(chunk(&file, b"sRGB").is_some());
@@ -202,7 +202,7 @@ fn a_single_precision_exr_keeps_every_bit() {
     let options = EncodeOptions {
         bits: 32,
         alpha: true,
-        ..EncodeOptions::new(Format::Exr)
+        ..EncodeOptions::new(Format::EXR)
     };
     let file = encode(&film(), &options).unwrap();
     let expected: Vec<f64> = film()
@@ -210,7 +210,7 @@ fn a_single_precision_exr_keeps_every_bit() {
         .iter()
         .flat_map(|p| [p.rgb.r, p.rgb.g, p.rgb.b, 1.0 - p.transmit].map(f64::from))
         .collect();
-    assert_eq!(decoded(&file, Format::Exr), expected);
+    assert_eq!(decoded(&file, Format::EXR), expected);
 }
 
 #[test]
@@ -231,7 +231,7 @@ fn no_float_makes_an_encoder_panic() {
         pixel.rgb = Rgb::splat(value);
         pixel.transmit = value;
     }
-    for format in Format::ALL {
+    for format in formats() {
         for alpha in [false, true] {
             let options = EncodeOptions {
                 alpha,
@@ -246,13 +246,13 @@ fn no_float_makes_an_encoder_panic() {
 fn a_format_too_small_for_the_picture_says_so() {
     let film = Film::whole(70_000, 1);
     let target = Target::File("unused.tga".into());
-    let refused = write(&film, &target, &EncodeOptions::new(Format::Jpeg)).unwrap_err();
+    let refused = write(&film, &target, &EncodeOptions::new(Format::JPEG)).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "cannot make a jpg file of this picture: a side is longer than 65535 pixels"
     );
-    assert!(encode(&film, &EncodeOptions::new(Format::Tga)).is_err());
-    assert!(encode(&Film::whole(0, 4), &EncodeOptions::new(Format::Png)).is_err());
+    assert!(encode(&film, &EncodeOptions::new(Format::TGA)).is_err());
+    assert!(encode(&Film::whole(0, 4), &EncodeOptions::new(Format::PNG)).is_err());
 }
 
 #[test]
@@ -263,7 +263,7 @@ fn a_new_file_replaces_the_old_one_and_leaves_nothing_else() {
     write(
         &film(),
         &Target::File(path.clone()),
-        &EncodeOptions::new(Format::Png),
+        &EncodeOptions::new(Format::PNG),
     )
     .unwrap();
     assert!(image::open(&path).is_ok());
@@ -279,7 +279,7 @@ fn a_picture_that_cannot_be_encoded_leaves_the_old_file() {
     write(
         &Film::whole(70_000, 1),
         &target,
-        &EncodeOptions::new(Format::Jpeg),
+        &EncodeOptions::new(Format::JPEG),
     )
     .unwrap_err();
     assert_eq!(fs::read_to_string(&path).unwrap(), "old");
@@ -291,7 +291,7 @@ fn a_missing_folder_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("none").join("a.png");
     let target = Target::File(path.clone());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
         refused.to_string(),
         format!(
@@ -312,7 +312,7 @@ fn a_missing_folder_is_named() {
 fn a_folder_of_that_name_is_not_replaced() {
     let folder = tempfile::tempdir().unwrap();
     let target = Target::File(folder.path().to_owned());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
         refused.to_string(),
         format!("cannot write `{}`: is a directory", folder.path().display())
@@ -334,7 +334,7 @@ fn a_link_stays_a_link_and_its_file_keeps_its_mode() {
     write(
         &film(),
         &Target::File(link.clone()),
-        &EncodeOptions::new(Format::Png),
+        &EncodeOptions::new(Format::PNG),
     )
     .unwrap();
     assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
@@ -349,7 +349,7 @@ fn a_link_stays_a_link_and_its_file_keeps_its_mode() {
 #[test]
 fn a_full_disk_is_named() {
     let target = Target::File("/dev/full".into());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "cannot write `/dev/full`: no space left on device"
@@ -377,7 +377,7 @@ fn motley() -> Film {
 #[test]
 fn levels_made_piece_by_piece_give_the_same_file() {
     let film = motley();
-    for format in Format::ALL {
+    for format in formats() {
         for (bits, grayscale, alpha) in [(8, false, false), (8, true, true), (16, false, true)] {
             let options = EncodeOptions {
                 bits,
@@ -386,7 +386,7 @@ fn levels_made_piece_by_piece_give_the_same_file() {
                 ..EncodeOptions::new(format)
             };
             let Some(leveller) = Quantizer::of(&options) else {
-                assert!(matches!(format, Format::Exr | Format::Hdr));
+                assert!(matches!(format, Format::EXR | Format::HDR));
                 continue;
             };
             let mut levels = Levels::black(&leveller, film.width, film.height);
@@ -407,7 +407,7 @@ fn levels_made_piece_by_piece_give_the_same_file() {
 
 #[test]
 fn what_is_not_drawn_is_black_and_opaque() {
-    for (format, alpha) in [(Format::Png, true), (Format::Tga, false)] {
+    for (format, alpha) in [(Format::PNG, true), (Format::TGA, false)] {
         let options = EncodeOptions {
             alpha,
             ..EncodeOptions::new(format)
@@ -421,10 +421,10 @@ fn what_is_not_drawn_is_black_and_opaque() {
 
 #[test]
 fn levels_of_one_kind_of_file_make_no_other() {
-    let options = EncodeOptions::new(Format::Png);
+    let options = EncodeOptions::new(Format::PNG);
     let leveller = Quantizer::of(&options).unwrap();
     let film = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
-    for format in [Format::Tga, Format::Exr] {
+    for format in [Format::TGA, Format::EXR] {
         let refused = encode(&film, &EncodeOptions::new(format)).unwrap_err();
         assert!(refused.to_string().contains("another kind of file"));
     }

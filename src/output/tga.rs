@@ -4,8 +4,34 @@ use image::ExtendedColorType;
 use image::codecs::tga::TgaEncoder;
 
 use super::quantize;
-use super::{EncodeOptions, EncodeResult, Format};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
+
+impl Format {
+    /// Targa without compression.
+    pub const TGA: Format = Format(&FormatProperties {
+        name: "TGA",
+        letter: 'T',
+        extensions: &["tga"],
+        has_alpha: true,
+        has_grey: false,
+        has_words: false,
+        is_linear: false,
+        bits: 8,
+    });
+
+    /// Targa with run-length compression.
+    pub const COMPRESSED_TGA: Format = Format(&FormatProperties {
+        name: "compressed TGA",
+        letter: 'C',
+        extensions: &["tga"],
+        has_alpha: true,
+        has_grey: false,
+        has_words: false,
+        is_linear: false,
+        bits: 8,
+    });
+}
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::of(film, options)?;
@@ -16,7 +42,7 @@ pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     };
     let mut file = Vec::new();
     let mut encoder = TgaEncoder::new(&mut file);
-    if options.format != Format::CompressedTga {
+    if options.format != Format::COMPRESSED_TGA {
         encoder = encoder.disable_rle();
     }
     encoder

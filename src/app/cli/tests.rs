@@ -80,97 +80,97 @@ fn clients_get_what_they_ask_povray_for() {
         (
             "vapory",
             "@/s.pov +H120 +W160 -D Output_File_Type=N +O@/out.png",
-            "s.pov 160x120 > out.png Png 8",
+            "s.pov 160x120 > out.png PNG 8",
         ),
         (
             "vapory as numpy",
             "@/s.pov +H120 +W160 -D Output_File_Type=P +O-",
-            "s.pov 160x120 > stdout Ppm 8",
+            "s.pov 160x120 > stdout PPM 8",
         ),
         (
             "vapory with extras",
             "@/s.pov +H9 +W9 +Q9 -A Output_Alpha=on -D +L/dir Output_File_Type=N +O@/o.png",
-            "s.pov 9x9 > o.png Png 8 alpha",
+            "s.pov 9x9 > o.png PNG 8 alpha",
         ),
         (
             "plato",
             "+I@/out.png.pov +O@/out.png +W240.0 +H180.0 +WT2 +UA",
-            "out.png.pov 240x180 > out.png Png 8 alpha",
+            "out.png.pov 240x180 > out.png PNG 8 alpha",
         ),
         (
             "PyMOL",
             "+FN -D +I@/s.pov +O@/t.png +W240 +H180 ",
-            "s.pov 240x180 > t.png Png 8",
+            "s.pov 240x180 > t.png PNG 8",
         ),
         (
             "PyElastica",
             "+I@/s.pov +O@/f.png -H90 -W120 Work_Threads=2 Antialias=off Quality=11 Display=Off",
-            "s.pov 120x90 > f.png Png 8",
+            "s.pov 120x90 > f.png PNG 8",
         ),
         (
             "feverdream",
             "+I@/s.pov +O@/o.png +W1280 +H720 +Llib +WT4 -D",
-            "s.pov 1280x720 > o.png Png 8",
+            "s.pov 1280x720 > o.png PNG 8",
         ),
         (
             "VMD",
             "+W669 +H834 -I@/s.pov -O@/s.pov.tga +D +X -A +FT",
-            "s.pov 669x834 > s.pov.tga Tga 8",
+            "s.pov 669x834 > s.pov.tga TGA 8",
         ),
         (
             "Coot",
             "+FN16 -UV +H600 +W600 @/s.pov",
-            "s.pov 600x600 > s.png Png 16",
+            "s.pov 600x600 > s.png PNG 16",
         ),
         (
             "Morpho",
             "@/-0.25_90.pov -A +W2048 +H1536",
-            "-0.25_90.pov 2048x1536 > -0.25_90.png Png 8",
+            "-0.25_90.pov 2048x1536 > -0.25_90.png PNG 8",
         ),
         (
             "FreeCAD",
             "+W8 +H9 -D +O\"@/f\" +AM1 +R3 \"@/s.pov\"",
-            "s.pov 8x9 > f.png Png 8",
+            "s.pov 8x9 > f.png PNG 8",
         ),
         (
             "Deadline",
             "+I@/s.pov +O@/o +W8 +H9 +FN +Q9 +V -D",
-            "s.pov 8x9 > o.png Png 8",
+            "s.pov 8x9 > o.png PNG 8",
         ),
         (
             "lower case",
             "@/s.pov +w800 +h600 +q3 -d +fp",
-            "s.pov 800x600 > s.ppm Ppm 8",
+            "s.pov 800x600 > s.ppm PPM 8",
         ),
         (
             "ssh farms",
             "Declare=Photo2=1 +AM2 +R2 +WT4 @/s.pov",
-            "s.pov 800x600 > s.png Png 8",
+            "s.pov 800x600 > s.png PNG 8",
         ),
         (
             "polymake",
             "+I@/s.pov +O@/k.tga",
-            "s.pov 800x600 > k.tga.png Png 8",
+            "s.pov 800x600 > k.tga.png PNG 8",
         ),
-        ("grey", "@/s.pov +FNg", "s.pov 800x600 > s.png Png 16"),
-        ("EXR", "@/s.pov +FE", "s.pov 800x600 > s.exr Exr 16"),
+        ("grey", "@/s.pov +FNg", "s.pov 800x600 > s.png PNG 16"),
+        ("EXR", "@/s.pov +FE", "s.pov 800x600 > s.exr EXR 16"),
         (
             "HDR",
             "@/s.pov +fh +ua",
-            "s.pov 800x600 > s.hdr Hdr 8 alpha",
+            "s.pov 800x600 > s.hdr HDR 8 alpha",
         ),
         ("no file", "@/s.pov -F", "s.pov 800x600 > nowhere"),
-        ("stdin", "+I- +O-", "- 800x600 > stdout Png 8"),
-        ("stdin by itself", "- +W9 +H8", "- 9x8 > stdin.png Png 8"),
+        ("stdin", "+I- +O-", "- 800x600 > stdout PNG 8"),
+        ("stdin by itself", "- +W9 +H8", "- 9x8 > stdin.png PNG 8"),
         (
             "modern",
             "@/s.pov --size 320x240 -o @/o.jpg --threads 3",
-            "s.pov 320x240 > o.jpg Jpeg 8",
+            "s.pov 320x240 > o.jpg JPEG 8",
         ),
         (
             "later wins",
             "--size 320x240 +W100 @/s.pov",
-            "s.pov 100x240 > s.png Png 8",
+            "s.pov 100x240 > s.png PNG 8",
         ),
     ] {
         let arguments: Vec<String> = arguments.split(' ').map(|a| a.replace('@', &at)).collect();
@@ -195,7 +195,7 @@ fn an_ini_file_of_ase_is_read() {
     let settings = settings(&[ini.to_str().unwrap()]);
     assert_eq!(
         summary(&settings, here.path()),
-        "X.pov 220x187 > X.png Png 8 alpha"
+        "X.pov 220x187 > X.png PNG 8 alpha"
     );
 }
 
@@ -211,7 +211,7 @@ fn an_ini_file_of_blender_is_read() {
     let settings = settings(&[ini.to_str().unwrap(), "-d"]);
     assert_eq!(
         summary(&settings, here.path()),
-        "b4.pov 40x30 > b4.png Png 8 alpha"
+        "b4.pov 40x30 > b4.png PNG 8 alpha"
     );
     assert_eq!(
         (settings.render.columns, settings.render.rows),
@@ -299,8 +299,8 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+W0"], "`+W0` needs a size from 1 to 1048576 pixels".to_owned()),
         (vec!["+H-5"], "`+H-5` needs a size from 1 to 1048576 pixels".to_owned()),
         (vec!["+W100000", "+H100000", &scene], "a picture of 100000 by 100000 pixels is too large: the most is 536870912 pixels".to_owned()),
-        (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
-        (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
+        (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey".to_owned()),
+        (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey".to_owned()),
         (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
         (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`".to_owned()),
         (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not built yet\n  hint: use `-UO` (or `Odd_Field=off`)".to_owned()),
@@ -456,7 +456,7 @@ fn a_scene_behind_two_dashes_may_have_any_name() {
     let settings = settings(&["+W7", "--", &scene]);
     assert_eq!(
         summary(&settings, here.path()),
-        "+W9.txt 7x600 > +W9.png Png 8"
+        "+W9.txt 7x600 > +W9.png PNG 8"
     );
 }
 
@@ -466,14 +466,14 @@ fn the_output_of_the_short_option_is_that_very_file() {
     let scene = here.path().join("s.pov").display().to_string();
     let at = here.path().to_str().unwrap();
     for (arguments, expected) in [
-        (vec!["-o", "q.PNG"], "q.PNG Png 8"),
-        (vec!["-o", "q"], "q.png Png 8"),
-        (vec!["--output=q.exr"], "q.exr Exr 16"),
-        (vec!["-o", "q.xyz", "+FJ"], "q.xyz Jpeg 8"),
-        (vec!["-o", "-"], "stdout Png 8"),
-        (vec!["-o", at], "s.png Png 8"),
-        (vec!["-o", "sub/"], "sub/s.png Png 8"),
-        (vec!["-F", "-o", "q.png"], "q.png Png 8"),
+        (vec!["-o", "q.PNG"], "q.PNG PNG 8"),
+        (vec!["-o", "q"], "q.png PNG 8"),
+        (vec!["--output=q.exr"], "q.exr EXR 16"),
+        (vec!["-o", "q.xyz", "+FJ"], "q.xyz JPEG 8"),
+        (vec!["-o", "-"], "stdout PNG 8"),
+        (vec!["-o", at], "s.png PNG 8"),
+        (vec!["-o", "sub/"], "sub/s.png PNG 8"),
+        (vec!["-F", "-o", "q.png"], "q.png PNG 8"),
         (vec!["-o", "q.png", "-F"], "nowhere"),
     ] {
         let arguments = [arguments, vec![&scene]].concat();
@@ -498,7 +498,7 @@ fn quality_of_files_and_gamma_reach_the_encoder() {
     ]));
     assert_eq!((options.quality, options.file_gamma), (40, Gamma::LINEAR));
     let (_, options) = file_of(&settings(&[&scene, "+FN16", "+FN"]));
-    assert_eq!((options.format, options.bits), (Format::Png, 8));
+    assert_eq!((options.format, options.bits), (Format::PNG, 8));
     let (_, options) = file_of(&settings(&[&scene, "Bits_Per_Color=16", "File_Gamma=sRGB"]));
     assert_eq!((options.bits, options.file_gamma), (16, Gamma::Srgb));
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::{Film, Pixel};
 use crate::base::color::{Gamma, Rgb};
-use crate::base::encoding::{EncodeOptions, Format};
+use crate::base::encoding::EncodeOptions;
 
 /// What a stored pixel consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,9 +25,9 @@ pub(crate) enum Channels {
 impl Channels {
     /// Of a file that holds encoded values.
     pub(crate) fn of(options: &EncodeOptions) -> Channels {
-        let has_grey = matches!(options.format, Format::Png | Format::Ppm);
+        let has_grey = options.format.has_grey;
         let is_grey = has_grey && options.grayscale;
-        match (is_grey, options.alpha && options.format.has_alpha()) {
+        match (is_grey, options.alpha && options.format.has_alpha) {
             (true, false) => Channels::Grey,
             (true, true) => Channels::GreyAlpha,
             (false, false) => Channels::Rgb,
@@ -56,9 +56,10 @@ pub(crate) enum Depth {
 impl Depth {
     /// Of a file that holds encoded values.
     pub(crate) fn of(options: &EncodeOptions) -> Depth {
-        match options.format {
-            Format::Png | Format::Ppm if options.bits > 8 => Depth::Word,
-            _ => Depth::Byte,
+        if options.format.has_words && options.bits > 8 {
+            Depth::Word
+        } else {
+            Depth::Byte
         }
     }
 }
@@ -125,7 +126,7 @@ pub(crate) struct Quantizer {
 impl Quantizer {
     /// For such a file; `None` if it holds light itself.
     pub(crate) fn of(options: &EncodeOptions) -> Option<Self> {
-        if matches!(options.format, Format::Exr | Format::Hdr) {
+        if options.format.is_linear {
             return None;
         }
         let curve = Curve::of(options);
@@ -405,7 +406,7 @@ mod tests {
                     Curve::of(&EncodeOptions {
                         working: Some(working),
                         file_gamma: file,
-                        ..EncodeOptions::new(Format::Png)
+                        ..EncodeOptions::new(crate::output::Format::PNG)
                     })
                 })
             })

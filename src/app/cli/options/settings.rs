@@ -8,7 +8,7 @@ use super::environment::Environment;
 use super::error::CliError;
 use super::ini::neighbour;
 use super::raw_args::{Output, RawArgs};
-use super::values::{format_of_ending, has_grey};
+use super::values::format_of_ending;
 use crate::app::cli::draw::frames::Frames;
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
@@ -310,12 +310,12 @@ fn output(
         Output::Unnamed => Target::File(povray_path("", scene, format)),
     };
     let ending = format.extension();
-    if raw_args.alpha && !format.has_alpha() {
+    if raw_args.alpha && !format.has_alpha {
         warnings.push(format!(
             "{ending} files have no alpha channel: it is left out"
         ));
     }
-    if raw_args.grayscale && !has_grey(format) {
+    if raw_args.grayscale && !format.has_grey {
         warnings.push(format!(
             "{ending} files have no grey form: colours are written"
         ));
@@ -345,9 +345,9 @@ fn format(raw_args: &RawArgs) -> Result<Format, CliError> {
                 CliError::new(format!("no file type has the ending `.{end}` of `{name}`"))
                     .with_hint("end the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`")
             }),
-            None => Ok(Format::Png),
+            None => Ok(Format::PNG),
         },
-        _ => Ok(Format::Png),
+        _ => Ok(Format::PNG),
     }
 }
 
@@ -455,22 +455,22 @@ mod tests {
     #[test]
     fn pictures_have_the_names_povray_gives_them() {
         for (name, scene, format, expected) in [
-            ("", "s.pov", Format::Png, "s.png"),
-            ("", "s", Format::Png, "s.png"),
-            ("", "sub/t.pov", Format::Png, "sub/t.png"),
-            ("", "a b.pov", Format::Jpeg, "a b.jpg"),
-            ("sub/", "other/t.pov", Format::Png, "sub/t.png"),
-            ("out", "sub/t.pov", Format::Png, "out.png"),
-            ("out.png", "s.pov", Format::Png, "out.png"),
-            ("out.jpg", "s.pov", Format::Png, "out.jpg.png"),
-            ("out.png", "s.pov", Format::Jpeg, "out.png.jpg"),
-            ("out.PNG", "s.pov", Format::Png, "out.PNG.png"),
-            ("k.tga", "k.pov", Format::Png, "k.tga.png"),
-            ("out.jpeg", "s.pov", Format::Jpeg, "out.jpeg.jpg"),
-            ("a.b.c", "s.pov", Format::Png, "a.b.c.png"),
-            (".png", "s.pov", Format::Png, "s.png"),
-            ("d/.png", "s.pov", Format::Png, "d/s.png"),
-            ("", "-", Format::Png, "stdin.png"),
+            ("", "s.pov", Format::PNG, "s.png"),
+            ("", "s", Format::PNG, "s.png"),
+            ("", "sub/t.pov", Format::PNG, "sub/t.png"),
+            ("", "a b.pov", Format::JPEG, "a b.jpg"),
+            ("sub/", "other/t.pov", Format::PNG, "sub/t.png"),
+            ("out", "sub/t.pov", Format::PNG, "out.png"),
+            ("out.png", "s.pov", Format::PNG, "out.png"),
+            ("out.jpg", "s.pov", Format::PNG, "out.jpg.png"),
+            ("out.png", "s.pov", Format::JPEG, "out.png.jpg"),
+            ("out.PNG", "s.pov", Format::PNG, "out.PNG.png"),
+            ("k.tga", "k.pov", Format::PNG, "k.tga.png"),
+            ("out.jpeg", "s.pov", Format::JPEG, "out.jpeg.jpg"),
+            ("a.b.c", "s.pov", Format::PNG, "a.b.c.png"),
+            (".png", "s.pov", Format::PNG, "s.png"),
+            ("d/.png", "s.pov", Format::PNG, "d/s.png"),
+            ("", "-", Format::PNG, "stdin.png"),
         ] {
             assert_eq!(
                 povray_path(name, scene, format),

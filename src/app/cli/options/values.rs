@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::error::CliError;
 use super::raw_args::RawArgs;
 use crate::base::color::Gamma;
-use crate::output::Format;
+use crate::output::{self, Format};
 
 /// The longest side of a picture. A film of that width and one row is 16 MiB.
 const LONGEST_SIDE: f64 = 1_048_576.0;
@@ -154,7 +154,7 @@ pub(crate) fn file_type_switch(
         "" => None,
         digits => Some(digits.parse::<u8>().map_err(|_| no_type(word))?),
     };
-    if rest.len() - digits.len() > 1 || (is_grey && !has_grey(format)) {
+    if rest.len() - digits.len() > 1 || (is_grey && !format.has_grey) {
         return Err(no_type(word));
     }
     raw_args.format = Some(format);
@@ -163,23 +163,10 @@ pub(crate) fn file_type_switch(
     Ok(())
 }
 
-/// True if a file type has a form with one grey channel.
-pub(crate) fn has_grey(format: Format) -> bool {
-    matches!(format, Format::Png | Format::Ppm)
-}
-
 /// The file type for an ending.
 pub(crate) fn format_of_ending(ending: &str) -> Option<Format> {
-    Some(match ending.to_ascii_lowercase().as_str() {
-        "png" => Format::Png,
-        "tga" => Format::Tga,
-        "bmp" => Format::Bmp,
-        "ppm" | "pgm" | "pnm" => Format::Ppm,
-        "jpg" | "jpeg" => Format::Jpeg,
-        "exr" => Format::Exr,
-        "hdr" => Format::Hdr,
-        _ => return None,
-    })
+    let ending = ending.to_ascii_lowercase();
+    output::formats().find(|format| format.extensions.contains(&ending.as_str()))
 }
 
 /// `sRGB` or the exponent of a power law.
@@ -200,21 +187,14 @@ pub(crate) fn file_gamma(value: &str, word: &str) -> Result<Gamma, CliError> {
 }
 
 fn format_of(letter: char) -> Option<Format> {
-    Some(match letter.to_ascii_uppercase() {
-        'N' => Format::Png,
-        'T' => Format::Tga,
-        'C' => Format::CompressedTga,
-        'B' => Format::Bmp,
-        'P' => Format::Ppm,
-        'J' => Format::Jpeg,
-        'E' => Format::Exr,
-        'H' => Format::Hdr,
-        _ => return None,
-    })
+    output::formats().find(|format| format.letter == letter.to_ascii_uppercase())
 }
 
 fn no_type(word: &str) -> CliError {
-    CliError::new(format!("`{word}` names no file type")).with_hint(
-        "N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR",
-    )
+    let types: Vec<String> = output::formats()
+        .map(|format| format!("{} is {}", format.letter, format.name))
+        .collect();
+    let types = types.join(", ");
+    CliError::new(format!("`{word}` names no file type"))
+        .with_hint(format!("{types}; N16 has 16 bits, Ng is grey"))
 }

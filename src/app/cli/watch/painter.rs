@@ -125,7 +125,7 @@ impl Painter {
         let options = EncodeOptions {
             working,
             alpha: self.settings.render.alpha,
-            ..EncodeOptions::new(Format::Png)
+            ..EncodeOptions::new(Format::PNG)
         };
         let Ok(png) = output::encode(film, &options) else {
             return;
