@@ -12,48 +12,21 @@ pub mod shade;
 pub mod statistics;
 mod tiles;
 
-pub use checkpoint::{Checkpoint, CheckpointStatus};
-pub use photon_pass::PhotonPass;
-
-use crate::base::film::{self, Film, Pixel, Quantizer};
-use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions, Sampling};
-use crate::render::shade::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::base::film;
+use crate::base::film::{Pixel, Quantizer};
+use crate::base::options::{RenderOptions, Sampling};
 use crate::world::{RayCounts, World};
 use antialias::Sampler;
 use checkpoint::CheckpointTile;
+pub use checkpoint::{Checkpoint, CheckpointStatus};
+pub use photon_pass::PhotonPass;
 use radiosity_pass::RadiosityPass;
+use shade::{BLOCK, BlockScratch, Sample, Tracer};
 use std::ops::Range;
-use tiles::{Canvas, DrawnTile, TilePixels};
-
-/// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
-const TILE: u32 = 32;
-
-/// With radiosity, the least number of tiles rendered before they are put into the film.
-const LEAST_AT_ONCE: usize = 128;
-/// The same for each thread: threads wait for the last one at the end of each turn.
-const TILES_OF_THREAD: usize = 32;
-
-/// A rectangle of pixels: half-open ranges of columns and rows.
-#[derive(PartialEq, Eq)]
-struct Tile {
-    columns: Range<u32>,
-    rows: Range<u32>,
-}
-
-/// A rendered world.
-#[derive(Debug)]
-pub struct Drawn {
-    /// The picture.
-    pub film: Film,
-    /// The rays traced.
-    pub rays: RayCounts,
-    /// The error reached with adaptive sampling.
-    pub reached: Option<AdaptiveOutcome>,
-    /// Radiosity statistics, with radiosity.
-    pub radiosity: Option<RadiosityStatistics>,
-    /// The photons, if the scene uses photon mapping.
-    pub photons: Option<PhotonPass>,
-}
+pub use tiles::Drawn;
+use tiles::{
+    Canvas, DrawnTile, LEAST_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, draws_in_order, tiles_of,
+};
 
 /// Pixels of a tile, row by row, and the rays traced for them.
 type Pixels = (Vec<Pixel>, RayCounts);
@@ -139,11 +112,6 @@ pub fn render(
     }
 }
 
-/// True if pixels are rendered one after the other because the picture depends on the random-number stream.
-fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
-    options.takes_numbers_in_order() && world.uses_random()
-}
-
 /// Scratch memory for rendering in order, with one continuing stream of random numbers.
 fn sequential_scratch() -> BlockScratch {
     let mut scratch = BlockScratch::default();
@@ -158,28 +126,6 @@ fn with_all_before(options: &RenderOptions) -> RenderOptions {
         rows: 0..options.rows.end,
         ..options.clone()
     }
-}
-
-/// The tiles that contain the requested pixels. They lie on a grid of the whole picture, so that a crop is rendered
-/// with the same blocks as the whole.
-fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
-    let starts = |range: &Range<u32>, side: u32| {
-        let (first, end) = (range.start / TILE * TILE, range.end);
-        (first..end)
-            .step_by(TILE as usize)
-            .map(move |start| start..(start + TILE).min(side))
-    };
-    if options.columns.is_empty() || options.rows.is_empty() {
-        return Vec::new();
-    }
-    starts(&options.rows, options.height)
-        .flat_map(|rows| {
-            starts(&options.columns, options.width).map(move |columns| Tile {
-                columns,
-                rows: rows.clone(),
-            })
-        })
-        .collect()
 }
 
 /// Renders the tiles of one picture.

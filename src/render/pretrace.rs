@@ -2,7 +2,7 @@
 //! are used. Block by block and ray by ray in POV-Ray's order, on one thread, since each sample depends on those before
 //! it.
 
-use super::tiles_of;
+use super::tiles::tiles_of;
 use crate::base::math::sampling::mersenne;
 use crate::base::options::RenderOptions;
 use crate::render::radiosity::Session;

@@ -5,9 +5,9 @@
 //! are revised in order: where samples were missing, or a newer one counts at a recorded point, the tile is rendered
 //! again and the missing samples are made; all other tiles stand.
 
-use super::Tile;
 use super::pretrace::pretrace;
 use super::tiles::DrawnTile;
+use super::tiles::Tile;
 use crate::base::options::{RadiosityStatistics, RenderOptions};
 use crate::render::radiosity::{Mode, Notes, Session};
 use crate::render::shade::{BlockScratch, Tracer};
@@ -32,7 +32,7 @@ impl RadiosityPass {
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
-        scratch.single().goes_on = super::draws_in_order(world, options);
+        scratch.single().goes_on = super::tiles::draws_in_order(world, options);
         pretrace(tracer, options, scratch.single());
         scratch.single().begin_anew();
         let rays = scratch.take_rays();

@@ -1,7 +1,7 @@
 //! The output of `--stats`: the time of each stage, the rays by kind, and the plan.
 
 use crate::base::options::{Plan, Stage, Statistics};
-use crate::render::Drawn;
+use crate::render::tiles::Drawn;
 use std::fmt;
 use std::time::{Duration, Instant};
 

@@ -1,11 +1,12 @@
 //! The picture that tiles are put into as they are rendered, in any order and by any thread.
 
-use super::Tile;
+use super::photon_pass::PhotonPass;
+use super::shade::BlockScratch;
 use crate::base::film::{Film, Levels, Pixel, Quantizer};
-use crate::base::options::RenderOptions;
-use crate::render::shade::BlockScratch;
-use crate::world::RayCounts;
+use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions};
+use crate::world::{RayCounts, World};
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 /// A rendered tile, and the rays traced for it.
@@ -92,4 +93,62 @@ fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pi
         let start = (y as usize * width as usize + tile.columns.start as usize) * of_pixel;
         picture[start..start + length].copy_from_slice(row);
     }
+}
+
+/// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
+pub(super) const TILE: u32 = 32;
+
+/// With radiosity, the least number of tiles rendered before they are put into the film.
+pub(super) const LEAST_AT_ONCE: usize = 128;
+
+/// The same for each thread: threads wait for the last one at the end of each turn.
+pub(super) const TILES_OF_THREAD: usize = 32;
+
+/// A rectangle of pixels: half-open ranges of columns and rows.
+#[derive(PartialEq, Eq)]
+pub(super) struct Tile {
+    pub(super) columns: Range<u32>,
+    pub(super) rows: Range<u32>,
+}
+
+/// A rendered world.
+#[derive(Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub film: Film,
+    /// The rays traced.
+    pub rays: RayCounts,
+    /// The error reached with adaptive sampling.
+    pub reached: Option<AdaptiveOutcome>,
+    /// Radiosity statistics, with radiosity.
+    pub radiosity: Option<RadiosityStatistics>,
+    /// The photons, if the scene uses photon mapping.
+    pub photons: Option<PhotonPass>,
+}
+
+/// The tiles that contain the requested pixels. They lie on a grid of the whole picture, so that a crop is rendered
+/// with the same blocks as the whole.
+pub(super) fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
+    let starts = |range: &Range<u32>, side: u32| {
+        let (first, end) = (range.start / TILE * TILE, range.end);
+        (first..end)
+            .step_by(TILE as usize)
+            .map(move |start| start..(start + TILE).min(side))
+    };
+    if options.columns.is_empty() || options.rows.is_empty() {
+        return Vec::new();
+    }
+    starts(&options.rows, options.height)
+        .flat_map(|rows| {
+            starts(&options.columns, options.width).map(move |columns| Tile {
+                columns,
+                rows: rows.clone(),
+            })
+        })
+        .collect()
+}
+
+/// True if pixels are rendered one after the other because the picture depends on the random-number stream.
+pub(super) fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
+    options.takes_numbers_in_order() && world.uses_random()
 }

@@ -1,6 +1,6 @@
 //! Method 2: a pixel is divided into four squares as long as the corners of a square differ; the result is their mean.
 
-use super::super::Tile;
+use super::super::tiles::Tile;
 use super::{Graded, Position, Sampler, Sum, position};
 use crate::base::film::Pixel;
 use crate::render::shade::BlockScratch;

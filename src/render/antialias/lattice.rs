@@ -5,7 +5,7 @@
 //! column and row for these neighbours, and traces itself any border that is not there yet: neighbours may still be in
 //! progress on other threads.
 
-use super::super::{TILE, Tile};
+use super::super::tiles::{TILE, Tile};
 use super::{Point, Position, Sampler, cells, position};
 use crate::base::film::Pixel;
 use crate::base::options::RenderOptions;

@@ -15,7 +15,7 @@ mod corners;
 mod lattice;
 mod neighbours;
 
-use super::{TILE, Tile};
+use super::tiles::{TILE, Tile};
 use crate::base::color::Gamma;
 use crate::base::film::Pixel;
 use crate::base::math::jitter;

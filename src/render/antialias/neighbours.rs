@@ -5,7 +5,7 @@
 //! repeated once it is. A difference from such a stand-in does not request a grid: half of these would be traced in
 //! vain.
 
-use super::super::Tile;
+use super::super::tiles::Tile;
 use super::centres::{Apart, Centres};
 use super::{Graded, Position, Sampler, Sum, cell, position};
 use crate::base::film::Pixel;
