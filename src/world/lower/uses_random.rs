@@ -5,7 +5,7 @@
 //! the same order, by one thread, whatever the thread count.
 
 use crate::scene::interior::{PreparedMedia, Sampling};
-use crate::world::World;
+use crate::world::compiled::World;
 
 impl World {
     /// Returns true if random numbers affect the picture: in lights, grain, rainbows or media.
