@@ -449,6 +449,18 @@ impl Default for ReadOptions {
 }
 
 impl RenderOptions {
+    /// The default options for a picture of this size.
+    #[must_use]
+    pub fn of_size(width: u32, height: u32) -> Self {
+        RenderOptions {
+            width,
+            height,
+            columns: 0..width,
+            rows: 0..height,
+            ..RenderOptions::default()
+        }
+    }
+
     /// Whether pixels take random numbers one after the other.
     #[must_use]
     pub fn takes_numbers_in_order(&self) -> bool {

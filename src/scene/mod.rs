@@ -50,8 +50,22 @@ pub struct Scene {
     pub version: f64,
 }
 
-/// What a ray sees that hits nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+impl Default for Scene {
+    /// An empty scene of version 3.7.
+    fn default() -> Self {
+        Scene {
+            camera: Camera::default(),
+            objects: Objects::default(),
+            background: Background::default(),
+            atmosphere: Atmosphere::default(),
+            globals: Globals::default(),
+            version: 3.7,
+        }
+    }
+}
+
+/// The colour of rays that hit nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Background {
     /// The colour; `None` where the file gives none: black, and fully transparent.
     pub color: Option<Color>,

@@ -26,8 +26,8 @@ mod tiny_objects;
 mod triple_edge;
 mod two_class;
 
+use super::checkpoint::{Checkpoint, CheckpointTile};
 use super::tiles::Drawn;
-use super::{Checkpoint, CheckpointTile};
 use crate::base::film::Film;
 use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
 use crate::render::shade::Tracer;

@@ -128,6 +128,17 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// A perspective camera at `location` that looks at `look_at`, with a picture `aspect` times as wide as high. `None` if
+    /// the two are the same point.
+    #[must_use]
+    pub fn perspective(location: DVec3, look_at: DVec3, aspect: f64) -> Option<Camera> {
+        let mut camera = Camera::default();
+        camera.frame.location = location;
+        camera.frame.right = DVec3::X * aspect;
+        camera.turn_to(look_at)?;
+        Some(camera)
+    }
+
     /// The ray through a point of a picture of `width` by `height` pixels, its direction of length 1.
     ///
     /// Whole `x` (to the right) and `y` (down) are the centres of pixels. `None` where the camera sees nothing: its

@@ -253,22 +253,34 @@ impl Camera {
         }
     }
 
-    /// Turns the camera so that `point` is in the middle and `sky` upwards; lengths and handedness stay.
+    /// Aims the camera at the point of a `look_at`.
     fn aim(&mut self, args: &mut dyn Args, point: DVec3, at: Span) -> Parse<()> {
-        let frame = &mut self.frame;
-        let handedness = frame.up.cross(frame.direction).dot(frame.right);
-        let Some(forward) = (point - frame.location).try_normalize() else {
-            return Err(Box::new(
+        match self.turn_to(point) {
+            None => Err(Box::new(
                 Diagnostic::error(at, "`look_at` is the same point as `location`")
                     .with_hint("Move one of the two: the camera needs a direction."),
-            ));
-        };
+            )),
+            Some(has_sky) => {
+                if !has_sky {
+                    args.warn(Diagnostic::warning(
+                        at,
+                        "the camera looks along `sky`; it keeps its `right`",
+                    ));
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Turns the camera so that `point` is in the middle and `sky` points up; lengths and handedness stay. False if it
+    /// looks along `sky`, which then gives no direction; `None` if it stands at the point.
+    pub(super) fn turn_to(&mut self, point: DVec3) -> Option<bool> {
+        let frame = &mut self.frame;
+        let handedness = frame.up.cross(frame.direction).dot(frame.right);
+        let forward = (point - frame.location).try_normalize()?;
         let mut sideways = self.sky.cross(forward);
-        if sideways.abs().cmplt(DVec3::splat(NO_DIRECTION)).all() {
-            args.warn(Diagnostic::warning(
-                at,
-                "the camera looks along `sky`; it keeps its `right`",
-            ));
+        let has_sky = !sideways.abs().cmplt(DVec3::splat(NO_DIRECTION)).all();
+        if !has_sky {
             sideways = frame.right;
         }
         let sideways = sideways.normalize_or(DVec3::X);
@@ -279,7 +291,7 @@ impl Camera {
         frame.right = sideways * if handedness > 0.0 { width } else { -width };
         self.look_at = point;
         self.blur.look(&self.frame);
-        Ok(())
+        Some(has_sky)
     }
 }
 

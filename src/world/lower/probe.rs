@@ -2,11 +2,9 @@
 
 use crate::base::math::Ray;
 use crate::base::options::{LeastDistance, RenderOptions};
-use crate::scene::atmosphere::Atmosphere;
-use crate::scene::camera::Camera;
 use crate::scene::pattern::Solid;
 use crate::scene::shape::Shape;
-use crate::scene::{Background, Globals, Object, Objects, Scene};
+use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::lowering::Lowering;
 use crate::world::query::Scratch;
@@ -114,14 +112,7 @@ fn compiled(object: &Arc<Object>) -> World {
     };
     flat.add(object);
     flat.surfaces.iter_mut().for_each(Surface::show);
-    let scene = Scene {
-        camera: Camera::default(),
-        objects: Objects::default(),
-        background: Background { color: None },
-        atmosphere: Atmosphere::default(),
-        globals: Globals::default(),
-        version: 3.7,
-    };
+    let scene = Scene::default();
     let options = RenderOptions {
         least_distance: LeastDistance::PovRay,
         ..RenderOptions::default()
