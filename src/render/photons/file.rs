@@ -1,5 +1,5 @@
-//! Photons in files, as POV-Ray's `save_file` writes them: for surfaces and for media each their number and then twenty
-//! bytes for each photon, with the lowest byte first.
+//! Photon files in POV-Ray's `save_file` format: for surfaces and for media the count and then twenty bytes for each
+//! photon, little-endian.
 
 use super::{Map, Photon};
 
@@ -13,7 +13,7 @@ pub fn write(maps: [&Map; 2]) -> Vec<u8> {
         let photons = map.photons();
         bytes.extend(u32::try_from(photons.len()).unwrap_or(0).to_le_bytes());
         for photon in photons {
-            bytes.extend(photon.place.iter().flat_map(|x| x.to_le_bytes()));
+            bytes.extend(photon.position.iter().flat_map(|x| x.to_le_bytes()));
             bytes.extend(photon.light);
             bytes.push(photon.axis);
             bytes.extend(photon.from.map(|angle| angle.to_le_bytes()[0]));
@@ -23,7 +23,7 @@ pub fn write(maps: [&Map; 2]) -> Vec<u8> {
     bytes
 }
 
-/// The two maps of a file; a map that is missing is empty. `None` if the bytes are no such file.
+/// The two maps of a file; a missing map is empty. `None` if the format is wrong.
 #[must_use]
 pub fn read(bytes: &[u8]) -> Option<[Map; 2]> {
     let mut rest = bytes;
@@ -43,9 +43,9 @@ pub fn read(bytes: &[u8]) -> Option<[Map; 2]> {
 }
 
 fn photon(record: &[u8]) -> Option<Photon> {
-    let (place, rest) = record.split_at_checked(12)?;
+    let (coordinates, rest) = record.split_at_checked(12)?;
     let mut photon = Photon::default();
-    for (x, bytes) in photon.place.iter_mut().zip(place.chunks_exact(4)) {
+    for (x, bytes) in photon.position.iter_mut().zip(coordinates.chunks_exact(4)) {
         *x = f32::from_le_bytes(bytes.try_into().ok()?);
     }
     let (light, rest) = rest.split_first_chunk::<4>()?;

@@ -1,4 +1,4 @@
-//! Photons in an order by which those around a point are found.
+//! The photon map: a balanced k-d tree in an array, and its nearest-neighbour search.
 
 use super::columns::{BLOCK, Columns, Distances};
 use super::near::Near;
@@ -7,12 +7,12 @@ use super::{Photon, order};
 use crate::base::color::Rgb;
 use glam::DVec3;
 
-/// A second search goes so many times as far.
-const FARTHER: f64 = 3.0;
-/// Photons beside none.
+/// The factor on the radius of a second search.
+const EXPANSION: f64 = 3.0;
+/// The density of a search without photons.
 const NO_DENSITY: f64 = 1e-16;
 
-/// Photons to be looked up.
+/// A photon map.
 #[derive(Clone, Debug, Default)]
 pub struct Map {
     photons: Vec<Photon>,
@@ -20,58 +20,56 @@ pub struct Map {
     unpacking: Unpacking,
 }
 
-/// How photons are looked up.
+/// The parameters of a radiance estimate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Search {
-    /// How far, first.
+    /// The radius of the first search.
     pub radius: f64,
-    /// With fewer than the first of these the search goes farther; no more than the second are taken.
+    /// The least number of photons, below which the search is repeated with a larger radius; then the largest number
+    /// that is gathered.
     pub gather: [u32; 2],
-    /// By which share the density of photons may grow when it does.
+    /// The relative growth of the density that the larger radius may bring.
     pub tolerance: f64,
-    /// Fewer than this are taken in any case.
-    pub few: u32,
-    /// Whether they lie on a surface.
+    /// Fewer photons than this are used in any case.
+    pub min_expanded: u32,
+    /// The photons lie on a surface.
     pub is_flat: bool,
 }
 
-/// A question for photons around a point.
+/// A nearest-neighbour query.
 struct PhotonQuery<'n> {
     point: DVec3,
-    /// The normal of the surface on which they lie; zero for none.
+    /// The normal of the surface; zero in space.
     normal: DVec3,
     most: usize,
-    /// The square of how far they may lie away.
-    reach_sq: f64,
+    /// The square of the current search radius.
+    radius_sq: f64,
     near: &'n mut Near,
 }
 
 impl PhotonQuery<'_> {
-    /// Takes a photon if it is near enough.
+    /// Adds a photon if it is near enough.
     #[inline]
     fn take(&mut self, number: usize, distance_sq: f64) {
-        if distance_sq < self.reach_sq {
-            #[allow(
-                clippy::cast_possible_truncation,
-                reason = "so many photons there are not"
-            )]
-            let photon = (distance_sq, number as u32);
-            if let Some(farthest_sq) = self.near.take(photon, self.most) {
-                self.reach_sq = farthest_sq;
+        if distance_sq < self.radius_sq {
+            #[allow(clippy::cast_possible_truncation, reason = "maps hold fewer photons")]
+            let number = number as u32;
+            if let Some(farthest_sq) = self.near.take(distance_sq, number, self.most) {
+                self.radius_sq = farthest_sq;
             }
         }
     }
 }
 
 impl Map {
-    /// Photons in the order in which they came to rest.
+    /// Builds a map from photons in the order in which they were stored.
     #[must_use]
     pub fn new(mut photons: Vec<Photon>) -> Map {
         order::sort(&mut photons);
         Map::of_sorted(photons)
     }
 
-    /// Photons that lie in the order of a map.
+    /// A map of photons that are in tree order already.
     #[must_use]
     pub fn of_sorted(photons: Vec<Photon>) -> Map {
         if photons.is_empty() {
@@ -84,25 +82,25 @@ impl Map {
         }
     }
 
-    /// All of them in their order.
+    /// All photons in tree order.
     #[must_use]
     pub fn photons(&self) -> &[Photon] {
         &self.photons
     }
 
-    /// Whether there are none.
+    /// Reports if the map is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.photons.is_empty()
     }
 
-    /// The memory that it takes, in bytes.
+    /// The memory of the map in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.photons.capacity() * size_of::<Photon>() + self.columns.bytes()
     }
 
-    /// Those that were found: the unit directions to where they came from, and their light.
+    /// The unit directions to the origins of the gathered photons, and their light.
     pub fn of<'m>(&'m self, near: &'m Near) -> impl Iterator<Item = (DVec3, Rgb)> {
         let unpacking = &self.unpacking;
         near.numbers().map(|number| {
@@ -111,110 +109,114 @@ impl Map {
         })
     }
 
-    /// Finds the nearest photons, `most` at most, that are nearer than `radius`.
+    /// Finds the nearest photons within `radius`, `most` at most.
     pub fn find(&self, point: DVec3, normal: DVec3, radius: f64, most: usize, near: &mut Near) {
         near.clear();
         near.radius = radius;
         if self.photons.is_empty() || most == 0 {
             return;
         }
-        let mut question = PhotonQuery {
+        let mut query = PhotonQuery {
             point,
             normal,
             most,
-            reach_sq: radius * radius,
+            radius_sq: radius * radius,
             near,
         };
-        self.look((0, self.photons.len() - 1), &mut question);
-        let reach_sq = question.reach_sq;
-        near.radius = reach_sq.sqrt();
+        self.search(0, self.photons.len() - 1, &mut query);
+        let radius_sq = query.radius_sq;
+        near.radius = radius_sq.sqrt();
     }
 
-    /// Looks through a part of the map: the side on which the point lies, the other if it is near enough, the photon that
+    /// Searches a subtree: the side of the point first, the other side if it is near enough, and last the photon that
     /// divides them.
-    fn look(&self, (first, last): (usize, usize), question: &mut PhotonQuery) {
+    fn search(&self, first: usize, last: usize, query: &mut PhotonQuery) {
         if last - first < BLOCK {
-            let (point, reach_sq) = (question.point, question.reach_sq);
+            let (point, radius_sq) = (query.point, query.radius_sq);
             let distances = self
                 .columns
-                .distances(first, (point, question.normal), reach_sq);
-            return self.look_closely(first, (0, last - first), &distances, question);
+                .distances(first, point, query.normal, radius_sq);
+            return self.search_block(first, 0, last - first, &distances, query);
         }
         let middle = usize::midpoint(first, last);
-        let beyond = self.columns.beyond(middle, question.point);
+        let beyond = self.columns.beyond(middle, query.point);
         let (before, behind) = ((first, middle - 1), (middle + 1, last));
-        let (near_side, far_side) = if beyond < 0.0 {
+        let ((near_first, near_last), (far_first, far_last)) = if beyond < 0.0 {
             (before, behind)
         } else {
             (behind, before)
         };
-        self.look(near_side, question);
-        if beyond * beyond < question.reach_sq {
-            self.look(far_side, question);
+        self.search(near_first, near_last, query);
+        if beyond * beyond < query.radius_sq {
+            self.search(far_first, far_last, query);
         }
-        let distance_sq = self
-            .columns
-            .distance_sq(middle, (question.point, question.normal));
-        question.take(middle, distance_sq);
+        let distance_sq = self.columns.distance_sq(middle, query.point, query.normal);
+        query.take(middle, distance_sq);
     }
 
-    /// As [`Self::look`] from `low` to `high` behind `first`, where the distances are known: what holds no photon that is near
-    /// enough is passed over.
-    fn look_closely(
+    /// As [`Self::search`] from `low` to `high` behind `first`, with known distances: subtrees without a photon within
+    /// the radius are skipped.
+    fn search_block(
         &self,
         first: usize,
-        (low, high): (usize, usize),
+        low: usize,
+        high: usize,
         distances: &Distances,
-        question: &mut PhotonQuery,
+        query: &mut PhotonQuery,
     ) {
         let near = distances.near;
         let middle = usize::midpoint(low, high);
-        // The photons before and behind that are near enough.
+        // The photons before and behind the middle that are within the radius.
         let before = near & ((1 << middle) - (1 << low));
         let behind = near & ((2 << high) - (2 << middle));
         if before | behind != 0 {
-            let beyond = self.columns.beyond(first + middle, question.point);
-            let sides = [(before, (low, middle)), (behind, (middle + 1, high + 1))];
-            let [near_side, far_side] = if beyond < 0.0 {
+            let beyond = self.columns.beyond(first + middle, query.point);
+            let sides = [(before, low, middle), (behind, middle + 1, high + 1)];
+            let [
+                (near_mask, near_low, near_end),
+                (far_mask, far_low, far_end),
+            ] = if beyond < 0.0 {
                 sides
             } else {
                 [sides[1], sides[0]]
             };
-            self.look_aside(first, near_side, distances, question);
-            if beyond * beyond < question.reach_sq {
-                self.look_aside(first, far_side, distances, question);
+            self.search_side(first, near_mask, near_low, near_end, distances, query);
+            if beyond * beyond < query.radius_sq {
+                self.search_side(first, far_mask, far_low, far_end, distances, query);
             }
         }
         if near >> middle & 1 == 1 {
-            question.take(first + middle, distances.squares[middle]);
+            query.take(first + middle, distances.squares[middle]);
         }
     }
 
-    /// Looks through one side, of which it is known which are near enough and how far it goes.
+    /// Searches one side of a split, with the mask of its photons within the radius.
     #[inline(always)]
-    fn look_aside(
+    fn search_side(
         &self,
         first: usize,
-        (near, (low, end)): (u32, (usize, usize)),
+        near: u32,
+        low: usize,
+        end: usize,
         distances: &Distances,
-        question: &mut PhotonQuery,
+        query: &mut PhotonQuery,
     ) {
         if near == 0 {
             return;
         }
         if end - low == 1 {
-            question.take(first + low, distances.squares[low]);
+            query.take(first + low, distances.squares[low]);
         } else {
-            self.look_closely(first, (low, end - 1), distances, question);
+            self.search_block(first, low, end - 1, distances, query);
         }
     }
 
-    /// Finds the photons that count at a point: those within the radius, or if they are few and the density does not grow
-    /// too much, those somewhat farther.
+    /// Gathers the photons for a radiance estimate: those within the radius, or if there are too few and the density
+    /// does not grow too much, those within a larger radius.
     pub fn gather(&self, search: &Search, point: DVec3, normal: DVec3, near: &mut Near) {
         let most = search.gather[1] as usize;
         let least = search.gather[0] as usize;
-        let few = search.few as usize;
+        let min_expanded = search.min_expanded as usize;
         self.find(point, normal, search.radius, most, near);
         let count = near.count();
         if count >= least {
@@ -222,11 +224,11 @@ impl Map {
         }
         let density = |near: &Near| near.count() as f64 / (near.radius * near.radius);
         let before = density(near).max(NO_DENSITY);
-        let mut farther = Near::with_room(most);
-        self.find(point, normal, FARTHER * search.radius, most, &mut farther);
+        let mut farther = Near::with_capacity(most);
+        self.find(point, normal, EXPANSION * search.radius, most, &mut farther);
         let growth = (density(&farther) - before) / before;
-        let is_few = farther.count() > 0 && farther.count() < few;
-        if growth < search.tolerance || is_few {
+        let is_below_min = farther.count() > 0 && farther.count() < min_expanded;
+        if growth < search.tolerance || is_below_min {
             *near = farther;
         }
     }
@@ -238,31 +240,31 @@ mod tests {
     use crate::base::color::Rgb;
 
     fn line(count: u32) -> Map {
-        let place = |number: u32| DVec3::new(f64::from(number * 7 % count), 0.0, 0.0);
-        let photons = (0..count).map(|number| Photon::new(place(number), Rgb::WHITE, DVec3::Y));
+        let position = |number: u32| DVec3::new(f64::from(number * 7 % count), 0.0, 0.0);
+        let photons = (0..count).map(|number| Photon::new(position(number), Rgb::WHITE, DVec3::Y));
         Map::new(photons.collect())
     }
 
-    fn found(map: &Map, near: &Near) -> Vec<f64> {
-        let places = near.numbers().map(|number| map.photons[number].at().x);
-        let mut places: Vec<f64> = places.collect();
-        places.sort_by(f64::total_cmp);
-        places
+    fn sorted_x(map: &Map, near: &Near) -> Vec<f64> {
+        let xs = near.numbers().map(|number| map.photons[number].at().x);
+        let mut xs: Vec<f64> = xs.collect();
+        xs.sort_by(f64::total_cmp);
+        xs
     }
 
     #[test]
-    fn all_within_the_radius_are_found_or_the_nearest() {
+    fn all_within_the_radius_are_gathered_or_the_nearest() {
         let (map, mut near) = (line(100), Near::default());
         map.find(DVec3::new(50.2, 0.0, 0.0), DVec3::Y, 2.0, 9, &mut near);
-        assert_eq!(found(&map, &near), [49.0, 50.0, 51.0, 52.0]);
+        assert_eq!(sorted_x(&map, &near), [49.0, 50.0, 51.0, 52.0]);
         assert_eq!(near.radius, 2.0);
         map.find(DVec3::new(50.2, 0.0, 0.0), DVec3::Y, 30.0, 3, &mut near);
-        assert_eq!(found(&map, &near), [49.0, 50.0, 51.0]);
+        assert_eq!(sorted_x(&map, &near), [49.0, 50.0, 51.0]);
         assert!((near.radius - 1.2).abs() < 1e-12);
     }
 
     #[test]
-    fn what_lies_above_the_surface_counts_as_farther() {
+    fn photons_above_the_surface_count_as_farther() {
         let (map, mut near) = (line(3), Near::default());
         let above = DVec3::new(1.0, 0.4, 0.0);
         map.find(above, DVec3::Y, 0.5, 9, &mut near);
@@ -272,13 +274,13 @@ mod tests {
     }
 
     #[test]
-    fn with_few_photons_the_search_goes_farther() {
+    fn with_too_sparse_photons_the_radius_grows() {
         let (map, mut near) = (line(100), Near::default());
         let mut search = Search {
             radius: 2.0,
             gather: [6, 100],
             tolerance: 0.2,
-            few: 35,
+            min_expanded: 35,
             is_flat: true,
         };
         let point = DVec3::new(50.2, 0.0, 0.0);

@@ -1,9 +1,9 @@
-//! Photons: light that lamps send to some objects, which bend and mirror it, is kept where it comes to rest, and spread
-//! around there (Jensen 1996), in the numbers of POV-Ray 3.7.
+//! Photon mapping (Jensen 1996), with the numbers of POV-Ray 3.7: photons are traced from lights to targets that
+//! refract or reflect them, stored at their hits, and used for radiance estimates there.
 //!
-//! The stored [`Photon`], its lookup in a [`Map`], and the [`radius`] of an estimate. Emission, and the radiance that
-//! photons give to surfaces and media, are in [`crate::render::shade`]. A map is built before the picture, on one thread,
-//! since it depends on random numbers and on the order of photons; while the picture is rendered it is only read.
+//! This module holds the stored [`Photon`], its lookup in a [`Map`], and the [`radius`] of an estimate. Emission, and
+//! the radiance of surfaces and media, are in [`crate::render::shade`]. A map is built before the picture on one
+//! thread, since it depends on random numbers and on the order of photons; during rendering it is read-only.
 
 mod columns;
 mod file;
@@ -23,37 +23,36 @@ use crate::scene::{self, Globals, PhotonDensity, Stored};
 use glam::DVec3;
 use radius::{CRand, Space};
 
-/// An object to which photons are sent.
+/// An object that receives photons.
 #[derive(Clone, Debug)]
 pub struct PhotonTarget {
-    /// The box around it, as the language tells it.
+    /// Its bounding box, as given by the scene.
     pub around: Stored,
     /// The factor on the spacing of its photons.
     pub density: f64,
-    /// What it does with them.
+    /// Its refraction and reflection of photons.
     pub role: PhotonRole,
 }
 
-/// The settings of a scene, worked out. Photons are kept, and looked up, where they lie by the scene's own numbers, and
-/// with its own lengths.
+/// The photon settings of a scene. Photons are stored and looked up in the scene's own coordinates and lengths.
 #[derive(Clone, Debug)]
 pub struct Photons {
-    /// As the scene gives them.
+    /// The settings as given.
     pub settings: scene::Photons,
-    /// What photons are sent to, in the order of the scene.
+    /// The targets, in the order of the scene.
     pub targets: Vec<PhotonTarget>,
-    /// How many generations of photons there are.
+    /// The largest number of refractions and reflections of a photon.
     pub max_trace_level: u32,
-    /// Below this weight a photon ends.
+    /// The weight below which a photon ends.
     pub adc_bailout: f64,
-    /// The length in which the scene counts.
+    /// The length of the scene's unit.
     pub unit: f64,
-    /// Where the origin of the scene's own coordinates lies.
+    /// The origin of the scene's own coordinates.
     pub origin: DVec3,
 }
 
 impl Photons {
-    /// What a scene asks for; `None` if nothing is gathered.
+    /// The photon settings of a scene; `None` if nothing is gathered.
     #[must_use]
     pub fn new(
         settings: &scene::Photons,
@@ -70,7 +69,7 @@ impl Photons {
         })
     }
 
-    /// The spacing of photons on targets, where `expected` tells how many there would be with one spacing.
+    /// The spacing of photons on targets; `expected` gives the number of photons for a spacing.
     #[must_use]
     pub fn spacing(&self, expected: impl FnOnce(f64) -> f64) -> f64 {
         match self.settings.density {
@@ -79,39 +78,39 @@ impl Photons {
         }
     }
 
-    /// A point of the world by the numbers of the scene.
+    /// A point of the world in the scene's own coordinates.
     #[must_use]
-    pub fn own(&self, point: DVec3) -> DVec3 {
+    pub fn scene_point(&self, point: DVec3) -> DVec3 {
         (point - self.origin) / self.unit
     }
 
-    /// Whether photons are left in media.
+    /// Reports if photons are deposited in media.
     #[must_use]
     pub fn fills_media(&self) -> bool {
         self.settings.media.0 > 0
     }
 }
 
-/// All photons that were kept.
+/// All stored photons.
 #[derive(Clone, Debug, Default)]
 pub struct PhotonMaps {
-    /// How many were shot.
+    /// The number of emitted photons.
     pub shot: u64,
     /// On surfaces.
     pub surface: Map,
     /// In media.
     pub media: Map,
-    /// How they are looked up on surfaces.
+    /// The search on surfaces.
     pub on_surfaces: Search,
-    /// And in media.
+    /// The search in media.
     pub in_media: Search,
 }
 
-/// Media are searched so many times as far.
+/// The factor on the search radius in media.
 const IN_MEDIA: f64 = 2.0;
 
 impl PhotonMaps {
-    /// The photons of two maps, ready to be looked up.
+    /// The photons of two maps, with their search parameters.
     #[must_use]
     pub fn new(photons: &Photons, shot: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
         let settings = &photons.settings;
@@ -127,7 +126,7 @@ impl PhotonMaps {
             radius,
             gather: settings.gather,
             tolerance: settings.expand_thresholds.0,
-            few: settings.expand_thresholds.1,
+            min_expanded: settings.expand_thresholds.1,
             is_flat: !media,
         };
         let on_surfaces = search(radius(&surface, 0, Space::Surface), false);

@@ -1,73 +1,83 @@
-//! Photons found around a point, in the order in which POV-Ray keeps them: its sums run in it.
+//! The photons near a point, in POV-Ray's order: sums depend on it.
 
-/// Photons around a point.
+/// The result of a photon search.
 #[derive(Clone, Debug, Default)]
 pub struct Near {
-    /// The bits of the squares of their distances, which lie in the same order, and their numbers. If all that may be taken
-    /// are there, the farthest comes first.
-    found: Vec<(u64, u32)>,
-    /// How far away they may lie.
+    /// The photons gathered so far. Once full, a max-heap by distance.
+    photons: Vec<NearPhoton>,
+    /// The search radius.
     pub radius: f64,
 }
 
+/// A gathered photon.
+#[derive(Clone, Copy, Debug)]
+struct NearPhoton {
+    /// The squared distance as bits, which have the same order.
+    distance_bits: u64,
+    number: u32,
+}
+
 impl Near {
-    /// None, with room for so many.
-    pub(super) fn with_room(most: usize) -> Near {
+    /// An empty result with capacity for `most` photons.
+    pub(super) fn with_capacity(most: usize) -> Near {
         Near {
-            found: Vec::with_capacity(most),
+            photons: Vec::with_capacity(most),
             radius: 0.0,
         }
     }
 
-    /// How many there are.
+    /// The number of photons.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.found.len()
+        self.photons.len()
     }
 
-    /// Their numbers.
+    /// Their indices.
     pub(super) fn numbers(&self) -> impl Iterator<Item = usize> {
-        self.found.iter().map(|&(_, number)| number as usize)
+        self.photons.iter().map(|photon| photon.number as usize)
     }
 
-    /// Forgets them.
+    /// Removes all photons.
     pub(super) fn clear(&mut self) {
-        self.found.clear();
+        self.photons.clear();
     }
 
-    /// Takes one more, or one instead of the farthest of `most`. The square of the distance of the farthest, once one had
-    /// to go.
+    /// Adds a photon, or replaces the farthest of `most`. Returns the squared distance of the farthest once one was
+    /// replaced.
     #[inline]
-    pub(super) fn take(&mut self, (distance_sq, number): (f64, u32), most: usize) -> Option<f64> {
-        let photon = (distance_sq.to_bits(), number);
-        if self.found.len() < most {
-            self.found.push(photon);
-            if self.found.len() == most {
+    pub(super) fn take(&mut self, distance_sq: f64, number: u32, most: usize) -> Option<f64> {
+        let photon = NearPhoton {
+            distance_bits: distance_sq.to_bits(),
+            number,
+        };
+        if self.photons.len() < most {
+            self.photons.push(photon);
+            if self.photons.len() == most {
                 for parent in (0..most / 2).rev() {
-                    let photon = self.found[parent];
-                    sink(&mut self.found, parent, photon);
+                    let photon = self.photons[parent];
+                    sink(&mut self.photons, parent, photon);
                 }
             }
             return None;
         }
-        sink(&mut self.found, 0, photon);
-        self.found
+        sink(&mut self.photons, 0, photon);
+        self.photons
             .first()
-            .map(|farthest| f64::from_bits(farthest.0))
+            .map(|farthest| f64::from_bits(farthest.distance_bits))
     }
 }
 
-/// Puts a photon in the place of another in the heap of the farthest, or below it.
+/// Replaces a photon in the max-heap and restores the heap order.
 #[inline]
-fn sink(heap: &mut [(u64, u32)], mut at: usize, photon: (u64, u32)) {
+fn sink(heap: &mut [NearPhoton], mut at: usize, photon: NearPhoton) {
     loop {
         let mut child = 2 * at + 1;
         if child + 1 < heap.len() {
-            child += usize::from(heap[child + 1].0 > heap[child].0);
+            child += usize::from(heap[child + 1].distance_bits > heap[child].distance_bits);
         } else if child >= heap.len() {
             break;
         }
-        if photon.0 >= heap[child].0 {
+        if photon.distance_bits >= heap[child].distance_bits {
             break;
         }
         heap[at] = heap[child];
@@ -81,11 +91,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_farthest_comes_first_and_goes_first() {
+    fn a_full_heap_replaces_the_farthest() {
         let mut near = Near::default();
         let far = |number: u32| f64::from(number * 7 % 10);
         for number in 0..10 {
-            let farthest = near.take((far(number), number), 4);
+            let farthest = near.take(far(number), number, 4);
             assert_eq!(farthest.is_some(), number >= 4);
             if let Some(farthest) = farthest {
                 let most = near.numbers().map(|n| far(u32::try_from(n).expect("few")));

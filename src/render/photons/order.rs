@@ -1,16 +1,16 @@
-//! The order of photons in a map: a tree in an array (Bentley 1975). The one in the middle of a range divides those
-//! before it from those behind it along one axis, and so on in both parts.
+//! The k-d tree order of a photon map, in an array (Bentley 1975): the middle photon of a range divides those before it
+//! from those behind it along one axis, recursively.
 
 use super::Photon;
 
-/// Brings photons into the order of a map and notes the axes by which they are divided.
+/// Sorts photons into tree order and sets their splitting axes.
 pub(super) fn sort(photons: &mut [Photon]) {
     if photons.len() <= 1 {
         return;
     }
     let axis = widest_axis(photons);
     let middle = (photons.len() - 1) / 2;
-    // A range of two stays as it is, as in POV-Ray: a search may miss one of them.
+    // A range of two is left unsorted, as in POV-Ray: a search may miss one of them.
     if photons.len() > 2 {
         select(photons, middle, axis);
     }
@@ -20,11 +20,11 @@ pub(super) fn sort(photons: &mut [Photon]) {
     sort(&mut behind[1..]);
 }
 
-/// The axis along which photons lie farthest apart, the first of equal ones.
+/// The axis of the largest extent, the first of equal ones.
 fn widest_axis(photons: &[Photon]) -> u8 {
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for photon in photons {
-        for (axis, &x) in photon.place.iter().enumerate() {
+        for (axis, &x) in photon.position.iter().enumerate() {
             low[axis] = low[axis].min(x);
             high[axis] = high[axis].max(x);
         }
@@ -39,14 +39,14 @@ fn widest_axis(photons: &[Photon]) -> u8 {
     u8::try_from(widest).unwrap_or(0)
 }
 
-/// Brings the photon of a rank along an axis to its place, lesser ones before it and greater ones behind (Hoare 1961), by
-/// POV-Ray's steps: all photons end up where it puts them. Of two that are left last the greater comes first, so that
-/// one may lie on the wrong side, where searches may miss it.
+/// Selects the photon of a rank along an axis, with lesser ones before it and greater ones behind (Hoare 1961), in the
+/// exact steps of POV-Ray: all photons end up in its order. Of the last two the greater comes first, so one may lie on
+/// the wrong side, where searches may miss it.
 fn select(photons: &mut [Photon], rank: usize, axis: u8) {
     let axis = usize::from(axis);
     let (mut left, mut right) = (0, photons.len() - 1);
     let swap_if_more = |photons: &mut [Photon], a: usize, b: usize| {
-        if photons[a].place[axis] > photons[b].place[axis] {
+        if photons[a].position[axis] > photons[b].position[axis] {
             photons.swap(a, b);
         }
     };
@@ -55,15 +55,15 @@ fn select(photons: &mut [Photon], rank: usize, axis: u8) {
         swap_if_more(photons, left + 1, right);
         swap_if_more(photons, left, right);
         swap_if_more(photons, left + 1, left);
-        let pivot = photons[left].place[axis];
+        let pivot = photons[left].position[axis];
         let (mut up, mut down) = (left + 1, right);
         while up <= down {
             up += 1;
-            while up <= right && photons[up].place[axis] < pivot {
+            while up <= right && photons[up].position[axis] < pivot {
                 up += 1;
             }
             down -= 1;
-            while down > left && photons[down].place[axis] > pivot {
+            while down > left && photons[down].position[axis] > pivot {
                 down -= 1;
             }
             if up < down {
@@ -87,14 +87,14 @@ mod tests {
     use crate::base::color::Rgb;
     use glam::DVec3;
 
-    /// Numbers below 1 that look random.
+    /// Pseudo-random numbers below 1.
     fn scattered(count: u32) -> Vec<Photon> {
-        let place = |number: u32| {
+        let position = |number: u32| {
             let part = |factor: f64| (f64::from(number) * factor).fract();
             DVec3::new(part(0.618_034), part(0.324_717), part(0.819_173))
         };
         (0..count)
-            .map(|number| Photon::new(place(number), Rgb::WHITE, DVec3::Y))
+            .map(|number| Photon::new(position(number), Rgb::WHITE, DVec3::Y))
             .collect()
     }
 
@@ -104,17 +104,17 @@ mod tests {
         }
         let middle = (photons.len() - 1) / 2;
         let axis = usize::from(photons[middle].axis);
-        let at = photons[middle].place[axis];
+        let at = photons[middle].position[axis];
         let (before, behind) = (&photons[..middle], &photons[middle + 1..]);
-        let more = before.iter().filter(|photon| photon.place[axis] > at);
-        let less = behind.iter().filter(|photon| photon.place[axis] < at);
+        let more = before.iter().filter(|photon| photon.position[axis] > at);
+        let less = behind.iter().filter(|photon| photon.position[axis] < at);
         assert!(more.count() + less.count() <= 1);
         check(before);
         check(behind);
     }
 
     #[test]
-    fn the_middle_of_each_range_divides_it_but_for_one() {
+    fn each_median_splits_its_range_except_for_one() {
         for count in [0, 1, 2, 3, 4, 5, 17, 1000] {
             let mut photons = scattered(count);
             sort(&mut photons);

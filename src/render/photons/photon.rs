@@ -1,40 +1,40 @@
-//! One photon, in the twenty bytes that POV-Ray keeps: where it lies in single precision, its light with one exponent for
-//! three channels (Ward 1991, "Real Pixels"), and where it came from in two angles of a byte each.
+//! A photon in POV-Ray's twenty bytes: its position in single precision, its light with a shared exponent for three
+//! channels (Ward 1991, "Real Pixels"), and its origin's direction in two angles of a byte each.
 
 use crate::base::color::Rgb;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// What is added to the exponent of light, modulo 256.
+/// The bias of the shared exponent, modulo 256.
 const EXPONENT: i32 = 250;
-/// Light below this is none.
+/// Light below this is black.
 const NOTHING: f64 = 1e-32;
-/// Angles of half a turn are this many steps.
+/// Steps of an angle in half a turn.
 const STEPS: f64 = 127.0;
 
-/// Light that came to rest.
+/// A stored photon.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Photon {
-    /// Where it lies in the world.
-    pub place: [f32; 3],
+    /// Its position in the scene's own coordinates.
+    pub position: [f32; 3],
     /// Red, green, blue and their exponent.
     pub light: [u8; 4],
-    /// The axis by which the map is divided here.
+    /// The splitting axis of the map.
     pub axis: u8,
-    /// How far above the horizon it came from, and from where around the y axis, from x towards z.
+    /// The direction of its origin: elevation, and azimuth around the y axis from x towards z.
     pub from: [i8; 2],
 }
 
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "the photon is kept in few bits"
+    reason = "photons are stored in few bits"
 )]
 impl Photon {
-    /// Light of so much at a place that came from a point.
+    /// Packs a photon with this light at a point, coming from `origin`.
     #[must_use]
-    pub fn new(place: DVec3, light: Rgb, origin: DVec3) -> Photon {
-        let from = (origin - place).normalize_or_zero();
+    pub fn new(position: DVec3, light: Rgb, origin: DVec3) -> Photon {
+        let from = (origin - position).normalize_or_zero();
         let rise = from.y.asin();
         let level = from.x.hypot(from.z);
         let around = if level == 0.0 {
@@ -43,33 +43,33 @@ impl Photon {
             (from.x / level).clamp(-1.0, 1.0).acos().copysign(from.z)
         };
         Photon {
-            place: place.to_array().map(|x| x as f32),
+            position: position.to_array().map(|x| x as f32),
             light: packed(light),
             axis: 0,
             from: [rise, around].map(|angle| (angle * STEPS / PI) as i8),
         }
     }
 
-    /// Where it lies.
+    /// Its position.
     #[must_use]
     #[inline]
     pub fn at(&self) -> DVec3 {
-        DVec3::from(self.place.map(f64::from))
+        DVec3::from(self.position.map(f64::from))
     }
 }
 
-/// What the bytes of photons stand for, worked out once.
+/// Lookup tables for unpacking photons.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Unpacking {
     /// Sines and cosines, by the byte of the angle.
     turns: Vec<(f64, f64)>,
-    /// The light of a channel's least step, by the exponent.
+    /// The light of one step of a channel, by the exponent.
     steps: Vec<f32>,
 }
 
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "light is kept in single precision"
+    reason = "light is stored in single precision"
 )]
 impl Unpacking {
     pub(super) fn new() -> Unpacking {
@@ -93,7 +93,7 @@ impl Unpacking {
         Rgb::new(channel(r), channel(g), channel(b))
     }
 
-    /// The unit direction to where a photon came from.
+    /// The unit direction to a photon's origin.
     #[inline]
     pub(super) fn dir(&self, photon: &Photon) -> DVec3 {
         let [rise, around] = photon
@@ -103,11 +103,11 @@ impl Unpacking {
     }
 }
 
-/// Three channels with one exponent.
+/// Three channels with a shared exponent.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "channels are below 256, and the exponent goes round"
+    reason = "channels are below 256, and the exponent wraps around"
 )]
 fn packed(light: Rgb) -> [u8; 4] {
     let most = f64::from(light.max());
@@ -125,7 +125,7 @@ fn packed(light: Rgb) -> [u8; 4] {
     ]
 }
 
-/// The least power of two that is more than a positive normal number.
+/// The exponent of the least power of two above a positive normal number.
 #[allow(clippy::cast_possible_truncation, reason = "eleven bits are taken")]
 fn exponent_of(number: f64) -> i32 {
     ((number.to_bits() >> 52) & 0x7ff) as i32 - 1022
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn light_keeps_eight_bits_of_its_largest_channel() {
+    fn light_keeps_one_byte_of_its_largest_channel() {
         let photon = Photon::new(DVec3::ZERO, Rgb::new(0.75, 0.5, 0.001), DVec3::Y);
         assert_eq!(photon.light, [192, 128, 0, 250]);
         assert_eq!(Unpacking::new().light(&photon), Rgb::new(0.75, 0.5, 0.0));
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_are_kept_to_a_degree_or_so() {
+    fn directions_are_exact_to_about_a_degree() {
         for from in [
             DVec3::new(1.0, 2.0, 3.0),
             DVec3::new(-1.0, -2.0, 0.5),

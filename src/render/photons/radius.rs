@@ -1,23 +1,23 @@
-//! How far around a point photons count where the scene does not say: so that about as many lie there as may be taken.
+//! The automatic gather radius: about as many photons lie within it as are gathered at most.
 //!
-//! POV-Ray asks at some photons chosen by the generator of the C library how densely they lie.
+//! POV-Ray measures the density at some photons chosen by the random generator of the C library.
 
 use super::{Map, Near};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// One in so many photons is asked.
+/// One in this many photons is measured.
 const ONE_IN: usize = 20;
-const LEAST_ASKED: usize = 100;
-const MOST_ASKED: usize = 1000;
-/// As far as this is searched for neighbours.
+const MIN_PROBES: usize = 100;
+const MAX_PROBES: usize = 1000;
+/// The radius of the neighbour search.
 const FAR: f64 = 1e7;
-/// Shares of the mean density between which photons call for a larger radius.
+/// Densities between these shares of the mean call for a larger radius.
 const SPARSE: [f64; 2] = [0.05, 0.7];
-/// By how much it grows where all do.
+/// The growth of the radius if all densities do.
 const GROWTH: f64 = 20.0;
 
-/// In which kind of space photons lie.
+/// The dimension of the space of photons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
     /// On surfaces.
@@ -27,7 +27,7 @@ pub enum Space {
 }
 
 impl Space {
-    /// The size of what lies within a radius.
+    /// The area or volume within a radius.
     fn within(self, radius: f64) -> f64 {
         match self {
             Space::Surface => PI * radius * radius,
@@ -35,7 +35,7 @@ impl Space {
         }
     }
 
-    /// The radius of what has this size.
+    /// The radius of an area or volume.
     fn radius(self, size: f64) -> f64 {
         match self {
             Space::Surface => (size / PI).sqrt(),
@@ -44,14 +44,14 @@ impl Space {
     }
 }
 
-/// The generator of the GNU C library as it begins with the seed 1: additive, with lags 3 and 31.
+/// The generator of the GNU C library with the seed 1: additive, with lags 3 and 31.
 #[derive(Clone, Debug)]
 pub struct CRand {
     last: [u32; 31],
     at: usize,
 }
 
-/// So many of the first numbers are thrown away.
+/// The count of discarded numbers at the start.
 const WARM_UP: usize = 310;
 
 impl CRand {
@@ -86,29 +86,29 @@ impl Default for CRand {
     }
 }
 
-/// The radius of a map of which no more than `most` photons are taken at a point; 0 for an empty map.
+/// The radius of a map that gathers no more than `most` photons at a point; 0 for an empty map.
 #[must_use]
 pub fn automatic(map: &Map, most: usize, space: Space, random: &mut CRand) -> f64 {
     let photons = map.photons();
     if photons.is_empty() || most == 0 {
         return 0.0;
     }
-    let asked = (photons.len() / ONE_IN).clamp(LEAST_ASKED, MOST_ASKED);
+    let probes = (photons.len() / ONE_IN).clamp(MIN_PROBES, MAX_PROBES);
     let mut near = Near::default();
     let mut density = |radius: f64| {
-        let place = photons[random.next_number() as usize % photons.len()].at();
-        map.find(place, DVec3::ZERO, radius, most, &mut near);
+        let position = photons[random.next_number() as usize % photons.len()].at();
+        map.find(position, DVec3::ZERO, radius, most, &mut near);
         near.count() as f64 / space.within(near.radius)
     };
-    let sum: f64 = (0..asked).map(|_| density(FAR)).sum();
-    let mean = sum / asked as f64;
+    let sum: f64 = (0..probes).map(|_| density(FAR)).sum();
+    let mean = sum / probes as f64;
     let radius = space.radius(most as f64 / mean);
     let [least, less] = SPARSE.map(|share| share * mean);
-    let sparse = (0..asked).filter(|_| {
+    let sparse = (0..probes).filter(|_| {
         let density = density(radius);
         density > least && density < less
     });
-    radius * (1.0 + GROWTH * sparse.count() as f64 / asked as f64)
+    radius * (1.0 + GROWTH * sparse.count() as f64 / probes as f64)
 }
 
 #[cfg(test)]

@@ -1,63 +1,63 @@
-//! Light that was gathered, by place.
+//! The irradiance cache.
 //!
-//! Samples lie in an octree (Ward, Rubinstein and Clear 1988): in a cell about as large as the distance to which they may
-//! be used, so that they are found from its double. POV-Ray's cells are these, and as it looks no further samples beyond
-//! the first depth may be lost; so the same are lost here.
+//! Samples lie in an octree (Ward, Rubinstein and Clear 1988), in a cell about as large as the distance within which
+//! they are used, so the cell of twice the size finds them. The cells are POV-Ray's. It does not search neighbouring
+//! cells, so samples beyond the first depth may be lost; the same ones are lost here.
 
 use super::cell::{Cell, Cube};
 use crate::base::color::Rgb;
 use glam::DVec3;
 
-/// No sample, no node.
+/// No sample or node.
 const NONE: u32 = u32::MAX;
-/// Nearer than this two points are one.
+/// Points closer than this coincide.
 const SAME: f64 = 1e-6;
-/// How far behind a sample's plane a point may lie, as a sine.
+/// The largest distance of a point behind a sample's plane, as a sine.
 const BEHIND: f64 = 0.05;
-/// Samples of less weight do not count.
+/// Samples of less weight are ignored.
 const LEAST_WEIGHT: f64 = 0.001;
-/// More roundings than two squares differ by whose roots are the same.
+/// Roundings, more than those by which two squares with equal roots differ.
 const ROUNDINGS: f64 = 8.0;
-/// Farther from the origin nothing is kept.
+/// Samples farther from the origin are not stored.
 const FARTHEST: f64 = (1u64 << 40) as f64;
 
-/// Light that arrives at a point.
+/// Irradiance at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct IrradianceSample {
-    /// Where.
+    /// The point.
     pub point: DVec3,
-    /// The unit normal on the side where it arrives.
+    /// The unit normal on the receiving side.
     pub normal: DVec3,
-    /// How much, as the mean over the half sphere by the cosine.
+    /// The cosine-weighted mean of the light over the hemisphere.
     pub light: Rgb,
-    /// The harmonic mean of the distances of what it comes from, within the limits of reuse.
+    /// The harmonic mean distance of the hits, within the limits of reuse.
     pub radius: f64,
-    /// The distance of the nearest of that.
+    /// The distance of the nearest hit.
     pub nearest: f64,
     /// The unit direction to it.
     pub to_nearest: DVec3,
-    /// The quality of the light that it was gathered from, up to 1.
+    /// The quality of the light that was gathered, up to 1.
     pub quality: f64,
-    /// How many mirrors of diffuse light lie before it.
+    /// The number of diffuse reflections before it.
     pub depth: usize,
 }
 
-/// A place at which light is asked for.
+/// A lookup of irradiance at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct CacheQuery {
-    /// Where.
+    /// The point.
     pub point: DVec3,
     /// The unit normal on the side that is seen.
     pub normal: DVec3,
     /// The largest error of a sample that counts.
     pub error: f64,
-    /// Of which depth.
+    /// The depth of the samples.
     pub depth: usize,
-    /// Whether samples fade out smoothly rather than evenly.
+    /// Weights fall off smoothly rather than linearly.
     pub is_smooth: bool,
 }
 
-/// The weighted mean of the samples that count at a place.
+/// The weighted mean of the samples that count at a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mean {
     /// The sum of the weights.
@@ -73,84 +73,84 @@ struct Node {
     children: [u32; 8],
     /// The last row that was begun here.
     last: u32,
-    /// The depths of the samples here and in the children, one bit each.
+    /// Mask of the depths of the samples here and in the children.
     depths: u32,
 }
 
-/// So many samples lie in a row.
+/// The number of samples in a row.
 const ROW: usize = 8;
 
-/// Samples of one cell and depth in the order in which they came, and what tells most of them to be too far away.
+/// Samples of one cell and depth in the order in which they were added, with the data that rejects most of them early.
 #[derive(Clone, Debug)]
 struct Row {
     depth: usize,
     count: usize,
-    /// The row that was begun in the same cell before it.
+    /// The previous row of the same cell.
     earlier: u32,
     samples: [u32; ROW],
-    /// x, y and z of their points; nowhere where there is no sample.
+    /// x, y and z of their points; infinite for empty slots.
     points: [[f64; ROW]; 3],
     radii: [f64; ROW],
 }
 
 impl Row {
-    /// The samples that are not too far from a place to count, one bit each.
+    /// Mask of the samples that may be near enough to a point to count.
     #[inline]
-    fn near(&self, look: &CacheQuery) -> u32 {
+    fn near(&self, query: &CacheQuery) -> u32 {
         let [x, y, z] = &self.points;
         let mut near = [false; ROW];
-        for place in 0..ROW {
-            let point = DVec3::new(x[place], y[place], z[place]);
-            near[place] = !look.is_far_from(point, self.radii[place]);
+        for slot in 0..ROW {
+            let point = DVec3::new(x[slot], y[slot], z[slot]);
+            near[slot] = !query.is_far_from(point, self.radii[slot]);
         }
-        (0..ROW).fold(0, |bits, place| bits | u32::from(near[place]) << place)
+        (0..ROW).fold(0, |bits, slot| bits | u32::from(near[slot]) << slot)
     }
 }
 
-/// The samples.
+/// The cache of irradiance samples.
 #[derive(Clone, Debug)]
 pub struct Cache {
     samples: Vec<IrradianceSample>,
     rows: Vec<Row>,
     nodes: Vec<Node>,
     root: u32,
-    /// The length in which the scene's own lengths count.
+    /// The length of the scene's unit.
     unit: f64,
 }
 
 impl IrradianceSample {
-    /// The weight with which the sample counts at a place; 0 where it does not. `unit`: that of the scene.
+    /// The weight of the sample at a point; 0 where it does not count. `unit` is the length of the scene's unit.
     #[must_use]
-    pub fn weight_at(&self, look: &CacheQuery, unit: f64) -> f64 {
-        if look.is_far_from(self.point, self.radius) {
+    pub fn weight_at(&self, query: &CacheQuery, unit: f64) -> f64 {
+        if query.is_far_from(self.point, self.radius) {
             return 0.0;
         }
-        let way = look.point - self.point;
-        let farthest = self.radius * look.error;
-        let distance = way.length();
+        let offset = query.point - self.point;
+        let farthest = self.radius * query.error;
+        let distance = offset.length();
         if distance >= farthest {
             return 0.0;
         }
         let (mut radius, mut front) = (self.radius, 1.0);
         if distance > SAME * unit {
-            let to_nearest = self.to_nearest.dot(way) / distance;
+            let to_nearest = self.to_nearest.dot(offset) / distance;
             if to_nearest > 0.0 {
                 radius = to_nearest * self.nearest + (1.0 - to_nearest) * radius;
-                if distance >= radius * look.error {
+                if distance >= radius * query.error {
                     return 0.0;
                 }
             }
-            let between = look.normal + self.normal;
-            front = way.dot(between) / (distance * between.length());
+            let between = query.normal + self.normal;
+            front = offset.dot(between) / (distance * between.length());
         }
-        let turn = (1.0 - look.normal.dot(self.normal)).abs().sqrt();
+        let turn = (1.0 - query.normal.dot(self.normal)).abs().sqrt();
         let error = distance / radius + 2.0 * turn;
-        // Points behind the sample are lit by what it cannot see.
-        if !(error < look.error && front > -BEHIND) {
+        // Points behind the sample are lit by light that it cannot see.
+        if !(error < query.error && front > -BEHIND) {
             return 0.0;
         }
-        let share = error / look.error;
-        let mut weight = match (look.is_smooth, share < 0.5) {
+        let share = error / query.error;
+        let mut weight = match (query.is_smooth, share < 0.5) {
             (false, _) => 1.0 - share,
             (true, true) => 1.0 - 2.0 * share * share,
             (true, false) => 2.0 * (1.0 - share) * (1.0 - share),
@@ -167,7 +167,7 @@ impl IrradianceSample {
 }
 
 impl CacheQuery {
-    /// Whether a sample at a point is too far away to count, by its radius: most are, and need no root.
+    /// Reports if a sample is too far away to count, by its radius. Most are, and this needs no square root.
     #[inline(always)]
     fn is_far_from(&self, point: DVec3, radius: f64) -> bool {
         let farthest = radius * self.error;
@@ -177,7 +177,7 @@ impl CacheQuery {
 }
 
 impl Cache {
-    /// An empty one. `unit`: the length in which the scene's own lengths count.
+    /// An empty cache; `unit` is the length of the scene's unit.
     #[must_use]
     pub fn new(unit: f64) -> Self {
         Cache {
@@ -189,7 +189,7 @@ impl Cache {
         }
     }
 
-    /// The samples in the order in which they came.
+    /// The samples in the order in which they were added.
     #[must_use]
     pub fn samples(&self) -> &[IrradianceSample] {
         &self.samples
@@ -203,7 +203,7 @@ impl Cache {
             + self.nodes.len() * size_of::<Node>()
     }
 
-    /// The length in which the scene's own lengths count.
+    /// The length of the scene's unit.
     #[must_use]
     pub fn unit(&self) -> f64 {
         self.unit
@@ -229,7 +229,7 @@ impl Cache {
         self.samples.push(sample);
     }
 
-    /// The last row of a node and a depth, with a place in it.
+    /// The last row of a node and a depth, with a free slot.
     fn row(&mut self, node: usize, depth: usize) -> &mut Row {
         let mut at = self.nodes[node].last;
         while at != NONE && self.rows[at as usize].depth != depth {
@@ -262,7 +262,7 @@ impl Cache {
         number
     }
 
-    /// The node of a cell, made if there is none; it and those around it get samples of these depths.
+    /// The node of a cell, created on demand; marks it and its ancestors with these depths.
     fn node(&mut self, cell: Cell, depths: u32) -> usize {
         if self.root == NONE {
             self.root = self.push(cell);
@@ -273,7 +273,7 @@ impl Cache {
                 break;
             }
             let above = self.push(root.parent());
-            self.nodes[above as usize].children[root.place()] = self.root;
+            self.nodes[above as usize].children[root.child_index()] = self.root;
             self.nodes[above as usize].depths = self.nodes[self.root as usize].depths;
             self.root = above;
         }
@@ -285,44 +285,44 @@ impl Cache {
                 return at;
             }
             let child = cell.at_level(level - 1);
-            let place = child.place();
-            if self.nodes[at].children[place] == NONE {
-                self.nodes[at].children[place] = self.push(child);
+            let slot = child.child_index();
+            if self.nodes[at].children[slot] == NONE {
+                self.nodes[at].children[slot] = self.push(child);
             }
-            at = self.nodes[at].children[place] as usize;
+            at = self.nodes[at].children[slot] as usize;
         }
     }
 
-    /// What the samples say of a place.
+    /// The weighted mean of the samples at a point.
     #[must_use]
-    pub fn mean(&self, look: &CacheQuery) -> Mean {
+    pub fn mean(&self, query: &CacheQuery) -> Mean {
         let mut mean = Mean::default();
         if self.root != NONE {
-            let point = look.point / self.unit;
-            self.add_from(self.root, point, look, &mut mean);
+            let point = query.point / self.unit;
+            self.add_from(self.root, point, query, &mut mean);
         }
         mean
     }
 
-    /// Adds what the samples of a node and its children say.
-    fn add_from(&self, number: u32, point: DVec3, look: &CacheQuery, mean: &mut Mean) {
+    /// Adds the samples of a node and its children.
+    fn add_from(&self, number: u32, point: DVec3, query: &CacheQuery, mean: &mut Mean) {
         let node = &self.nodes[number as usize];
-        if node.depths >> look.depth & 1 == 0 || number != self.root && !node.cube.holds(point) {
+        if node.depths >> query.depth & 1 == 0 || number != self.root && !node.cube.holds(point) {
             return;
         }
         let mut next = node.last;
         while next != NONE {
             let row = &self.rows[next as usize];
             next = row.earlier;
-            if row.depth != look.depth {
+            if row.depth != query.depth {
                 continue;
             }
-            let mut near = row.near(look);
-            // The last that came is the first that counts.
-            while let Some(place) = near.checked_ilog2() {
-                near ^= 1 << place;
-                let sample = &self.samples[row.samples[place as usize] as usize];
-                let weight = sample.weight_at(look, self.unit);
+            let mut near = row.near(query);
+            // The newest sample comes first.
+            while let Some(slot) = near.checked_ilog2() {
+                near ^= 1 << slot;
+                let sample = &self.samples[row.samples[slot as usize] as usize];
+                let weight = sample.weight_at(query, self.unit);
                 if weight > 0.0 {
                     mean.weight += weight;
                     mean.sum += sample.light * weight;
@@ -330,7 +330,7 @@ impl Cache {
             }
         }
         for &child in node.children.iter().filter(|&&child| child != NONE) {
-            self.add_from(child, point, look, mean);
+            self.add_from(child, point, query, mean);
         }
     }
 }
@@ -353,7 +353,7 @@ mod tests {
         }
     }
 
-    fn look(point: DVec3) -> CacheQuery {
+    fn query(point: DVec3) -> CacheQuery {
         CacheQuery {
             point,
             normal: DVec3::Y,
@@ -363,22 +363,22 @@ mod tests {
         }
     }
 
-    /// The weights of the fact sheet, by hand.
+    /// The weights of the fact sheet, computed by hand.
     #[test]
-    fn weights_fall_with_distance_and_turn() {
+    fn weights_fall_with_distance_and_angle() {
         let sample = sample(DVec3::ZERO, 2.0);
-        let weight = |look: &CacheQuery| sample.weight_at(look, 1.0);
-        assert_eq!(weight(&look(DVec3::ZERO)), 1.0);
-        assert!((weight(&look(DVec3::X)) - (1.0 - 0.5 / 1.5)).abs() < 1e-12);
-        assert_eq!(weight(&look(DVec3::X * 3.0)), 0.0);
+        let weight = |query: &CacheQuery| sample.weight_at(query, 1.0);
+        assert_eq!(weight(&query(DVec3::ZERO)), 1.0);
+        assert!((weight(&query(DVec3::X)) - (1.0 - 0.5 / 1.5)).abs() < 1e-12);
+        assert_eq!(weight(&query(DVec3::X * 3.0)), 0.0);
         let smooth = CacheQuery {
             is_smooth: true,
-            ..look(DVec3::X)
+            ..query(DVec3::X)
         };
         assert!((weight(&smooth) - (1.0 - 2.0 / 9.0)).abs() < 1e-12);
-        // Behind the plane of both nothing counts, just behind it little does.
-        assert_eq!(weight(&look(DVec3::new(1.0, -0.2, 0.0))), 0.0);
-        let behind = look(DVec3::new(1.0, -0.025, 0.0));
+        // Behind the common plane nothing counts; just behind it weights are small.
+        assert_eq!(weight(&query(DVec3::new(1.0, -0.2, 0.0))), 0.0);
+        let behind = query(DVec3::new(1.0, -0.025, 0.0));
         let share = 1.0 - 1.0003f64 / 2.0 / 1.5;
         assert!((weight(&behind) - share * 0.5).abs() < 1e-3);
     }
@@ -387,27 +387,30 @@ mod tests {
     fn no_sample_of_the_first_depth_is_lost() {
         let mut rng = Random::new(7);
         let mut cache = Cache::new(1.0);
-        let place = |rng: &mut Random| {
+        let random_point = |rng: &mut Random| {
             DVec3::new(rng.share(), 0.1 * rng.share(), rng.share()) * 20.0 - 10.0
         };
         for _ in 0..500 {
-            let (point, radius) = (place(&mut rng), 0.01 + rng.share() * rng.share() * 3.0);
+            let (point, radius) = (
+                random_point(&mut rng),
+                0.01 + rng.share() * rng.share() * 3.0,
+            );
             cache.add(sample(point, radius), radius * 1.5);
         }
         for _ in 0..500 {
-            let look = look(place(&mut rng));
+            let query = query(random_point(&mut rng));
             let all = cache
                 .samples
                 .iter()
-                .map(|sample| sample.weight_at(&look, 1.0));
+                .map(|sample| sample.weight_at(&query, 1.0));
             let sum: f64 = all.sum();
-            assert!((cache.mean(&look).weight - sum).abs() < 1e-9);
-            assert_eq!(cache.mean(&CacheQuery { depth: 1, ..look }).weight, 0.0);
+            assert!((cache.mean(&query).weight - sum).abs() < 1e-9);
+            assert_eq!(cache.mean(&CacheQuery { depth: 1, ..query }).weight, 0.0);
         }
     }
 
     #[test]
-    fn places_of_all_sizes_are_kept_and_what_is_none_is_not() {
+    fn points_of_all_sizes_are_stored_but_no_invalid_ones() {
         let mut cache = Cache::new(1.0);
         for (at, reach) in [(0.0, 1e-30), (-3e7, 1.0), (4e9, 1e30), (1.0, f64::MAX)] {
             cache.add(sample(DVec3::splat(at), 1.0), reach);

@@ -1,12 +1,12 @@
-//! The cubes of the octree in which gathered light lies.
+//! The cubic cells of the irradiance octree.
 
 use glam::DVec3;
 
-/// Cells are counted from here on, so that their numbers are positive.
+/// The coordinate offset of the cells, so that their indices are positive.
 const FIRST: f64 = 1e7;
-/// The level of the smallest cells: those of less than a rounding error of the places counted.
+/// The level of the smallest cells: below the rounding error of coordinates with that offset.
 const LEAST_LEVEL: i32 = -38;
-/// The level of the one cell that holds everything.
+/// The level of the single cell that holds everything.
 const WHOLE_LEVEL: i32 = 41;
 
 /// A cell of the octree: `corner` in units of its `2^level`.
@@ -20,12 +20,12 @@ pub(super) struct Cell {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cube {
     centre: DVec3,
-    /// The length of an edge; endless for what holds everything.
+    /// The length of an edge; infinite for the cell that holds everything.
     size: f64,
 }
 
 impl Cube {
-    /// Whether a point lies in the box twice as large about it.
+    /// Tests if a point lies in the concentric cube of twice the size.
     pub(super) fn holds(&self, point: DVec3) -> bool {
         let away = (point - self.centre).abs();
         away.x < self.size && away.y < self.size && away.z < self.size
@@ -72,7 +72,7 @@ impl Cell {
 
     #[allow(
         clippy::cast_precision_loss,
-        reason = "cells of scenes are not that many"
+        reason = "cell indices of scenes are smaller"
     )]
     pub(super) fn cube(&self) -> Cube {
         let size = f64::from(self.level).exp2();
@@ -84,7 +84,7 @@ impl Cell {
         Cube { centre, size }
     }
 
-    /// The cell of this level that holds it.
+    /// The ancestor at this level.
     pub(super) fn at_level(self, level: i32) -> Cell {
         if level >= WHOLE_LEVEL {
             return Cell {
@@ -99,8 +99,8 @@ impl Cell {
         }
     }
 
-    /// Which child of the cell one level up it is.
-    pub(super) fn place(&self) -> usize {
+    /// The child index within its parent.
+    pub(super) fn child_index(&self) -> usize {
         let [x, y, z] = self.corner.map(|c| usize::from(c & 1 == 1));
         x | y << 1 | z << 2
     }

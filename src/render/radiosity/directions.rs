@@ -1,18 +1,18 @@
-//! The directions in which light is gathered.
+//! The ray directions of irradiance samples.
 
 use crate::base::math::halton;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// How many directions there are if the scene asks for no other number.
+/// The default number of directions.
 pub(super) const USUAL: u32 = 1600;
 
-/// How nearly a normal must point along y for the frame to be that of the world.
+/// The cosine to y from which a normal uses the axes of the world.
 const UPRIGHT: f64 = 0.999;
-/// How nearly along z for y to be the axis about which the frame is built.
+/// The cosine to z from which a frame is built about y.
 const ALONG: f64 = 0.9;
 
-/// So many directions over the half sphere about y, the dense the nearer to y: by the cosine.
+/// Cosine-weighted directions over the hemisphere about y.
 pub(super) fn pool(count: u32) -> Vec<DVec3> {
     (1..=count).map(direction).collect()
 }
@@ -23,7 +23,7 @@ fn direction(number: u32) -> DVec3 {
     DVec3::new(radius * cos, (1.0 - radius * radius).sqrt(), radius * sin)
 }
 
-/// The axes of the half sphere about a normal, as POV-Ray lays them.
+/// The axes of the hemisphere about a normal, in POV-Ray's orientation.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     x: DVec3,
@@ -32,11 +32,11 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// About a unit normal.
+    /// The frame about a unit normal.
     #[must_use]
     pub fn about(normal: DVec3) -> Self {
         if normal.y.abs() > UPRIGHT {
-            // The axes of the world, all turned round below a ceiling.
+            // The axes of the world, inverted for a ceiling.
             let sign = normal.y.signum();
             return Frame {
                 x: sign * DVec3::X,
@@ -54,7 +54,7 @@ impl Frame {
         Frame { x, normal, z }
     }
 
-    /// A direction about y, about the normal.
+    /// Rotates a direction about y to one about the normal.
     #[must_use]
     pub fn turned(&self, dir: DVec3) -> DVec3 {
         dir.x * self.x + dir.y * self.normal + dir.z * self.z
@@ -66,14 +66,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn directions_are_those_of_the_half_sphere_by_the_cosine() {
+    fn directions_are_cosine_weighted() {
         let pool = pool(USUAL);
         assert!(
             pool.iter()
                 .all(|dir| dir.y >= 0.0 && (dir.length() - 1.0).abs() < 1e-12)
         );
         let mean: f64 = pool.iter().map(|dir| dir.y).sum::<f64>() / f64::from(USUAL);
-        // The mean cosine by the cosine is two thirds.
+        // The mean cosine of cosine-weighted directions is two thirds.
         assert!((mean - 2.0 / 3.0).abs() < 1e-3, "{mean}");
         // h2(1) = 1/2, h3(1) = 1/3.
         let first = DVec3::new(
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_stand_on_their_normals() {
+    fn frames_map_y_to_their_normal() {
         for normal in [
             DVec3::Y,
             -DVec3::Y,

@@ -1,10 +1,10 @@
-//! Radiosity: light that surfaces throw on each other, gathered at few points and spread between them (Ward, Rubinstein
-//! and Clear 1988; Ward and Heckbert 1992), in the numbers of POV-Ray 3.7.
+//! Radiosity: diffuse interreflection by irradiance caching (Ward, Rubinstein and Clear 1988; Ward and Heckbert 1992),
+//! with the numbers of POV-Ray 3.7.
 //!
-//! A sample gathers light by rays in directions of a fixed list, which goes round; what it found is kept in a
-//! [`Cache`] and used for points nearby. A ray of a sample asks for such light itself where it ends, from samples of the
-//! next depth, up to `recursion_limit`. So what is seen depends on the order in which samples came. Here it is POV-Ray's
-//! with one thread; [`crate::render`] tells how several threads keep it.
+//! An irradiance sample traces rays in directions of a fixed list, which wraps around. It is stored in a [`Cache`] and
+//! reused at nearby points. The hit of a sample ray needs irradiance itself, from samples of the next depth, up to
+//! `recursion_limit`. So the picture depends on the order of the samples. The order is that of POV-Ray with one thread;
+//! [`crate::render`] explains how several threads preserve it.
 //!
 //! Missing: POV-Ray's own table of directions (`count a, b` with `b` less than 1600 takes the first of the usual ones).
 
@@ -21,26 +21,26 @@ use crate::scene;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Below this weight no error is allowed beyond that of the settings.
+/// Below this weight the error bound of the settings is not relaxed.
 const LIGHT_WEIGHT: f64 = 0.25;
-/// Rays of samples are this much more than the least weight.
+/// The margin of sample rays above the least weight.
 const ABOVE: f64 = 1e-10;
-/// A mean of this weight is one sample used as a whole: POV-Ray counts quarters.
+/// The factor on weights: POV-Ray counts quarters, so one sample used as a whole has weight 4.
 const QUARTERS: f64 = 4.0;
 
-/// The settings of a scene, worked out.
+/// The radiosity settings of a scene.
 #[derive(Clone, Debug)]
 pub struct Radiosity {
-    /// As the scene gives them.
+    /// The settings as given.
     pub settings: scene::Radiosity,
-    /// The share of rays that count where they meet an object that does not say.
+    /// The importance of objects without their own: the share of rays that count there.
     pub importance: f64,
     /// The directions, about y.
     directions: Vec<DVec3>,
 }
 
 impl Radiosity {
-    /// What a scene asks for; `importance` is that of objects that do not say theirs.
+    /// The radiosity of a scene; `importance` is the default of objects.
     #[must_use]
     pub fn new(settings: scene::Radiosity, importance: f64) -> Self {
         let count = settings.directions.unwrap_or(directions::USUAL);
@@ -52,13 +52,13 @@ impl Radiosity {
         }
     }
 
-    /// How many rays a sample of a depth shoots.
+    /// The number of rays of a sample at a depth.
     #[must_use]
     pub fn rays(&self, depth: usize) -> u32 {
         (self.settings.count.min(MOST_DIRECTIONS) >> depth).max(LEAST_RAYS)
     }
 
-    /// The weight of these.
+    /// The weight of these rays.
     #[must_use]
     pub fn weight(&self, depth: usize) -> f64 {
         let settings = &self.settings;
@@ -67,7 +67,7 @@ impl Radiosity {
         weight.max(settings.adc_bailout + ABOVE)
     }
 
-    /// The level that these count as in a scene of so many levels: they are always traced.
+    /// The trace level that these rays start with, such that they are always traced.
     #[must_use]
     pub fn level(&self, depth: usize, max_trace_level: u32) -> u32 {
         let level = u32::try_from((depth + 1) * 3 / 2).unwrap_or(u32::MAX);
@@ -81,7 +81,7 @@ impl Radiosity {
         [settings.minimum_reuse, settings.maximum_reuse].map(|reuse| reuse * power(depth))
     }
 
-    /// The largest error of samples that count for a ray of a weight.
+    /// The error bound for a ray of a weight.
     fn error(&self, depth: usize, weight: f64, is_final: bool) -> f64 {
         let mut error = self.settings.error_bound;
         if !is_final {
@@ -90,13 +90,13 @@ impl Radiosity {
         (error + (LIGHT_WEIGHT - weight).max(0.0)) * power(depth)
     }
 
-    /// How far a sample is filed from where it may be used.
+    /// The distance within which a sample is stored for use.
     fn reach(&self, sample: &IrradianceSample) -> f64 {
         let share = if sample.depth == 0 { 1.0 } else { 1.0 / 8.0 };
         sample.radius * self.settings.error_bound * power(sample.depth) * share
     }
 
-    /// How many samples are to be near a place.
+    /// The number of samples needed near a point.
     fn needed(&self, depth: usize) -> f64 {
         let nearest = self.settings.nearest_count;
         f64::from(match depth {
@@ -109,57 +109,57 @@ impl Radiosity {
 
 /// The least number of rays of a sample.
 const LEAST_RAYS: u32 = 5;
-/// More directions than this are not told apart.
+/// The largest number of distinct directions.
 const MOST_DIRECTIONS: u32 = 1 << 20;
 
-/// Two to a depth.
+/// Two to the power of the depth.
 fn power(depth: usize) -> f64 {
     i32::try_from(depth).map_or(f64::INFINITY, |depth| f64::from(depth).exp2())
 }
 
-/// How samples are made.
+/// The policy for new samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Wherever there are too few, and they are kept: in POV-Ray's order.
+    /// Add samples where there are too few, in POV-Ray's order.
     Grow,
-    /// Not at all: what was asked is noted.
+    /// Add none: queries are recorded.
     Watch,
-    /// Where there is none, and they are not kept: in any order.
+    /// Make samples where there are none, but do not store them: in any order.
     Lone,
 }
 
-/// What a thread knows of radiosity while it draws.
+/// The radiosity state of a thread.
 #[derive(Clone, Debug)]
 pub struct Session {
     /// The samples so far.
     pub cache: Arc<Cache>,
-    /// How more are made.
+    /// The policy for new samples.
     pub mode: Mode,
-    /// Whether the picture is drawn, rather than only samples made for it.
+    /// The final picture is being rendered, not the pretrace.
     pub is_final: bool,
-    /// The least quality of the light of the ray at hand.
+    /// The least quality of the light along the current ray.
     pub quality: f64,
-    /// What was seen and asked while watching, or is to be seen again.
+    /// Samples and queries recorded in mode `Watch`, or to be revised.
     pub notes: Notes,
-    /// By depth, the next direction.
+    /// The next direction, by depth.
     next: Vec<usize>,
-    /// Whether light was asked for since this was last looked at.
-    is_asked: bool,
+    /// Irradiance was queried since the last reset.
+    has_queries: bool,
 }
 
-/// What is known of the light at a place.
+/// The irradiance known at a point.
 #[derive(Clone, Copy, Debug)]
 pub enum CachedLight {
-    /// Enough.
+    /// Enough samples.
     Enough(Mean),
-    /// Not enough; a sample is to be made.
+    /// Too few samples; one is to be made.
     Short(Mean),
-    /// Not enough, and no sample is to be made.
+    /// Too few samples, and none is to be made.
     Unknown,
 }
 
 impl Session {
-    /// Of a scene with this unit, without samples.
+    /// A session without samples, for a scene with this unit.
     #[must_use]
     pub fn new(radiosity: &Radiosity, unit: f64) -> Self {
         Session {
@@ -169,23 +169,23 @@ impl Session {
             quality: 1.0,
             notes: Notes::default(),
             next: vec![0; radiosity.settings.recursion_limit as usize + 1],
-            is_asked: false,
+            has_queries: false,
         }
     }
 
-    /// From here on the picture is drawn.
+    /// Starts the final picture.
     pub fn finish(&mut self) {
         self.is_final = true;
         self.next.fill(0);
     }
 
-    /// Whether points of the picture are to come in POV-Ray's order.
+    /// Reports if points of the picture must come in POV-Ray's order.
     #[must_use]
     pub fn order_dependent(&self) -> bool {
         self.mode == Mode::Grow
     }
 
-    /// The same in another mode, for another thread.
+    /// A copy in another mode, for another thread.
     #[must_use]
     pub fn in_mode(&self, mode: Mode) -> Session {
         Session {
@@ -195,16 +195,17 @@ impl Session {
             quality: 1.0,
             notes: Notes::of(&self.cache),
             next: self.next.clone(),
-            is_asked: false,
+            has_queries: false,
         }
     }
 
-    /// The look at a place with a ray of a weight.
+    /// The cache query at a point for a ray of a weight.
     #[must_use]
-    pub fn look(
+    pub fn query(
         &self,
         radiosity: &Radiosity,
-        (point, normal): (DVec3, DVec3),
+        point: DVec3,
+        normal: DVec3,
         depth: usize,
         weight: f64,
     ) -> CacheQuery {
@@ -217,19 +218,19 @@ impl Session {
         }
     }
 
-    /// What is known of the light at a place.
-    pub fn known(&mut self, radiosity: &Radiosity, look: &CacheQuery) -> CachedLight {
-        self.is_asked = true;
-        let mean = self.cache.mean(look);
+    /// Looks up the irradiance at a point.
+    pub fn known(&mut self, radiosity: &Radiosity, query: &CacheQuery) -> CachedLight {
+        self.has_queries = true;
+        let mean = self.cache.mean(query);
         if self.mode == Mode::Watch {
-            self.notes.ask(*look);
+            self.notes.record(*query);
         }
-        let is_enough = QUARTERS * mean.weight >= radiosity.needed(look.depth);
-        let makes_do = match self.mode {
+        let is_enough = QUARTERS * mean.weight >= radiosity.needed(query.depth);
+        let accepts_fewer = match self.mode {
             Mode::Grow | Mode::Watch => self.is_final && !radiosity.settings.always_sample,
             Mode::Lone => true,
         };
-        if is_enough || makes_do && mean.weight > 0.0 {
+        if is_enough || accepts_fewer && mean.weight > 0.0 {
             return CachedLight::Enough(mean);
         }
         if self.mode == Mode::Watch {
@@ -239,12 +240,12 @@ impl Session {
         CachedLight::Short(mean)
     }
 
-    /// Whether light was asked for since this was last called.
+    /// Returns and resets the flag of irradiance queries.
     pub fn was_asked(&mut self) -> bool {
-        std::mem::take(&mut self.is_asked)
+        std::mem::take(&mut self.has_queries)
     }
 
-    /// Notes the quality of light that was used.
+    /// Lowers the quality to that of the light used.
     pub fn used(&mut self, radiosity: &Radiosity, depth: usize, mean: &Mean) {
         let quality = QUARTERS * mean.weight / radiosity.needed(depth);
         self.quality = self.quality.min(quality);
@@ -269,8 +270,8 @@ impl Session {
         radiosity.directions[at]
     }
 
-    /// Keeps a sample, if samples are kept.
-    pub fn keep(&mut self, radiosity: &Radiosity, sample: IrradianceSample) {
+    /// Stores a sample, in mode `Grow`.
+    pub fn store(&mut self, radiosity: &Radiosity, sample: IrradianceSample) {
         if self.mode == Mode::Grow {
             let reach = radiosity.reach(&sample);
             let number = self.cache.samples().len();

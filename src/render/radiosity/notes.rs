@@ -1,4 +1,5 @@
-//! What a thread saw with the samples that there were, and whether more samples would change it.
+//! Records of parallel rendering: the irradiance queries of each point of the picture, and whether later samples change
+//! it.
 
 use super::cache::{Cache, CacheQuery, IrradianceSample};
 use crate::base::color::Rgb;
@@ -7,46 +8,47 @@ use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use std::ops::Range;
 
-/// What was seen at a point of the picture: light, and the share that shines through.
+/// The recorded sample of a point of the picture: light, and transparency.
 pub type SeenLight = (Rgb, f32);
 
-/// What was asked for something; nothing holds where samples were missing.
+/// The irradiance queries of one ray; invalid if samples were missing.
 #[derive(Clone, Debug, Default)]
 pub struct LightRequest(Option<SmallVec<[CacheQuery; 2]>>);
 
 impl LightRequest {
-    /// Whether the answers are the same with these further samples.
+    /// Reports if the results stay the same with these further samples.
     #[must_use]
-    pub fn holds(&self, since: &[IrradianceSample], unit: f64) -> bool {
-        let is_changed = |look: &CacheQuery| {
-            let mut since = since.iter().filter(|sample| sample.depth == look.depth);
-            since.any(|sample| sample.weight_at(look, unit) > 0.0)
+    pub fn is_valid(&self, since: &[IrradianceSample], unit: f64) -> bool {
+        let is_changed = |query: &CacheQuery| {
+            let mut since = since.iter().filter(|sample| sample.depth == query.depth);
+            since.any(|sample| sample.weight_at(query, unit) > 0.0)
         };
-        let looks = self.0.as_ref();
-        looks.is_some_and(|looks| !looks.iter().any(is_changed))
+        let queries = self.0.as_ref();
+        queries.is_some_and(|queries| !queries.iter().any(is_changed))
     }
 }
 
-/// What was seen of a piece of the picture and what was asked for it.
+/// The records of a tile: samples and irradiance queries.
 #[derive(Clone, Debug, Default)]
 pub struct Notes {
-    /// Whether light was asked for, for the point at hand, where there was not enough.
+    /// The current point needed irradiance with too few samples.
     pub is_short: bool,
-    looks: Vec<CacheQuery>,
-    /// By point of the picture, in bits, what was seen and the looks for that; none where samples were missing.
+    queries: Vec<CacheQuery>,
+    /// By point of the picture, as bits, the sample and the range of its queries; none where irradiance samples were
+    /// missing.
     seen: FxHashMap<[u64; 2], Option<(SeenLight, Range<usize>)>>,
-    /// Whether samples were missing somewhere.
+    /// Irradiance samples were missing somewhere.
     is_ever_short: bool,
-    /// How many samples there were.
+    /// The number of irradiance samples at the start.
     samples: usize,
-    /// Those that came since and may matter, by number.
+    /// The indices of newer samples that may matter.
     since: Vec<usize>,
-    /// The looks of the point at hand start here.
+    /// The start of the current point's queries.
     start: usize,
 }
 
 impl Notes {
-    /// Notes of what is seen with these samples.
+    /// Empty records for these irradiance samples.
     pub(super) fn of(cache: &Cache) -> Notes {
         Notes {
             samples: cache.samples().len(),
@@ -54,30 +56,30 @@ impl Notes {
         }
     }
 
-    pub(super) fn ask(&mut self, look: CacheQuery) {
-        self.looks.push(look);
+    pub(super) fn record(&mut self, query: CacheQuery) {
+        self.queries.push(query);
     }
 
     /// Starts a point of the picture, or a ray.
     pub fn begin(&mut self) {
         self.is_short = false;
-        self.start = self.looks.len();
+        self.start = self.queries.len();
     }
 
-    /// What was asked since the last beginning; it is forgotten here.
-    pub fn asked(&mut self) -> LightRequest {
-        let looks = self.looks.drain(self.start..).collect();
-        LightRequest((!self.is_short).then_some(looks))
+    /// Takes the queries since the last start.
+    pub fn take_request(&mut self) -> LightRequest {
+        let queries = self.queries.drain(self.start..).collect();
+        LightRequest((!self.is_short).then_some(queries))
     }
 
     /// Ends a point of the picture.
     pub fn end(&mut self, x: f64, y: f64, seen: SeenLight) {
-        let all = (!self.is_short).then_some((seen, self.start..self.looks.len()));
+        let all = (!self.is_short).then_some((seen, self.start..self.queries.len()));
         self.is_ever_short |= self.is_short;
         self.seen.insert([x.to_bits(), y.to_bits()], all);
     }
 
-    /// The notes so far; the next begin with the same samples.
+    /// Takes the records so far; the next ones start with the same samples.
     #[must_use]
     pub fn take(&mut self) -> Notes {
         let next = Notes {
@@ -87,18 +89,18 @@ impl Notes {
         std::mem::replace(self, next)
     }
 
-    /// Whether all was seen as it would be with the samples that there are now.
+    /// Reports if everything would be the same with the current samples.
     #[must_use]
     pub fn hold(&self, cache: &Cache) -> bool {
         !self.is_ever_short && self.samples == cache.samples().len()
     }
 
-    /// Looks up which samples came since and may matter.
+    /// Collects the newer samples that may matter.
     pub fn catch_up(&mut self, cache: &Cache) {
         let (mut min, mut max, mut error) = (DVec3::INFINITY, DVec3::NEG_INFINITY, 0.0f64);
-        for look in &self.looks {
-            (min, max) = (min.min(look.point), max.max(look.point));
-            error = error.max(look.error);
+        for query in &self.queries {
+            (min, max) = (min.min(query.point), max.max(query.point));
+            error = error.max(query.error);
         }
         let new = self.samples..cache.samples().len();
         self.since = new
@@ -112,21 +114,21 @@ impl Notes {
         self.samples = cache.samples().len();
     }
 
-    /// A sample was made that may matter to all that follows.
+    /// Adds a new sample that may matter to the points that follow.
     pub(super) fn add(&mut self, number: usize) {
         if !self.seen.is_empty() {
             self.since.push(number);
         }
     }
 
-    /// What was seen at a point of the picture, if it would be seen the same now.
+    /// The recorded sample of a point of the picture, if it is still valid.
     #[must_use]
     pub fn recall(&self, x: f64, y: f64, cache: &Cache) -> Option<SeenLight> {
-        let (seen, looks) = self.seen.get(&[x.to_bits(), y.to_bits()])?.as_ref()?;
-        let is_changed = |look: &CacheQuery| {
+        let (seen, queries) = self.seen.get(&[x.to_bits(), y.to_bits()])?.as_ref()?;
+        let is_changed = |query: &CacheQuery| {
             let mut since = self.since.iter().map(|&number| &cache.samples()[number]);
-            since.any(|sample| sample.weight_at(look, cache.unit()) > 0.0)
+            since.any(|sample| sample.weight_at(query, cache.unit()) > 0.0)
         };
-        (!self.looks[looks.clone()].iter().any(is_changed)).then_some(*seen)
+        (!self.queries[queries.clone()].iter().any(is_changed)).then_some(*seen)
     }
 }

@@ -1,14 +1,14 @@
-//! What rays cross on their way: media, rainbows and fog, where nothing solid is around them.
+//! Air along a ray outside of solid objects: media, rainbows and fog.
 
-use super::{Inside, Path, Sample, Tracer};
+use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::math::Ray;
 use crate::scene::atmosphere::{Tint, WAY_TO_NOTHING, mean_of, sum_of};
 use crate::world::{LightList, Scratch};
 
-/// What the air does to light, the rainbows first.
+/// Attenuation and in-scattered light along a ray, in the order in which they apply.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AirTint {
-    /// The media of the interiors that the ray is in.
+    /// The media of the interiors around the ray.
     inside: Option<Tint>,
     rainbow: Option<Tint>,
     /// The media of the atmosphere.
@@ -16,25 +16,25 @@ pub(super) struct AirTint {
     fog: Option<Tint>,
 }
 
-/// Where the way of a ray through the air ends.
+/// The end of a ray's segment through the air.
 #[derive(Clone, Copy)]
 pub(super) enum End {
-    /// At a surface this far away, with the lights that media scatter before it.
+    /// A surface at this distance, with the lights that media scatter before it.
     Surface(f64, LightList),
-    /// Nowhere.
+    /// No hit.
     Nothing,
 }
 
 impl Tracer<'_> {
-    /// Whether air does anything anywhere.
+    /// Reports if the scene has media, fog or rainbows.
     pub(super) fn has_air(&self) -> bool {
         self.has_media || !self.world.has_clear_air()
     }
 
-    /// What the air does to light along a ray from its start; `None` where it does nothing. A ray that meets nothing is not
-    /// touched by the media of what it is in, but by those of the atmosphere (measured with POV-Ray).
+    /// The effect of the air on light along a ray; `None` where it has none. A ray without a hit is affected by the
+    /// media of the atmosphere, but not by those of the interiors around it (measured with POV-Ray).
     ///
-    /// An object that is not `hollow` keeps the air out, also where it is only the half-space of a plane.
+    /// An object that is not `hollow` keeps the air out, even if it is only the half-space of a plane.
     pub(super) fn air(&self, path: &Path, end: End, scratch: &mut Scratch) -> Option<AirTint> {
         if !self.has_air() || self.is_airless(path) || !self.is_in_air(&path.inside) {
             return None;
@@ -49,7 +49,7 @@ impl Tracer<'_> {
                 (None, length, LightList::default())
             }
         };
-        // The last comes first, as in POV-Ray: that counts where they take random numbers.
+        // The last rainbow comes first, as in POV-Ray: it matters where they draw random numbers.
         let (rainbows, dir) = (self.world.rainbows.iter().rev(), path.ray.dir);
         let stream = &mut scratch.stream;
         let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
@@ -61,23 +61,23 @@ impl Tracer<'_> {
         })
     }
 
-    /// What fog does to light along a ray that is in the air.
+    /// The effect of fog along a ray in the air.
     pub(super) fn fog(&self, ray: &Ray, length: f64) -> Option<Tint> {
         let fogs = &self.world.fogs;
         let noise = self.world.globals.noise;
         (!fogs.is_empty()).then(|| sum_of(fogs.iter().map(|fog| fog.tint(ray, length, noise))))
     }
 
-    /// Whether nothing solid is around a ray.
-    pub(super) fn is_in_air(&self, inside: &Inside) -> bool {
+    /// Reports if no solid object is around a ray.
+    pub(super) fn is_in_air(&self, inside: &InteriorStack) -> bool {
         let interiors = &self.world.interiors;
         inside.iter().all(|&id| interiors.is_hollow(id))
     }
 }
 
 impl Sample {
-    /// The same behind air.
-    pub(super) fn through(self, air: Option<AirTint>) -> Sample {
+    /// The sample behind the air.
+    pub(super) fn behind_air(self, air: Option<AirTint>) -> Sample {
         let Some(air) = air else { return self };
         let tints = [air.inside, air.rainbow, air.media, air.fog];
         tints.into_iter().flatten().fold(self, |seen, tint| Sample {

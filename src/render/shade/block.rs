@@ -1,11 +1,10 @@
-//! A block of pixels at once: what the camera sees at all of them is searched for together, then, for each light, what
-//! stands between it and all the points seen ([`super::direct::block`]), and plain places are coloured four at a time
-//! ([`super::direct::packet`]). What plain surfaces show of others is looked for together again ([`super::wavefront`]). Everything else
-//! goes one pixel at a time, as for a single one.
+//! Tracing a block of pixels. Camera rays are traced as a bundle, shadow rays are traced light by light for all hits
+//! ([`super::direct::block`]), and plain surfaces are shaded four at a time ([`super::direct::packet`]). Reflected and
+//! refracted rays of plain surfaces form a wavefront ([`super::wavefront`]). Every other pixel takes the scalar path.
 
 use super::direct::block::BlockHits;
 use super::direct::light::LightSamples;
-use super::direct::packet::{RadiancePacket4, RaySource};
+use super::direct::packet::{RadiancePacket4, RaySource, ShadeBuffers};
 use super::shade_cache::ShadeCache;
 use super::wavefront::Wavefront;
 use super::{Path, Sample, Tracer, begin_sample};
@@ -17,49 +16,49 @@ use std::ops::Range;
 
 /// The side of a block in pixels.
 pub const BLOCK: u32 = 32;
-/// The side of the parts of a block that are searched together.
-const SEARCHED: u32 = 16;
-/// So many are searched for, lit and coloured together where it is known what lies around camera and lamps.
-pub(super) const AROUND: usize = 64;
-/// The same where there are more lights than this.
+/// The side of the parts of a block that are traced as one bundle.
+const BUNDLE_SIDE: u32 = 16;
+/// The number of pixels traced, lit and shaded together where the camera and all lights have light buffers.
+pub(super) const SMALL_BATCH: usize = 64;
+/// The same batch size applies to scenes with more lights than this.
 pub(super) const MANY_LIGHTS: usize = 64;
-/// Pixels that lie together are searched for together: eight, in columns and rows.
-const GROUP: (u32, u32) = (4, 2);
+/// The columns and rows of eight adjacent pixels, which are traced together.
+const GROUP_SIZE: (u32, u32) = (4, 2);
 
-/// The least and the largest of some places' columns, and of their rows.
+/// The range of the columns of some positions, and of their rows.
 type PixelBounds = [[f64; 2]; 2];
 
-/// Buffers that a thread keeps between blocks.
+/// Buffers that a thread reuses between blocks.
 #[derive(Debug, Default)]
 pub struct BlockScratch {
     pub(super) single: Scratch,
-    /// The columns and rows of a block's pixels, and the block's own first ones and how many there are.
+    /// The columns and rows of a block's pixels; then the first column and row of the block, and its width and height.
     whole: Vec<(f64, f64)>,
     block: (u32, u32, usize, usize),
-    /// Where each part of the places that are searched together ends.
+    /// The end of each part that is traced as one bundle.
     parts: Vec<usize>,
     parts_of_block: Vec<usize>,
-    /// How far to the right and down of the first pixel of its block each place lies.
+    /// The offset of each pixel to the right and down of the first pixel of its block.
     offsets: Vec<[u8; 2]>,
-    /// Between which columns and rows, counted from there, [`AROUND`] of them after the other lie.
+    /// The bounds of each run of [`SMALL_BATCH`] pixels, relative to the first pixel of its block.
     bounds: Vec<PixelBounds>,
-    /// What the camera sees at the places.
+    /// The camera hits at the positions.
     all: BlockHits,
-    waves: Wavefront,
-    coats: ShadeCache,
+    wavefront: Wavefront,
+    shade_cache: ShadeCache,
 }
 
-/// Rays of a camera all of which start in one point.
+/// Camera rays with a common origin.
 struct FromCamera<'t, 'w>(&'t Tracer<'w>);
 
 impl RaySource for FromCamera<'_, '_> {
     #[inline(always)]
-    fn seen(&self, _lane: usize) -> RayKind {
+    fn kind(&self, _lane: usize) -> RayKind {
         RayKind::Camera
     }
 
     #[inline(always)]
-    fn all_seen(&self) -> Option<RayKind> {
+    fn common_kind(&self) -> Option<RayKind> {
         Some(RayKind::Camera)
     }
 
@@ -73,17 +72,17 @@ impl RaySource for FromCamera<'_, '_> {
     }
 }
 
-/// What is met first at a place.
+/// The first hit of a camera ray.
 #[derive(Clone, Copy, Debug)]
 pub struct FirstHit {
-    /// The number of the primitive.
+    /// The index of the primitive.
     pub leaf: u32,
-    /// Its outward unit normal there, for shading and without bumps.
+    /// Its outward unit shading normal there, without bump mapping.
     pub normal: DVec3,
 }
 
 impl BlockScratch {
-    /// Lists the places of a block: part by part, and there group by group.
+    /// Lists the pixels of a block: part by part, and group by group within.
     fn lay_out(&mut self, columns: &Range<u32>, rows: &Range<u32>) {
         let (left, top, width, height) = self.block;
         self.block = (columns.start, rows.start, columns.len(), rows.len());
@@ -100,15 +99,15 @@ impl BlockScratch {
         }
         self.whole.clear();
         self.parts.clear();
-        for rows in split(rows, SEARCHED) {
-            for columns in split(columns, SEARCHED) {
-                for rows in split(&rows, GROUP.1) {
-                    for columns in split(&columns, GROUP.0) {
+        for rows in split(rows, BUNDLE_SIDE) {
+            for columns in split(columns, BUNDLE_SIDE) {
+                for rows in split(&rows, GROUP_SIZE.1) {
+                    for columns in split(&columns, GROUP_SIZE.0) {
                         let row = |y| columns.clone().map(move |x| (f64::from(x), f64::from(y)));
                         self.whole.extend(rows.clone().flat_map(row));
                     }
                 }
-                // Parts begin where fours do.
+                // Parts begin at packet boundaries.
                 self.parts.push(self.whole.len() / 4 * 4);
             }
         }
@@ -128,32 +127,33 @@ impl BlockScratch {
         self.offsets.extend(self.whole.iter().map(offset));
         self.bounds.clear();
         let first = [columns.start, rows.start].map(f64::from);
-        self.bounds.extend(self.whole.chunks(AROUND).map(|places| {
-            let [columns, rows] = between(places);
-            [columns.map(|x| x - first[0]), rows.map(|y| y - first[1])]
-        }));
+        self.bounds
+            .extend(self.whole.chunks(SMALL_BATCH).map(|positions| {
+                let [columns, rows] = pixel_bounds(positions);
+                [columns.map(|x| x - first[0]), rows.map(|y| y - first[1])]
+            }));
     }
 
-    /// Whether random numbers go on from sample to sample.
+    /// Reports if random numbers continue from sample to sample.
     pub fn goes_on(&self) -> bool {
         self.single.goes_on
     }
 
-    /// What it keeps for rays that are followed one at a time.
+    /// The buffers of scalar rays.
     pub fn single(&mut self) -> &mut Scratch {
         &mut self.single
     }
 
-    /// How many rays were followed with it since this was last asked.
+    /// Takes the ray counts since the last call.
     pub fn take_rays(&mut self) -> RayCounts {
         std::mem::take(&mut self.single.rays)
     }
 }
 
 impl Tracer<'_> {
-    /// What the camera sees at the whole pixels of a block no larger than [`BLOCK`] on a side, of a picture of `size`
-    /// (width, height). `take` gets how far to the right and down of the first pixel one lies, and its sample, in any
-    /// order. To the bit what [`Tracer::pixel`] gives.
+    /// Traces the pixels of a block no larger than [`BLOCK`] on a side, of a picture of `size` (width, height). `take`
+    /// gets the offset to the right and down of the first pixel, and the sample, in any order. Bit-identical to
+    /// [`Tracer::pixel`].
     pub fn block(
         &self,
         columns: &Range<u32>,
@@ -171,8 +171,9 @@ impl Tracer<'_> {
             let [columns, rows] = bounds[piece];
             [columns.map(|x| x + first[0]), rows.map(|y| y + first[1])]
         };
-        self.seen_at(
-            (&whole, bounds_of),
+        self.trace_positions(
+            &whole,
+            bounds_of,
             size,
             scratch,
             #[inline(always)]
@@ -181,56 +182,72 @@ impl Tracer<'_> {
         (scratch.whole, scratch.offsets, scratch.bounds) = (whole, offsets, bounds);
     }
 
-    /// What the camera sees at places of a picture of `size`, no more than a block has pixels and such that neighbours
-    /// in the list lie near each other; whole numbers are centres of pixels. `take` gets the number of the place, what is
-    /// seen, and what was met first if that is known, in any order. To the bit what [`Tracer::pixel`] gives.
+    /// Traces positions of a picture of `size`: no more than a block has pixels, neighbours in the list close to each
+    /// other; integral numbers are pixel centres. `take` gets the index of the position, the sample, and the first hit
+    /// if it is known, in any order. Bit-identical to [`Tracer::pixel`].
     pub fn places(
         &self,
-        places: &[(f64, f64)],
+        positions: &[(f64, f64)],
         size: (u32, u32),
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<FirstHit>),
     ) {
         scratch.parts.clear();
-        let end = places.len();
-        let ends = (0..end).step_by((SEARCHED * SEARCHED) as usize).skip(1);
+        let end = positions.len();
+        let ends = (0..end)
+            .step_by((BUNDLE_SIDE * BUNDLE_SIDE) as usize)
+            .skip(1);
         scratch.parts.extend(ends.chain([end]));
-        let bounds = |_, places: &[_]| between(places);
-        self.seen_at((places, bounds), size, scratch, |number, sample, hits| {
+        let bounds = |_, positions: &[_]| pixel_bounds(positions);
+        self.trace_positions(positions, bounds, size, scratch, |number, sample, hits| {
             let lane = number % 4;
             let hits = hits.filter(|hits| hits.is_met(lane));
-            let met = hits.map(|hits| FirstHit {
+            let first_hit = hits.map(|hits| FirstHit {
                 leaf: hits.leaf[lane],
                 normal: hits.shading_normal(lane),
             });
-            take(number, sample, met);
+            take(number, sample, first_hit);
         });
     }
 
-    /// The same with the parts laid out; `bounds` tells between what the places of a piece of them lie.
-    fn seen_at(
+    /// Traces positions whose parts are laid out; `bounds` gives the bounds of a run of them.
+    fn trace_positions(
         &self,
-        (places, bounds): (&[(f64, f64)], impl Fn(usize, &[(f64, f64)]) -> PixelBounds),
+        positions: &[(f64, f64)],
+        bounds: impl Fn(usize, &[(f64, f64)]) -> PixelBounds,
         size: (u32, u32),
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<&HitPacket4>),
     ) {
-        // Where no walk is shared fewer at a time stay nearer at hand, and the ways to many lights would take much room.
-        let are_few = self.world.has_all_light_buffers() || self.world.lights.len() > MANY_LIGHTS;
+        // Light buffers share no traversal between rays, so small batches stay in cache. With many lights the shadow
+        // rays of a large batch would take too much memory.
+        let uses_small_batches =
+            self.world.has_all_light_buffers() || self.world.lights.len() > MANY_LIGHTS;
         let parts = std::mem::take(&mut scratch.parts);
-        let at_once = if are_few { AROUND } else { places.len().max(1) };
-        for (piece, places) in places.chunks(at_once).enumerate() {
-            let whole = [places.len()];
-            let parts = if are_few { &whole } else { &parts[..] };
-            if are_few && let Some(background) = self.nothing_at(bounds(piece, places), size) {
-                scratch.single.rays.camera += places.len() as u64;
-                for number in 0..places.len() {
+        let at_once = if uses_small_batches {
+            SMALL_BATCH
+        } else {
+            positions.len().max(1)
+        };
+        for (piece, positions) in positions.chunks(at_once).enumerate() {
+            let whole = [positions.len()];
+            let parts = if uses_small_batches {
+                &whole
+            } else {
+                &parts[..]
+            };
+            if uses_small_batches
+                && let Some(background) = self.background_within(bounds(piece, positions), size)
+            {
+                scratch.single.rays.camera += positions.len() as u64;
+                for number in 0..positions.len() {
                     take(at_once * piece + number, background, None);
                 }
                 continue;
             }
-            self.seen_together(
-                (places, parts),
+            self.trace_batch(
+                positions,
+                parts,
                 size,
                 scratch,
                 #[inline(always)]
@@ -242,71 +259,86 @@ impl Tracer<'_> {
         scratch.parts = parts;
     }
 
-    /// The background, if nothing else is seen between these places, and it is the same everywhere.
-    fn nothing_at(&self, between: PixelBounds, (width, height): (u32, u32)) -> Option<Sample> {
+    /// The background, if nothing else is visible within these bounds and it is the same everywhere.
+    fn background_within(
+        &self,
+        bounds: PixelBounds,
+        (width, height): (u32, u32),
+    ) -> Option<Sample> {
         let world = self.world;
         let is_even =
-            self.takes_plain && !self.has_air() && world.sky.is_none() && world.lens.is_none();
+            self.uses_fast_path && !self.has_air() && world.sky.is_none() && world.lens.is_none();
         if !is_even || self.stop.is_asked() {
             return None;
         }
         let (width, height) = (f64::from(width), f64::from(height));
-        let [left, right] = between[0].map(|x| (x + 0.5) / width - 0.5);
-        let [top, bottom] = between[1].map(|y| 0.5 - (y + 0.5) / height);
+        let [left, right] = bounds[0].map(|x| (x + 0.5) / width - 0.5);
+        let [top, bottom] = bounds[1].map(|y| 0.5 - (y + 0.5) / height);
         let is_empty = world.is_background([left, bottom], [right, top]);
         is_empty.then(|| self.background_of(RayKind::Camera).seen)
     }
 
-    /// The same for places in parts that end where `parts` tells.
-    fn seen_together(
+    /// Traces positions in parts with the ends `parts`.
+    fn trace_batch(
         &self,
-        (places, parts): (&[(f64, f64)], &[usize]),
+        positions: &[(f64, f64)],
+        parts: &[usize],
         size: (u32, u32),
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<&HitPacket4>),
     ) {
-        if !self.search((places, parts), size, scratch) {
-            self.seen_from_anywhere(places, size, scratch, |number, sample| {
+        if !self.trace_camera_rays(positions, parts, size, scratch) {
+            self.trace_without_common_origin(positions, size, scratch, |number, sample| {
                 take(number, sample, None);
             });
             return;
         }
-        let count = places.len();
+        let count = positions.len();
         self.light_all(count, true, &mut scratch.all, &mut scratch.single);
         with_widest(
             #[inline(always)]
             |_| {
                 let mut seen = RadiancePacket4::NOTHING;
-                for (four, places) in places.chunks(4).enumerate() {
+                for (packet, positions) in positions.chunks(4).enumerate() {
                     let BlockScratch {
-                        single, all, coats, ..
+                        single,
+                        all,
+                        shade_cache,
+                        ..
                     } = scratch;
-                    let kept = (single, coats);
-                    self.shade_packet4(&FromCamera(self), (four, count), all, kept, &mut seen);
-                    if seen.is_known(places.len()) {
-                        for lane in 0..places.len() {
-                            take(4 * four + lane, seen.known(lane), all.hits.get(four));
+                    let buffers = ShadeBuffers {
+                        scratch: single,
+                        cache: shade_cache,
+                    };
+                    self.shade_packet4(&FromCamera(self), packet, count, all, buffers, &mut seen);
+                    if seen.is_known(positions.len()) {
+                        for lane in 0..positions.len() {
+                            take(4 * packet + lane, seen.known(lane), all.hits.get(packet));
                         }
                         continue;
                     }
-                    for (lane, &place) in places.iter().enumerate() {
-                        let number = 4 * four + lane;
-                        let showing = seen.showing(lane).filter(|_| scratch.waves.have_room());
-                        let sample = match (seen.sample(lane), showing) {
+                    for (lane, &(x, y)) in positions.iter().enumerate() {
+                        let number = 4 * packet + lane;
+                        let secondary = seen
+                            .secondary(lane)
+                            .filter(|_| scratch.wavefront.has_capacity());
+                        let sample = match (seen.sample(lane), secondary) {
                             (Some(sample), _) => sample,
-                            (None, Some(showing)) => {
-                                let hits = (&scratch.all.hits[four], lane);
+                            (None, Some(secondary)) => {
+                                let hits = &scratch.all.hits[packet];
                                 let single = &mut scratch.single;
-                                let waves = &mut scratch.waves;
-                                self.begin_wavefront(waves, number, hits, &showing, single);
+                                let wavefront = &mut scratch.wavefront;
+                                self.begin_wavefront(
+                                    wavefront, number, hits, lane, &secondary, single,
+                                );
                                 continue;
                             }
-                            (None, None) => match self.seen_singly(number, place, scratch) {
+                            (None, None) => match self.shade_scalar(number, x, y, scratch) {
                                 Some(sample) => sample,
                                 None => continue,
                             },
                         };
-                        take(number, sample, scratch.all.hits.get(four));
+                        take(number, sample, scratch.all.hits.get(packet));
                     }
                 }
             },
@@ -314,80 +346,94 @@ impl Tracer<'_> {
         let BlockScratch {
             single,
             all,
-            waves,
-            coats,
+            wavefront,
+            shade_cache,
             ..
         } = scratch;
-        self.follow_wavefronts(waves, (single, coats), |number, sample| {
+        let buffers = ShadeBuffers {
+            scratch: single,
+            cache: shade_cache,
+        };
+        self.trace_wavefronts(wavefront, buffers, |number, sample| {
             take(number, sample, all.hits.get(number / 4));
         });
     }
 
-    /// The same where the rays of the camera do not start in one point, or some places have none: those that there are
-    /// are followed as rays that go on from surfaces are.
-    fn seen_from_anywhere(
+    /// The same where camera rays have no common origin, or some positions have none: the rays are traced as secondary
+    /// rays.
+    fn trace_without_common_origin(
         &self,
-        places: &[(f64, f64)],
+        positions: &[(f64, f64)],
         (width, height): (u32, u32),
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample),
     ) {
         let world = self.world;
         let has_one_ray = world.lens.is_none() && world.camera.rays() == 1;
-        let goes_singly = !has_one_ray
-            || !self.sends_waves
+        let is_scalar = !has_one_ray
+            || !self.uses_wavefront
             || world.radiosity.is_some()
-            || !self.is_above_bailout((0, 1.0), 0);
-        for (number, &(x, y)) in places.iter().enumerate() {
-            if goes_singly {
+            || !self.is_above_bailout(0, 1.0, 0);
+        for (number, &(x, y)) in positions.iter().enumerate() {
+            if is_scalar {
                 take(number, self.pixel(x, y, width, height, &mut scratch.single));
                 continue;
             }
             match world.camera.primary_ray(x, y, width, height) {
-                Some(ray) => self.begin_ray(&mut scratch.waves, number, ray),
+                Some(ray) => self.queue_camera_ray(&mut scratch.wavefront, number, ray),
                 None => take(number, Sample::OUTSIDE),
             }
         }
         let BlockScratch {
             single,
-            waves,
-            coats,
+            wavefront,
+            shade_cache,
             ..
         } = scratch;
-        self.follow_wavefronts(waves, (single, coats), take);
+        let buffers = ShadeBuffers {
+            scratch: single,
+            cache: shade_cache,
+        };
+        self.trace_wavefronts(wavefront, buffers, take);
     }
 
-    /// What the camera sees at the place of this number, of which all that can be found out together is known; nothing if
-    /// it is noted what goes on from there.
+    /// Traces one position from its known hit and light samples; `None` if its secondary rays are queued.
     #[inline(never)]
-    fn seen_singly(
+    fn shade_scalar(
         &self,
         number: usize,
-        (x, y): (f64, f64),
+        x: f64,
+        y: f64,
         scratch: &mut BlockScratch,
     ) -> Option<Sample> {
         let known = LightSamples::at(&scratch.all, number);
         let hits = &scratch.all.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
         let single = &mut scratch.single;
-        if self.queues && self.is_above_bailout((0, 1.0), 0) {
-            let met = (dir, hit, known);
-            return self.seen_by_camera(&mut scratch.waves, number, met, single);
+        if self.queues_all_surfaces && self.is_above_bailout(0, 1.0, 0) {
+            return self.shade_or_queue_camera_hit(
+                &mut scratch.wavefront,
+                number,
+                dir,
+                hit,
+                known,
+                single,
+            );
         }
         let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
         if self.world.radiosity.is_some() {
             let see = |single: &mut Scratch| self.trace(path, Some((hit, known)), single);
-            return Some(self.noted((x, y), single, see));
+            return Some(self.recall_or_trace(x, y, single, see));
         }
         begin_sample(x, y, single);
         Some(self.trace(path, Some((hit, known)), single))
     }
 
-    /// Searches for what the camera sees; false if its rays do not start in one
-    /// point.
-    fn search(
+    /// Traces the camera rays; false if they have no common origin.
+    fn trace_camera_rays(
         &self,
-        (places, parts): (&[(f64, f64)], &[usize]),
+        positions: &[(f64, f64)],
+        parts: &[usize],
         size: (u32, u32),
         scratch: &mut BlockScratch,
     ) -> bool {
@@ -396,14 +442,18 @@ impl Tracer<'_> {
             return false;
         }
         let hits = &mut scratch.all.hits;
-        hits.resize(places.len().div_ceil(4), HitPacket4::NOTHING);
+        hits.resize(positions.len().div_ceil(4), HitPacket4::NOTHING);
         let are_aimed = with_widest(
             #[inline(always)]
             |lanes| {
-                camera.aim_all(lanes, places, size, |four, dirs| hits[four].dir = dirs)
-                    || places.chunks(4).zip(&mut *hits).all(|(places, hits)| {
+                camera.aim_all(lanes, positions, size, |packet, dirs| {
+                    hits[packet].dir = dirs
+                }) || positions
+                    .chunks(4)
+                    .zip(&mut *hits)
+                    .all(|(positions, hits)| {
                         (0..4).all(|lane| {
-                            let (x, y) = places[lane.min(places.len() - 1)];
+                            let (x, y) = positions[lane.min(positions.len() - 1)];
                             let ray = camera.primary_ray(x, y, size.0, size.1);
                             ray.inspect(|ray| hits.aim(lane, ray.dir)).is_some()
                         })
@@ -425,17 +475,17 @@ impl Tracer<'_> {
     }
 }
 
-/// Between what some places lie.
-fn between(places: &[(f64, f64)]) -> PixelBounds {
-    let mut between = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for &(x, y) in places {
-        for ([low, high], at) in between.iter_mut().zip([x, y]) {
-            // Two instructions, unlike `f64::min`, which asks whether both are numbers.
+/// The bounds of some positions.
+fn pixel_bounds(positions: &[(f64, f64)]) -> PixelBounds {
+    let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for &(x, y) in positions {
+        for ([low, high], at) in bounds.iter_mut().zip([x, y]) {
+            // Two instructions, unlike `f64::min`, which tests both for NaN.
             *low = if at < *low { at } else { *low };
             *high = if at > *high { at } else { *high };
         }
     }
-    between
+    bounds
 }
 
 /// A range in pieces of this length; the last may be shorter.

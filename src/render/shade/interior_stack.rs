@@ -1,6 +1,6 @@
-//! Through a surface: in which interiors a ray is, and whether its way bends.
+//! The interior stack of a ray, and refraction at surfaces.
 
-use super::{Inside, Tracer, spectrum};
+use super::{InteriorStack, Tracer, spectrum};
 use crate::world::InteriorId;
 use glam::DVec3;
 
@@ -8,14 +8,14 @@ use glam::DVec3;
 const ATMOSPHERE_IOR: f64 = 1.0;
 /// Index of refraction and dispersion outside all objects.
 const ATMOSPHERE: [f64; 2] = [ATMOSPHERE_IOR, 1.0];
-/// Indices whose ratio differs from 1 by less than this do not bend light; POV-Ray's value.
+/// Indices whose ratio differs from 1 by less than this do not refract light; POV-Ray's value.
 const NO_BEND: f64 = 1e-10;
 
-/// A crossing of a surface.
+/// The crossing of a surface.
 pub(super) struct SurfaceCrossing {
-    /// The interiors after the crossing.
-    pub(super) inside: Inside,
-    /// Whether the segment up to here lay in the interior of this surface.
+    /// The interior stack after the crossing.
+    pub(super) inside: InteriorStack,
+    /// The segment before the surface lay in its interior.
     pub(super) was_inside: bool,
     /// The index of refraction before, divided by that behind.
     pub(super) ratio: f64,
@@ -23,22 +23,22 @@ pub(super) struct SurfaceCrossing {
     pub(super) dispersion: f64,
 }
 
-/// Where light goes behind a surface.
+/// The direction of light behind a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Refraction {
-    /// Straight on.
+    /// Unchanged.
     None,
-    /// In another direction, of length 1.
+    /// Refracted, a unit direction.
     To(DVec3),
-    /// Nowhere: it is reflected as a whole.
+    /// None: total internal reflection.
     Total,
 }
 
-/// Takes a surface of `interior` into the list: out of it if the ray was in that interior, otherwise into it.
-/// Says whether the ray was inside.
+/// Updates the interior stack at a surface of `interior`: removes it if the ray was inside, otherwise pushes it.
+/// Returns true if the ray was inside.
 ///
-/// A surface does not say from which side it is met. So a lone triangle is entered and never left, as in POV-Ray.
-pub(super) fn cross(inside: &mut Inside, interior: InteriorId) -> bool {
+/// A surface does not know from which side it is hit. So a lone triangle is entered and never left, as in POV-Ray.
+pub(super) fn cross(inside: &mut InteriorStack, interior: InteriorId) -> bool {
     match inside.iter().position(|&id| id == interior) {
         Some(at) => {
             inside.remove(at);
@@ -52,13 +52,12 @@ pub(super) fn cross(inside: &mut Inside, interior: InteriorId) -> bool {
 }
 
 impl Tracer<'_> {
-    /// The index of refraction behind a surface of an interior relative to that before it, as Fresnel's law of mirror
-    /// images takes it.
+    /// The relative index of refraction behind a surface for Fresnel's equations.
     ///
-    /// POV-Ray 3.7 takes the interior entered last for the one behind, even where that is the one being left: inside
-    /// a ball of glass, with the camera in the half-space of some plane, nothing is mirrored. Measured in both orders
-    /// of two nested balls around the camera.
-    pub(super) fn relative_ior(&self, inside: &Inside, id: InteriorId) -> f64 {
+    /// POV-Ray 3.7 takes the interior entered last for the one behind, even if that is the one being left: inside a
+    /// glass sphere, with the camera in the half-space of some plane, nothing is reflected. Measured in both orders of
+    /// two nested spheres around the camera.
+    pub(super) fn relative_ior(&self, inside: &InteriorStack, id: InteriorId) -> f64 {
         let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
         let last = inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
         if !inside.contains(&id) {
@@ -70,17 +69,17 @@ impl Tracer<'_> {
         }
     }
 
-    /// The crossing of a surface of an interior by a ray that was inside of these.
-    pub(super) fn passage(&self, inside: &Inside, id: InteriorId) -> SurfaceCrossing {
+    /// The crossing of a surface of an interior by a ray with this interior stack.
+    pub(super) fn crossing(&self, inside: &InteriorStack, id: InteriorId) -> SurfaceCrossing {
         // Index of refraction and dispersion.
         let of = |id: InteriorId| {
             let interior = self.world.interiors.get(id);
             [interior.ior, interior.effective_dispersion()].map(f64::from)
         };
-        let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE, |&id| of(id));
+        let outermost = |inside: &InteriorStack| inside.last().map_or(ATMOSPHERE, |&id| of(id));
         let is_innermost = inside.last() == Some(&id);
         let before = outermost(inside);
-        let mut inside = Inside::from_slice(inside);
+        let mut inside = InteriorStack::from_slice(inside);
         let was_inside = cross(&mut inside, id);
         let [ratio, dispersion] = match (was_inside, is_innermost) {
             (false, _) => divided(before, of(id)),
@@ -97,7 +96,7 @@ impl Tracer<'_> {
 }
 
 impl SurfaceCrossing {
-    /// Whether it splits white light, even such as would go straight on.
+    /// Reports if it disperses white light, even light that is not refracted.
     pub(super) fn splits(&self) -> bool {
         (self.dispersion - 1.0).abs() >= NO_BEND
     }
@@ -117,7 +116,8 @@ fn divided(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] / b[0], a[1] / b[1]]
 }
 
-/// The direction behind a surface of unit `normal` (Snell's law as a vector). Bumps may have turned it from the viewer.
+/// The direction behind a surface with a unit `normal` (Snell's law as a vector). Bump mapping may have turned the
+/// normal away from the viewer.
 pub(super) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
     if (ratio - 1.0).abs() < NO_BEND {
         return Refraction::None;
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn light_that_leaves_too_flat_is_reflected() {
+    fn grazing_exit_is_totally_reflected() {
         assert_eq!(
             bend(DVec3::new(0.8, -0.6, 0.0), DVec3::Y, 1.5),
             Refraction::Total
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn an_interior_is_entered_and_left() {
-        let mut inside = Inside::new();
+        let mut inside = InteriorStack::new();
         assert!(!cross(&mut inside, InteriorId(1)));
         assert!(!cross(&mut inside, InteriorId(2)));
         assert!(cross(&mut inside, InteriorId(1)));

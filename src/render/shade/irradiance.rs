@@ -1,13 +1,13 @@
-//! A new sample of gathered light: rays all around a point, and what they find.
+//! Irradiance samples: rays over the hemisphere of a point.
 //!
-//! The rays start anew: they know of no interiors around them, meet neither fog nor media (unless the scene asks for
-//! that), and see lights as points and no highlights. What they find at their ends hangs on the samples that those before
-//! them made. Where there are several threads all are sent at once with the samples that there are; those for which there
-//! were too few, or for which one that came since counts, are sent again in their turn.
+//! The rays start with an empty interior stack, ignore fog and media (unless the scene asks for them), and see area
+//! lights as points and no highlights. The light at their hits depends on the irradiance samples made before. With
+//! several threads all rays of a sample are traced in parallel against the current samples. Those that lacked samples,
+//! or for which a newer sample counts, are traced again in order.
 
 use super::direct::light::LightSamples;
 use super::radiosity::IrradiancePoint;
-use super::{Inside, Path, Tracer};
+use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::{Stream, seed_of_sample};
@@ -20,94 +20,105 @@ use crate::world::{Hit, Query, RayCounts, RayKind, Scratch};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// A sample whose nearest neighbour is nearer than this share of its largest radius is not kept.
+/// A sample is not stored if its nearest hit is closer than this share of its largest radius.
 const TOO_NEAR: f64 = 1e-4;
-/// For fewer rays other threads are not asked.
-const MANY: u32 = 24;
-/// So many are sent by a thread at least.
-const TOGETHER: usize = 8;
+/// Samples of fewer rays are not shared between threads.
+const MIN_PARALLEL_RAYS: u32 = 24;
+/// The least number of rays for a thread.
+const MIN_RAYS_PER_THREAD: usize = 8;
 
-/// What a ray found.
+/// The result of one ray.
 #[derive(Clone, Copy)]
 struct GatheredRay {
-    /// How far away, if anything.
+    /// The distance of the hit, if any.
     distance: Option<f64>,
     light: Rgb,
     /// The quality of the light.
     quality: f64,
-    /// How much the ray counts.
+    /// The weight of the ray.
     weight: f64,
 }
 
-/// The same found without making samples.
+/// The result of a ray that was traced without adding samples.
 struct WatchedRay {
-    found: GatheredRay,
-    asked: LightRequest,
+    gathered: GatheredRay,
+    request: LightRequest,
     rays: RayCounts,
 }
 
-/// The sum of what rays found.
+/// The sums over the rays of a sample.
 struct IrradianceSum {
     light: Rgb,
     qualities: f64,
     weights: f64,
-    /// The sum of the reciprocals of the distances.
+    /// The sum of the reciprocal distances.
     nearness: f64,
     nearest: f64,
     to_nearest: DVec3,
 }
 
 impl IrradianceSum {
-    fn add(&mut self, dir: DVec3, found: &GatheredRay) {
-        if let Some(distance) = found.distance {
+    fn add(&mut self, dir: DVec3, gathered: &GatheredRay) {
+        if let Some(distance) = gathered.distance {
             self.nearness += 1.0 / distance;
             if distance < self.nearest {
                 (self.nearest, self.to_nearest) = (distance, dir);
             }
         }
-        let share = found.quality * found.weight;
+        let share = gathered.quality * gathered.weight;
         self.qualities += share;
-        self.weights += found.weight;
-        self.light += found.light * share;
+        self.weights += gathered.weight;
+        self.light += gathered.light * share;
     }
 }
 
 impl Tracer<'_> {
-    /// A new sample for a look at the front (1) or the back (-1) of a surface; whether it is to be kept.
+    /// Makes a sample for a query at the front (1) or the back (-1) of a surface. The flag tells if it is to be stored.
     pub(super) fn gather(
         &self,
-        gathering: &IrradiancePoint,
-        (look, side): (&CacheQuery, f64),
+        irradiance_point: &IrradiancePoint,
+        cache_query: &CacheQuery,
+        side: f64,
         scratch: &mut Scratch,
     ) -> (IrradianceSample, bool) {
         let &IrradiancePoint {
             radiosity, depth, ..
-        } = gathering;
+        } = irradiance_point;
         let count = radiosity.rays(depth);
-        let mut aim = HemisphereSampler::new(look.normal, side * gathering.flat, count);
+        let mut directions =
+            HemisphereSampler::new(cache_query.normal, side * irradiance_point.flat, count);
         let mut sum = IrradianceSum {
             light: Rgb::BLACK,
             qualities: 0.0,
             weights: 0.0,
             nearness: 0.0,
             nearest: WAY_TO_NOTHING * self.world.globals.unit,
-            to_nearest: look.normal,
+            to_nearest: cache_query.normal,
         };
         let random = (scratch.stream, scratch.media_stream, scratch.crand);
-        if self.sends_together(depth, count, scratch) {
-            self.send_together(gathering, look, &mut aim, &mut sum, scratch);
+        if self.is_parallel(depth, count, scratch) {
+            self.trace_in_parallel(
+                irradiance_point,
+                cache_query,
+                &mut directions,
+                &mut sum,
+                scratch,
+            );
         } else {
             for number in 0..count {
-                let dir = aim.next(radiosity, depth, scratch);
-                sum.add(dir, &self.send(gathering, look, (number, dir), scratch));
+                let dir = directions.next(radiosity, depth, scratch);
+                sum.add(
+                    dir,
+                    &self.trace_sample_ray(irradiance_point, cache_query, number, dir, scratch),
+                );
             }
         }
         (scratch.stream, scratch.media_stream, scratch.crand) = random;
-        let eye = self.world.camera.location().distance(look.point);
+        let eye = self.world.camera.location().distance(cache_query.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
         let sample = IrradianceSample {
-            point: look.point,
-            normal: look.normal,
+            point: cache_query.point,
+            normal: cache_query.normal,
             light: sum.light * (1.0 / sum.qualities),
             radius: single((f64::from(count) / sum.nearness).clamp(least, most)),
             nearest: single(sum.nearest),
@@ -118,29 +129,29 @@ impl Tracer<'_> {
         (sample, sum.nearest > TOO_NEAR * most)
     }
 
-    /// Whether other threads help with a sample.
-    fn sends_together(&self, depth: usize, count: u32, scratch: &Scratch) -> bool {
+    /// Reports if the rays of a sample are shared between threads.
+    fn is_parallel(&self, depth: usize, count: u32, scratch: &Scratch) -> bool {
         let session = scratch.radiosity.as_deref();
         depth == 0
-            && count >= MANY
+            && count >= MIN_PARALLEL_RAYS
             && session.is_some_and(|session| session.mode == Mode::Grow)
             && rayon::current_num_threads() > 1
     }
 
-    /// Sends all rays of a sample on all threads.
-    fn send_together(
+    /// Traces all rays of a sample in parallel.
+    fn trace_in_parallel(
         &self,
-        gathering: &IrradiancePoint,
-        look: &CacheQuery,
-        aim: &mut HemisphereSampler,
+        irradiance_point: &IrradiancePoint,
+        cache_query: &CacheQuery,
+        directions: &mut HemisphereSampler,
         sum: &mut IrradianceSum,
         scratch: &mut Scratch,
     ) {
         let &IrradiancePoint {
             radiosity, depth, ..
-        } = gathering;
+        } = irradiance_point;
         let numbers = 0..radiosity.rays(depth);
-        let aimed = numbers.map(|number| (number, aim.next(radiosity, depth, scratch)));
+        let aimed = numbers.map(|number| (number, directions.next(radiosity, depth, scratch)));
         let aimed: Vec<(u32, DVec3)> = aimed.collect();
         let Some(session) = scratch.radiosity.as_deref() else {
             return;
@@ -150,72 +161,77 @@ impl Tracer<'_> {
             scratch.radiosity = Some(Box::new(session.in_mode(Mode::Watch)));
             scratch
         };
-        let watch = |scratch: &mut Scratch, &ray: &(u32, DVec3)| {
-            let found = self.send(gathering, look, ray, scratch);
+        let watch = |scratch: &mut Scratch, &(number, dir): &(u32, DVec3)| {
+            let gathered =
+                self.trace_sample_ray(irradiance_point, cache_query, number, dir, scratch);
             let session = scratch.radiosity.as_deref_mut();
             WatchedRay {
-                found,
-                asked: session
-                    .map(|session| session.notes.asked())
+                gathered,
+                request: session
+                    .map(|session| session.notes.take_request())
                     .unwrap_or_default(),
                 rays: std::mem::take(&mut scratch.rays),
             }
         };
-        let rays = aimed.par_iter().with_min_len(TOGETHER);
+        let rays = aimed.par_iter().with_min_len(MIN_RAYS_PER_THREAD);
         let watched: Vec<WatchedRay> = rays.map_init(watching, watch).collect();
         let before = session.cache.samples().len();
         for (&(number, dir), watched) in aimed.iter().zip(&watched) {
             let session = scratch.radiosity.as_deref();
-            let holds = session.is_some_and(|session| {
+            let is_valid = session.is_some_and(|session| {
                 let since = &session.cache.samples()[before..];
-                watched.asked.holds(since, session.cache.unit())
+                watched.request.is_valid(since, session.cache.unit())
             });
-            if holds {
+            if is_valid {
                 scratch.rays += watched.rays;
-                sum.add(dir, &watched.found);
+                sum.add(dir, &watched.gathered);
             } else {
-                sum.add(dir, &self.send(gathering, look, (number, dir), scratch));
+                sum.add(
+                    dir,
+                    &self.trace_sample_ray(irradiance_point, cache_query, number, dir, scratch),
+                );
             }
         }
     }
 
-    /// Sends a ray.
-    fn send(
+    /// Traces one ray of a sample.
+    fn trace_sample_ray(
         &self,
-        gathering: &IrradiancePoint,
-        look: &CacheQuery,
-        (number, dir): (u32, DVec3),
+        irradiance_point: &IrradiancePoint,
+        cache_query: &CacheQuery,
+        number: u32,
+        dir: DVec3,
         scratch: &mut Scratch,
     ) -> GatheredRay {
         let &IrradiancePoint {
             radiosity, depth, ..
-        } = gathering;
+        } = irradiance_point;
         if let Some(session) = scratch.radiosity.as_deref_mut() {
             session.quality = 1.0;
             if session.mode == Mode::Watch {
                 session.notes.begin();
             }
         }
-        // Random numbers of its own, or they would hang on the rays before it.
-        let place = look.point.x + look.point.y + look.point.z;
-        scratch.stream = Stream::of_sample(f64::from(number), place);
+        // Every ray seeds its own random numbers, or they would depend on the rays before it.
+        let seed = cache_query.point.x + cache_query.point.y + cache_query.point.z;
+        scratch.stream = Stream::of_sample(f64::from(number), seed);
         scratch.media_stream = scratch.stream;
-        scratch.crand = seed_of_sample(f64::from(number), place);
+        scratch.crand = seed_of_sample(f64::from(number), seed);
         let path = Path {
-            ray: Ray::new(look.point, dir),
-            from: gathering.departure,
-            seen: RayKind::Radiosity,
+            ray: Ray::new(cache_query.point, dir),
+            from: irradiance_point.spawn_surface,
+            kind: RayKind::Radiosity,
             level: radiosity.level(depth, self.world.globals.max_trace_level),
             weight: radiosity.weight(depth),
-            gathered: depth + 1,
-            inside: Inside::new(),
+            irradiance_depth: depth + 1,
+            inside: InteriorStack::new(),
             wavelength: None,
         };
         let query = Query {
             ray: path.ray,
             origin_surface: path.from,
             t_max: f64::INFINITY,
-            kind: path.seen,
+            kind: path.kind,
         };
         let hit = self.world.nearest(&query, scratch);
         let distance = hit.map(|hit| hit.t);
@@ -238,7 +254,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// How much the ray of this number counts for what it met: those of less important objects stand for more of them.
+    /// The weight of the ray with this index: fewer rays hit objects of low importance, and each counts for more.
     fn weight_of(&self, hit: Option<&Hit>, radiosity: &Radiosity, number: u32, count: u32) -> f64 {
         let own = hit.and_then(|hit| self.world.surfaces[hit.surface as usize].importance());
         let importance = own.map_or(radiosity.importance, Importance::share);
@@ -253,7 +269,7 @@ impl Tracer<'_> {
     }
 }
 
-/// Light no brighter than `max_sample`.
+/// Light clamped to `max_sample`.
 fn limited(light: Rgb, radiosity: &Radiosity) -> Rgb {
     let most = radiosity.settings.max_sample;
     let brightest = f64::from(light.max());
@@ -264,15 +280,15 @@ fn limited(light: Rgb, radiosity: &Radiosity) -> Rgb {
     }
 }
 
-/// Chooses the directions of a sample.
+/// Chooses the ray directions of a sample.
 struct HemisphereSampler {
     frame: Frame,
     flat: DVec3,
-    /// How many directions below the surface may still be skipped; none are looked for where there are no bumps.
+    /// The number of directions below the surface that may still be rejected; none are rejected without bump mapping.
     skips: Option<u32>,
 }
 
-/// So many directions are tried for each that is wanted.
+/// Directions tried for each one that is used.
 const TRIES: u32 = 5;
 
 impl HemisphereSampler {
@@ -304,8 +320,8 @@ impl HemisphereSampler {
     }
 }
 
-/// POV-Ray keeps distances of samples in single precision.
-#[allow(clippy::cast_possible_truncation, reason = "it is asked for")]
+/// POV-Ray stores the distances of samples in single precision.
+#[allow(clippy::cast_possible_truncation, reason = "POV-Ray rounds here")]
 fn single(distance: f64) -> f64 {
     f64::from(distance as f32)
 }

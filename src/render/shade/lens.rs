@@ -1,4 +1,4 @@
-//! A pixel through a lens: samples until they agree.
+//! Pixels with several camera rays: focal blur and cameras with several rays for each point.
 
 use super::{Sample, Tracer};
 use crate::base::color::Rgb;
@@ -6,15 +6,18 @@ use crate::scene::camera::{Lens, LensRay, Spread};
 use crate::world::Scratch;
 
 impl Tracer<'_> {
-    /// What a camera of several rays at each point sees: the mean of those that it has.
+    /// The mean over the rays of a camera with several rays for each point.
     #[cold]
-    pub(super) fn several(
+    pub(super) fn mean_of_rays(
         &self,
-        at: (f64, f64),
-        size: (u32, u32),
+        x: f64,
+        y: f64,
+        width: u32,
+        height: u32,
         scratch: &mut Scratch,
     ) -> Sample {
         let camera = &self.world.camera;
+        let (at, size) = ((x, y), (width, height));
         let rays = (0..camera.rays()).filter_map(|number| camera.numbered_ray(number, at, size));
         let mut count: f32 = 0.0;
         let mut sum = Sample::BLACK;
@@ -33,12 +36,14 @@ impl Tracer<'_> {
         }
     }
 
-    /// What a lens shows at a point of a picture of `size`, its width and height.
+    /// Traces a point of a picture of `width` by `height` pixels through a lens, until its samples agree.
     pub(super) fn through_lens(
         &self,
         lens: &Lens,
-        (x, y): (f64, f64),
-        size: (u32, u32),
+        x: f64,
+        y: f64,
+        width: u32,
+        height: u32,
         scratch: &mut Scratch,
     ) -> Sample {
         let mut spread = Spread::default();
@@ -48,9 +53,9 @@ impl Tracer<'_> {
         for (stop, &end) in lens.stops().iter().enumerate() {
             for sample in count..end {
                 let sample = LensRay { sample, x, y };
-                let ray = lens.ray(&self.world.camera, &sample, size.0, size.1);
+                let ray = lens.ray(&self.world.camera, &sample, width, height);
                 let seen = self.sample(ray, scratch);
-                // Where the picture keeps no transparency the background is opaque, whatever it says.
+                // Without an alpha channel the background counts as opaque.
                 let is_opaque = ray.is_some() && !self.world.globals.has_alpha;
                 spread.add(seen.rgb, if is_opaque { 0.0 } else { seen.transmit });
                 rgb += seen.rgb;

@@ -1,10 +1,10 @@
-//! Media on the way of a ray: light is given, swallowed and scattered along each stretch between two surfaces.
+//! Participating media along a ray: emission, absorption and scattering on each segment between two surfaces.
 //!
-//! A stretch is divided where beams of light begin and end, each part into intervals, and these are sampled by one of
-//! three methods (facts 2, section 1): at random, evenly, or evenly with halving where neighbours differ.
+//! A segment is divided where light beams begin and end, each part into intervals, and these are sampled by one of
+//! three methods (facts 2, section 1): at random, evenly, or evenly with adaptive halving.
 
-use super::direct::light::{LightSamples, ShadingPoint, ViewPoint, is_nothing};
-use super::{Inside, Path, Tracer};
+use super::direct::light::{LightSamples, ShadingPoint, ViewPoint, is_negligible};
+use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::chi_square::chi_square;
@@ -14,26 +14,26 @@ use crate::world::{LightList, Scratch};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// The media of a stretch, which add up.
+/// The media of a segment; their effects add up.
 pub(super) type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
 
-/// A light with the stretch of the ray that lies in its beam.
+/// The interval of a ray within the beam of a light.
 pub(super) struct LightBeam {
     number: u32,
     from: f64,
     to: f64,
 }
 
-/// A part of a stretch.
+/// An interval of a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct MediaStep {
+pub(super) struct MediaInterval {
     pub(super) from: f64,
     pub(super) to: f64,
     is_lit: bool,
 }
 
-/// A stretch of a ray in media.
-struct MediaInterval<'a> {
+/// A ray segment in media.
+struct MediaSegment<'a> {
     media: &'a [&'a PreparedMedia],
     ray: Ray,
     path: &'a Path,
@@ -41,25 +41,25 @@ struct MediaInterval<'a> {
     sampling: Sampling,
 }
 
-/// What media give along an interval and how much light they swallow, both as sums over samples.
+/// Emitted and in-scattered light and optical depth of an interval, as sums over samples.
 #[derive(Clone, Copy)]
 struct MediaSums {
-    given: Rgb,
-    /// The squares of what each sample gave.
+    radiance: Rgb,
+    /// The sum of the squares of the light of each sample.
     squares: Rgb,
-    swallowed: Rgb,
+    optical_depth: Rgb,
     count: u32,
 }
 
-/// What media do at a point of an interval, over all its length.
+/// Emitted and in-scattered light and optical depth at a point, scaled to the whole interval.
 #[derive(Clone, Copy)]
 struct MediaSample {
-    given: Rgb,
-    swallowed: Rgb,
+    radiance: Rgb,
+    optical_depth: Rgb,
 }
 
 impl Tracer<'_> {
-    /// What the interiors that a ray is in do to light over `length` of it.
+    /// The effect of the interiors around a ray over `length`.
     pub(super) fn media_inside(
         &self,
         path: &Path,
@@ -71,10 +71,10 @@ impl Tracer<'_> {
             return None;
         }
         let media = self.media_of(&path.inside);
-        self.stretch(&media, path, length, lights, scratch)
+        self.segment_tint(&media, path, length, lights, scratch)
     }
 
-    /// What the media of the atmosphere do to light over `length` of a ray that is in the air.
+    /// The effect of the media of the atmosphere over `length` of a ray in the air.
     pub(super) fn media_of_air(
         &self,
         path: &Path,
@@ -86,15 +86,15 @@ impl Tracer<'_> {
             return None;
         }
         let media: Mixture = self.world.media.iter().collect();
-        self.stretch(&media, path, length, lights, scratch)
+        self.segment_tint(&media, path, length, lights, scratch)
     }
 
-    /// What the interiors around it leave of light over a part of its way to a point.
-    pub(super) fn dimmed_inside(
+    /// The transmittance of the interiors around a shadow ray over `length`.
+    pub(super) fn interior_transmittance(
         &self,
         ray: &Ray,
         length: f64,
-        inside: &Inside,
+        inside: &InteriorStack,
         scratch: &mut Scratch,
     ) -> Rgb {
         if !self.has_media || inside.is_empty() || !self.is_in_air(inside) {
@@ -103,12 +103,12 @@ impl Tracer<'_> {
         self.extinction(&self.media_of(inside), ray, length, scratch)
     }
 
-    /// What the media of the atmosphere leave of it.
-    pub(super) fn dimmed_by_air(
+    /// The transmittance of the media of the atmosphere along a shadow ray.
+    pub(super) fn atmosphere_transmittance(
         &self,
         ray: &Ray,
         length: f64,
-        inside: &Inside,
+        inside: &InteriorStack,
         scratch: &mut Scratch,
     ) -> Rgb {
         if !self.is_in_air(inside) {
@@ -118,12 +118,12 @@ impl Tracer<'_> {
         self.extinction(&media, ray, length, scratch)
     }
 
-    pub(super) fn media_of(&self, inside: &Inside) -> Mixture<'_> {
+    pub(super) fn media_of(&self, inside: &InteriorStack) -> Mixture<'_> {
         let media = inside.iter().map(|&id| self.world.interiors.media(id));
         media.flatten().collect()
     }
 
-    fn stretch(
+    fn segment_tint(
         &self,
         media: &[&PreparedMedia],
         path: &Path,
@@ -133,7 +133,7 @@ impl Tracer<'_> {
     ) -> Option<Tint> {
         let sampling = common_sampling(media)?;
         let beams = self.beams(lights, &path.ray, length);
-        let stretch = MediaInterval {
+        let segment = MediaSegment {
             media,
             ray: path.ray,
             path,
@@ -146,13 +146,13 @@ impl Tracer<'_> {
             .any(|media| media.sampling.intervals == sampling.intervals && media.has_density());
         let intervals = match parts.as_slice() {
             [only] if !only.is_lit && !has_density => vec![*only],
-            parts => divided(parts, &sampling),
+            parts => subdivided(parts, &sampling),
         };
-        Some(self.sum_up(&stretch, &intervals, scratch))
+        Some(self.sum_up(&segment, &intervals, scratch))
     }
 
-    /// The lights that media scatter, and where their beams cross a ray. Those of light groups are not among them, whatever
-    /// the ray meets behind, and neither are shadowless ones (checked with POV-Ray).
+    /// The lights that media scatter, with the intervals of their beams along a ray. Neither lights of light groups,
+    /// whatever the ray hits, nor shadowless ones take part (checked with POV-Ray).
     pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<LightBeam> {
         let lights = self.world.lights.outside_groups(lights).iter();
         let beam = |&number: &u32| {
@@ -167,40 +167,40 @@ impl Tracer<'_> {
         lights.filter_map(beam).collect()
     }
 
-    /// What the intervals of a stretch do to light, the nearest first.
+    /// The effect of all intervals of a segment, the nearest first.
     fn sum_up(
         &self,
-        stretch: &MediaInterval,
-        intervals: &[MediaStep],
+        segment: &MediaSegment,
+        intervals: &[MediaInterval],
         scratch: &mut Scratch,
     ) -> Tint {
         let mut sums: Vec<MediaSums> = intervals
             .iter()
-            .map(|interval| self.sampled(stretch, interval, scratch))
+            .map(|interval| self.sampled(segment, interval, scratch))
             .collect();
-        self.sample_more(stretch, intervals, &mut sums, scratch);
-        let (mut given, mut swallowed) = (Rgb::BLACK, Rgb::BLACK);
+        self.sample_more(segment, intervals, &mut sums, scratch);
+        let (mut radiance, mut optical_depth) = (Rgb::BLACK, Rgb::BLACK);
         for sum in &sums {
             let share = 1.0 / f64::from(sum.count.max(1));
-            given += sum.given * share * vanishing(swallowed);
-            swallowed += sum.swallowed * share;
+            radiance += sum.radiance * share * transmittance_of(optical_depth);
+            optical_depth += sum.optical_depth * share;
         }
         Tint {
-            factor: vanishing(swallowed),
-            added: given,
+            factor: transmittance_of(optical_depth),
+            added: radiance,
         }
     }
 
     fn sampled(
         &self,
-        stretch: &MediaInterval,
-        interval: &MediaStep,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
         scratch: &mut Scratch,
     ) -> MediaSums {
-        let sampling = &stretch.sampling;
+        let sampling = &segment.sampling;
         let mut sums = MediaSums::NOTHING;
         match sampling.method {
-            3 => self.sample_by_halving(stretch, interval, &mut sums, scratch),
+            3 => self.sample_by_halving(segment, interval, &mut sums, scratch),
             method => {
                 let count = sampling.samples[0];
                 for number in 0..count {
@@ -210,22 +210,22 @@ impl Tracer<'_> {
                     } else {
                         (f64::from(number) + 0.5 + sampling.jitter * random) / f64::from(count)
                     };
-                    self.add_sample(stretch, interval, at, &mut sums, scratch);
+                    self.add_sample(segment, interval, at, &mut sums, scratch);
                 }
             }
         }
         sums
     }
 
-    /// Samples on until the variance is small enough, for the methods that do so.
+    /// Adds samples until the variance is small enough, for the methods that do so.
     fn sample_more(
         &self,
-        stretch: &MediaInterval,
-        intervals: &[MediaStep],
+        segment: &MediaSegment,
+        intervals: &[MediaInterval],
         sums: &mut [MediaSums],
         scratch: &mut Scratch,
     ) {
-        let sampling = &stretch.sampling;
+        let sampling = &segment.sampling;
         let [least, most] = sampling.samples;
         if sampling.method == 3 || most <= least {
             return;
@@ -237,36 +237,36 @@ impl Tracer<'_> {
                 && sum.variance() >= scale * chi_square(sum.count.max(1), confidence)
             {
                 let at = scratch.media_stream.next_number();
-                self.add_sample(stretch, interval, at, sum, scratch);
+                self.add_sample(segment, interval, at, sum, scratch);
             }
         }
     }
 
     fn add_sample(
         &self,
-        stretch: &MediaInterval,
-        interval: &MediaStep,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
         at: f64,
         sums: &mut MediaSums,
         scratch: &mut Scratch,
     ) {
-        let sampled = self.at(stretch, interval, at, scratch);
-        let given = sampled.given * vanishing(sampled.swallowed * at);
-        sums.given += given;
-        sums.squares += given * given;
-        sums.swallowed += sampled.swallowed;
+        let sampled = self.media_sample(segment, interval, at, scratch);
+        let radiance = sampled.radiance * transmittance_of(sampled.optical_depth * at);
+        sums.radiance += radiance;
+        sums.squares += radiance * radiance;
+        sums.optical_depth += sampled.optical_depth;
         sums.count += 1;
     }
 
-    /// Method 3: even steps, halved where neighbours differ. The last step of an interval is counted and not sampled.
+    /// Method 3: even steps, halved where neighbours differ. The last step of an interval is counted but not sampled.
     fn sample_by_halving(
         &self,
-        stretch: &MediaInterval,
-        interval: &MediaStep,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
         sums: &mut MediaSums,
         scratch: &mut Scratch,
     ) {
-        let sampling = &stretch.sampling;
+        let sampling = &segment.sampling;
         let steps = steps_of(sampling.samples[0]);
         let width = 1.0 / (f64::from(steps) + 1.0);
         let jitter = width * sampling.jitter;
@@ -274,39 +274,40 @@ impl Tracer<'_> {
             at + jitter * (scratch.media_stream.next_number() - 0.5)
         };
         let mut from = shifted(0.0, scratch);
-        let mut first = self.at(stretch, interval, from, scratch);
+        let mut first = self.media_sample(segment, interval, from, scratch);
         for step in 1..=steps {
             let to = shifted(f64::from(step) * width, scratch);
-            let second = self.at(stretch, interval, to, scratch);
+            let second = self.media_sample(segment, interval, to, scratch);
             let ends = [(from, first), (to, second)];
             let depth = sampling.aa_level.saturating_sub(1);
-            let mean = self.halved(stretch, interval, ends, depth, scratch);
-            sums.given += mean.given * vanishing(sums.swallowed * (1.0 / f64::from(steps)));
-            sums.swallowed += mean.swallowed;
+            let mean = self.halve(segment, interval, ends, depth, scratch);
+            sums.radiance +=
+                mean.radiance * transmittance_of(sums.optical_depth * (1.0 / f64::from(steps)));
+            sums.optical_depth += mean.optical_depth;
             (from, first) = (to, second);
         }
         sums.count = steps;
     }
 
     /// The mean between two samples, with one in the middle and more where they differ.
-    fn halved(
+    fn halve(
         &self,
-        stretch: &MediaInterval,
-        interval: &MediaStep,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
         [(from, first), (to, last)]: [(f64, MediaSample); 2],
         depth: u32,
         scratch: &mut Scratch,
     ) -> MediaSample {
-        let sampling = &stretch.sampling;
+        let sampling = &segment.sampling;
         let random = scratch.media_stream.next_number() - 0.5;
         let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
-        let middle = self.at(stretch, interval, at, scratch);
+        let middle = self.media_sample(segment, interval, at, scratch);
         if depth == 0 {
             return first.plus(&middle).plus(&last).times(1.0 / 3.0);
         }
         let mut half = |end: (f64, MediaSample), ends: [(f64, MediaSample); 2]| {
             if end.1.differs(&middle, sampling.aa_threshold) {
-                let mean = self.halved(stretch, interval, ends, depth - 1, scratch);
+                let mean = self.halve(segment, interval, ends, depth - 1, scratch);
                 mean.times(0.5)
             } else {
                 end.1.times(1.0 / 3.0).plus(&middle.times(1.0 / 6.0))
@@ -316,77 +317,78 @@ impl Tracer<'_> {
         before.plus(&half((to, last), [(at, middle), (to, last)]))
     }
 
-    /// What media do at a share of an interval.
-    fn at(
+    /// The effect of the media at a fraction of an interval.
+    fn media_sample(
         &self,
-        stretch: &MediaInterval,
-        interval: &MediaStep,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
         at: f64,
         scratch: &mut Scratch,
     ) -> MediaSample {
         let length = interval.to - interval.from;
-        let way = interval.from + at * length;
-        let point = stretch.ray.at(way);
-        let effect = effect_of(stretch.media, point);
-        let mut given = effect.emission;
-        if interval.is_lit && !is_nothing(effect.scattering * length) {
-            for beam in stretch.beams {
-                if beam.from <= way && way <= beam.to {
-                    let scattered = self.scattered(stretch, beam.number, way, scratch);
-                    given += scattered * effect.scattering;
+        let distance = interval.from + at * length;
+        let point = segment.ray.at(distance);
+        let effect = effect_of(segment.media, point);
+        let mut radiance = effect.emission;
+        if interval.is_lit && !is_negligible(effect.scattering * length) {
+            for beam in segment.beams {
+                if beam.from <= distance && distance <= beam.to {
+                    let scattered = self.scattered(segment, beam.number, distance, scratch);
+                    radiance += scattered * effect.scattering;
                 }
             }
         }
-        if self.has_cloud() {
-            given += self.cloud_light(stretch.media, (point, stretch.ray.dir), &effect, scratch);
+        if self.has_volume_photons() {
+            radiance +=
+                self.volume_photon_light(segment.media, point, segment.ray.dir, &effect, scratch);
         }
         MediaSample {
-            given: given * length,
-            swallowed: effect.extinction * length,
+            radiance: radiance * length,
+            optical_depth: effect.extinction * length,
         }
     }
 
-    /// The light of a lamp that media scatter so far along a ray into it, as a factor on how much they scatter.
+    /// Light from a light source that media scatter into the ray at this distance, relative to their scattering.
     fn scattered(
         &self,
-        stretch: &MediaInterval,
+        segment: &MediaSegment,
         number: u32,
-        way: f64,
+        distance: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let point = stretch.ray.at(way);
+        let point = segment.ray.at(distance);
         // The first sample lies in the surface that the ray has left.
-        let departure = stretch.path.from.as_ref().filter(|_| way == 0.0);
+        let spawn_surface = segment.path.from.as_ref().filter(|_| distance == 0.0);
         let light = self.world.lights.get(number);
         let arrival = light.arrival(point);
         let mut arriving = light.color * light.share(point, &arrival);
-        if is_nothing(arriving) {
+        if is_negligible(arriving) {
             return Rgb::BLACK;
         }
         let lit = ShadingPoint {
             at: ViewPoint {
                 point,
                 normal: DVec3::ZERO,
-                view: stretch.ray.dir,
+                view: segment.ray.dir,
             },
-            departure,
-            path: stretch.path,
+            spawn_surface,
+            path: segment.path,
             known: LightSamples::NONE,
-            arrived: None,
+            shadow_cache: None,
             is_double_illuminated: false,
             lights: &[],
             collects: self.has_caustics(),
         };
         if self.quality.has_shadows {
-            arriving = self.after_shadows(arriving, number, &lit, &arrival, scratch);
+            arriving = self.shadowed_light(arriving, number, &lit, &arrival, scratch);
         }
-        let cosine = arrival.to_light.dot(stretch.ray.dir);
-        let phases = stretch.media.iter().map(|media| media.phase(cosine));
-        arriving * (phases.sum::<f64>() / stretch.media.len() as f64)
+        let cosine = arrival.to_light.dot(segment.ray.dir);
+        let phases = segment.media.iter().map(|media| media.phase(cosine));
+        arriving * (phases.sum::<f64>() / segment.media.len() as f64)
     }
 
-    /// The share of light that passes media along a ray. Where they take none they are not asked, as in POV-Ray: that takes
-    /// no random numbers.
+    /// The transmittance of media along a ray. Media without extinction are skipped, as in POV-Ray: no random numbers
+    /// are drawn.
     fn extinction(
         &self,
         media: &[&PreparedMedia],
@@ -398,9 +400,9 @@ impl Tracer<'_> {
             return Rgb::WHITE;
         }
         if !media.iter().any(|media| media.has_density()) {
-            // A single sample, which takes a random number as any other.
+            // A single sample draws a random number like any other.
             scratch.media_stream.next_number();
-            return vanishing(effect_of(media, ray.origin).extinction * length);
+            return transmittance_of(effect_of(media, ray.origin).extinction * length);
         }
         let Some(sampling) = common_sampling(media) else {
             return Rgb::WHITE;
@@ -409,10 +411,10 @@ impl Tracer<'_> {
         let is_even = media.iter().all(|media| media.is_even());
         let intervals = sampling.intervals;
         let each = length / f64::from(intervals);
-        // As in `divided`.
+        // As in `subdivided`.
         let end = f64::from(intervals) * each;
         let rest = (end < length).then_some((end, length - end));
-        let mut swallowed = Rgb::BLACK;
+        let mut optical_depth = Rgb::BLACK;
         let all = (0..intervals).map(|interval| (f64::from(interval) * each, each));
         for (from, long) in all.chain(rest) {
             let mean = if is_even {
@@ -421,13 +423,13 @@ impl Tracer<'_> {
             } else {
                 mean_of(&sampling, |at| taken(from + at * long), scratch)
             };
-            swallowed += mean * long;
+            optical_depth += mean * long;
         }
-        vanishing(swallowed)
+        transmittance_of(optical_depth)
     }
 }
 
-/// What media together do at a point.
+/// The combined effect of media at a point.
 #[inline]
 fn effect_of(media: &[&PreparedMedia], point: DVec3) -> Effect {
     let mut effect = Effect::NONE;
@@ -437,12 +439,12 @@ fn effect_of(media: &[&PreparedMedia], point: DVec3) -> Effect {
     effect
 }
 
-/// The even steps of method 3; fewer samples than 2 are taken for 2 (measured with POV-Ray).
+/// The even steps of method 3; fewer than 2 samples count as 2 (measured with POV-Ray).
 fn steps_of(samples: u32) -> u32 {
     (samples / 2 + 1).max(2)
 }
 
-/// The mean of a quantity over an interval, sampled as the method has it where nothing is given.
+/// The mean of a quantity over an interval, sampled as the method does without emission and scattering.
 fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) -> Rgb {
     let least = sampling.samples[0];
     let mut sum = Rgb::BLACK;
@@ -467,14 +469,14 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
         let to = shifted(f64::from(step) * width, width);
         let middle = shifted(0.5 * (from + to), to - from);
         let last = of(to);
-        // Of the two thirds in the middle each half takes one.
+        // Each half takes one of the two thirds in the middle.
         sum += (first + last) * (1.0 / 3.0) + of(middle) * (1.0 / 3.0);
         (from, first) = (to, last);
     }
     sum * (1.0 / f64::from(steps))
 }
 
-/// How media are sampled together: as that of the most intervals, at the least threshold of all.
+/// The common sampling of several media: that with the most intervals, at the smallest threshold.
 pub(super) fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
     let mut common = media.first()?.sampling;
     for media in media {
@@ -488,15 +490,15 @@ pub(super) fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
     Some(common)
 }
 
-/// Where a ray is in some beam and where in none, in order.
-pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaStep> {
+/// The intervals inside and outside of beams, in order.
+pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaInterval> {
     let mut lit: Vec<(f64, f64)> = beams.iter().map(|beam| (beam.from, beam.to)).collect();
     lit.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut parts: Vec<MediaStep> = Vec::new();
+    let mut parts: Vec<MediaInterval> = Vec::new();
     let mut end = 0.0;
     for (from, to) in lit {
         if from > end {
-            parts.push(MediaStep {
+            parts.push(MediaInterval {
                 from: end,
                 to: from,
                 is_lit: false,
@@ -504,7 +506,7 @@ pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaStep> {
         }
         match parts.last_mut() {
             Some(last) if last.is_lit && from <= last.to => last.to = last.to.max(to),
-            _ => parts.push(MediaStep {
+            _ => parts.push(MediaInterval {
                 from,
                 to,
                 is_lit: true,
@@ -513,7 +515,7 @@ pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaStep> {
         end = end.max(to);
     }
     if end < length {
-        parts.push(MediaStep {
+        parts.push(MediaInterval {
             from: end,
             to: length,
             is_lit: false,
@@ -522,12 +524,12 @@ pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaStep> {
     parts
 }
 
-/// The intervals of some parts: lit ones have their share of them. Where all intervals together fall short of the way by
-/// rounding, the rest of it is one more, as in POV-Ray: it takes random numbers like any other.
-pub(super) fn divided(parts: &[MediaStep], sampling: &Sampling) -> Vec<MediaStep> {
+/// Divides parts into intervals: lit parts get their share of them. Where rounding leaves all intervals together short
+/// of the end, the rest is one more, as in POV-Ray: it draws random numbers like any other.
+pub(super) fn subdivided(parts: &[MediaInterval], sampling: &Sampling) -> Vec<MediaInterval> {
     let wanted = sampling.intervals as usize;
     let all = wanted.max(parts.len());
-    let weight = |part: &MediaStep| {
+    let weight = |part: &MediaInterval| {
         if part.is_lit {
             sampling.ratio
         } else {
@@ -553,9 +555,9 @@ pub(super) fn divided(parts: &[MediaStep], sampling: &Sampling) -> Vec<MediaStep
         };
         remaining = remaining.saturating_sub(count);
         let length = (part.to - part.from) / count as f64;
-        intervals.extend((0..count).map(|place| MediaStep {
-            from: part.from + place as f64 * length,
-            to: part.from + (place + 1) as f64 * length,
+        intervals.extend((0..count).map(|index| MediaInterval {
+            from: part.from + index as f64 * length,
+            to: part.from + (index + 1) as f64 * length,
             is_lit: part.is_lit,
         }));
     }
@@ -563,7 +565,7 @@ pub(super) fn divided(parts: &[MediaStep], sampling: &Sampling) -> Vec<MediaStep
         && last.to < end
     {
         let from = last.to;
-        intervals.push(MediaStep {
+        intervals.push(MediaInterval {
             from,
             to: end,
             is_lit: false,
@@ -572,27 +574,27 @@ pub(super) fn divided(parts: &[MediaStep], sampling: &Sampling) -> Vec<MediaStep
     intervals
 }
 
-/// What is left of light.
-pub(super) fn vanishing(swallowed: Rgb) -> Rgb {
-    let Rgb { r, g, b } = swallowed;
+/// The transmittance of an optical depth (Beer's law).
+pub(super) fn transmittance_of(optical_depth: Rgb) -> Rgb {
+    let Rgb { r, g, b } = optical_depth;
     if r == g && g == b {
         return Rgb::splat((-r).exp());
     }
-    swallowed.map(|c| (-c).exp())
+    optical_depth.map(|c| (-c).exp())
 }
 
 impl MediaSums {
     const NOTHING: MediaSums = MediaSums {
-        given: Rgb::BLACK,
+        radiance: Rgb::BLACK,
         squares: Rgb::BLACK,
-        swallowed: Rgb::BLACK,
+        optical_depth: Rgb::BLACK,
         count: 0,
     };
 
     /// The largest variance of the mean among the channels.
     fn variance(&self) -> f64 {
         let share = 1.0 / f64::from(self.count.max(1));
-        let mean = self.given * share;
+        let mean = self.radiance * share;
         let variance = (self.squares * share - mean * mean) * share;
         f64::from(variance.max())
     }
@@ -601,20 +603,20 @@ impl MediaSums {
 impl MediaSample {
     fn plus(&self, other: &MediaSample) -> MediaSample {
         MediaSample {
-            given: self.given + other.given,
-            swallowed: self.swallowed + other.swallowed,
+            radiance: self.radiance + other.radiance,
+            optical_depth: self.optical_depth + other.optical_depth,
         }
     }
 
     fn times(&self, factor: f64) -> MediaSample {
         MediaSample {
-            given: self.given * factor,
-            swallowed: self.swallowed * factor,
+            radiance: self.radiance * factor,
+            optical_depth: self.optical_depth * factor,
         }
     }
 
     fn differs(&self, other: &MediaSample, threshold: f64) -> bool {
-        let difference = (self.given - other.given).map(f32::abs);
+        let difference = (self.radiance - other.radiance).map(f32::abs);
         f64::from(difference.r + difference.g + difference.b) > threshold
     }
 }
@@ -631,8 +633,8 @@ mod tests {
         }
     }
 
-    fn part(from: f64, to: f64, is_lit: bool) -> MediaStep {
-        MediaStep { from, to, is_lit }
+    fn part(from: f64, to: f64, is_lit: bool) -> MediaInterval {
+        MediaInterval { from, to, is_lit }
     }
 
     #[test]
@@ -664,10 +666,10 @@ mod tests {
     }
 
     #[test]
-    fn intervals_fill_the_stretch_without_gaps() {
+    fn intervals_fill_the_segment_without_gaps() {
         let sampling = sampling_of_seven();
         let parts = parts_of(&[beam(1.0, 3.0), beam(6.0, 7.0)], 9.0);
-        let intervals = divided(&parts, &sampling);
+        let intervals = subdivided(&parts, &sampling);
         assert!(
             intervals
                 .windows(2)
@@ -682,14 +684,14 @@ mod tests {
     }
 
     #[test]
-    fn what_rounding_leaves_of_the_way_is_an_interval_more() {
+    fn rounding_may_leave_one_more_interval() {
         let sampling = Sampling {
             intervals: 3,
             ..sampling_of_seven()
         };
         // The lengths are among those measured with POV-Ray.
         for (length, count) in [(1.728_715, 4), (0.920_754, 4), (1.0, 3), (1.5, 3)] {
-            assert_eq!(divided(&parts_of(&[], length), &sampling).len(), count);
+            assert_eq!(subdivided(&parts_of(&[], length), &sampling).len(), count);
         }
     }
 }

@@ -1,8 +1,8 @@
-//! From rays to colours: what a ray sees, light and shadow, mirror images, what shines through.
+//! Recursive ray tracing: radiance along a ray from direct light, shadows, reflection, refraction and air.
 //!
-//! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
-//! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
-//! at most `max_trace_level` deep. Missing: light below the surface.
+//! POV-Ray 3.7 is the model, down to the order of sums and the precision of colours. A ray is a chain of straight
+//! segments: a surface passed without refraction is one step of a loop. Only reflected and refracted rays recurse, at
+//! most `max_trace_level` deep. Missing: subsurface light transport.
 
 mod atmosphere;
 mod block;
@@ -36,54 +36,54 @@ use direct::light::LightSamples;
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
-/// puts a surface at every rounding step; no picture of a thousand panes comes near it.
-const MOST_PASSED: usize = 1 << 16;
+/// Limit on surfaces that a ray passes without refraction. Passing does not use up a trace level, so a scene with a
+/// surface at every rounding step would never end. No picture of a thousand panes comes near the limit.
+const MAX_STRAIGHT: usize = 1 << 16;
 
-/// The interiors that a ray is in, the one entered last at the end.
-type Inside = SmallVec<[InteriorId; 4]>;
+/// The stack of interiors around a ray, the one entered last at the end.
+type InteriorStack = SmallVec<[InteriorId; 4]>;
 
-/// What one point of the picture shows.
+/// Radiance and transparency at one point of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Linear light, what shines through the background not counted.
+    /// Linear light, without the light that shines through the background.
     pub rgb: Rgb,
     /// The share of light that would come through from behind the whole scene.
     pub transmit: f32,
 }
 
 impl Sample {
-    /// Nothing to be seen, and nothing behind.
+    /// No light, and nothing transparent.
     const BLACK: Sample = Sample {
         rgb: Rgb::BLACK,
         transmit: 0.0,
     };
-    /// Seen where the camera has no ray.
+    /// The sample where the camera has no ray.
     const OUTSIDE: Sample = Sample {
         rgb: Rgb::BLACK,
         transmit: 1.0,
     };
 }
 
-/// What a quality leaves out (`+Q`); measured with POV-Ray 3.7.
+/// Features switched off by a quality below 9 (`+Q`); measured with POV-Ray 3.7.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Quality {
-    /// From 2 on: light; before, the pigment of the lowest layer is the colour.
+    /// From 2 on: lighting. Below, the pigment of the lowest layer is the colour.
     has_light: bool,
     /// From 4 on: shadows.
     has_shadows: bool,
     /// From 5 on: area lights.
     has_area_lights: bool,
-    /// From 6 on: the real pigments rather than `quick_color`, and what shines through.
+    /// From 6 on: the real pigments rather than `quick_color`, and transparency.
     has_transparency: bool,
-    /// From 8 on: mirror images.
+    /// From 8 on: reflection.
     has_reflection: bool,
-    /// From 8 on: bumps.
+    /// From 8 on: bump mapping.
     has_normals: bool,
 }
 
 impl Quality {
-    /// Nothing.
+    /// Every feature.
     const FULL: Quality = Quality {
         has_light: true,
         has_shadows: true,
@@ -94,25 +94,25 @@ impl Quality {
     };
 }
 
-/// A ray on its way.
+/// A ray with its path state.
 #[derive(Clone, Debug)]
 struct Path {
     ray: Ray,
     from: Option<SpawnSurface>,
-    seen: RayKind,
-    /// How many bends and mirrors lie behind it.
+    kind: RayKind,
+    /// The number of refractions and reflections before it.
     level: u32,
-    /// The largest share that its colour can have in the sample.
+    /// The path throughput: the largest share that its colour can have in the sample.
     weight: f64,
-    /// How often light was gathered on the way ([`radiosity`]).
-    gathered: usize,
-    inside: Inside,
-    /// Its wavelength in nanometres, if it comes of light that was split.
+    /// The number of irradiance samples nested before it ([`radiosity`]).
+    irradiance_depth: usize,
+    inside: InteriorStack,
+    /// Its wavelength in nanometres, if it comes from dispersed light.
     wavelength: Option<f64>,
 }
 
-/// A surface passed straight on: `rgb + factor · behind + reflected`.
-struct Passed {
+/// A surface passed without refraction: `rgb + factor · behind + reflected`.
+struct PassedSurface {
     rgb: Rgb,
     factor: Rgb,
     transmit: f32,
@@ -120,51 +120,51 @@ struct Passed {
     air: Option<AirTint>,
 }
 
-/// The tracer of one world at one quality.
+/// The ray tracer of one world at one quality.
 #[derive(Debug)]
 pub struct Tracer<'w> {
     world: &'w World,
     quality: Quality,
-    /// Whether it matters in which interiors a ray is.
-    minds_interiors: bool,
-    /// Whether rays meet media.
+    /// Some ray needs its interior stack.
+    needs_interiors: bool,
+    /// Some ray crosses media.
     has_media: bool,
-    /// Whether light from a source fades in some interior.
+    /// Some interior attenuates light with distance.
     light_fades: bool,
-    /// Whether light that arrives from behind may matter to some surface.
-    minds_backs: bool,
-    /// Whether it hangs on the surface to which light matters besides those that face it.
-    minds_surfaces: bool,
-    /// Whether what plain surfaces show of others may be looked for together: not if light splits, nor if
-    /// something takes random numbers one after the other.
-    sends_waves: bool,
-    /// Whether that may be done for all surfaces: not if radiosity is gathered in the order of the rays either.
-    queues: bool,
-    /// Whether what is plain may be coloured the short way.
-    takes_plain: bool,
-    /// The interiors around the camera, if all rays start in one point.
-    around_camera: Inside,
+    /// Some material is lit from behind.
+    needs_backface_light: bool,
+    /// The lights that matter differ between surfaces in more than the side that faces them.
+    light_varies_by_surface: bool,
+    /// Secondary rays from plain surfaces may be traced as a wavefront. Not if light is dispersed, nor if random
+    /// numbers are drawn in the order of the rays.
+    uses_wavefront: bool,
+    /// The same for all surfaces. Not with radiosity either: its samples depend on the order of the rays.
+    queues_all_surfaces: bool,
+    /// Plain surfaces may be shaded by the fast path ([`direct`]).
+    uses_fast_path: bool,
+    /// The interiors around the camera, if all rays start at one point.
+    around_camera: InteriorStack,
     background: Background,
     reflected_background: Background,
-    /// The samples of gathered light for threads that have no others.
-    samples: Option<Box<Session>>,
-    /// The photons, once they are shot, if any lie on surfaces.
-    kept: Option<Box<PhotonMaps>>,
+    /// The irradiance samples for threads that have no session of their own.
+    session: Option<Box<Session>>,
+    /// The photon maps, once photons are traced and some are stored.
+    photon_maps: Option<Box<PhotonMaps>>,
     stop: CancelToken,
 }
 
 impl<'w> Tracer<'w> {
-    /// A tracer of `world`; `quality` is that of `+Q`, 9 and more for all there is.
+    /// Creates a tracer of `world`; `quality` is that of `+Q`, 9 and more for every feature.
     #[must_use]
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.is_opaque();
         let has_fresnel = world.has_fresnel();
         let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
-        let minds_interiors = !is_all_opaque || has_fresnel || has_media || !world.has_clear_air();
-        let around_camera = if minds_interiors && world.camera.has_one_origin() {
+        let needs_interiors = !is_all_opaque || has_fresnel || has_media || !world.has_clear_air();
+        let around_camera = if needs_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
-            Inside::new()
+            InteriorStack::new()
         };
         let (background, reflected_background) = backgrounds(world);
         let quality = Quality {
@@ -180,32 +180,32 @@ impl<'w> Tracer<'w> {
             quality,
             has_media,
             light_fades: world.interiors.fade_light(),
-            minds_backs: world.needs_backface_light(),
-            minds_surfaces: world.needs_backface_light() || world.has_unlit(),
-            sends_waves: !world.interiors.split_light() && !world.uses_random(),
-            queues: !world.interiors.split_light()
+            needs_backface_light: world.needs_backface_light(),
+            light_varies_by_surface: world.needs_backface_light() || world.has_unlit(),
+            uses_wavefront: !world.interiors.split_light() && !world.uses_random(),
+            queues_all_surfaces: !world.interiors.split_light()
                 && !world.uses_random()
                 && world.radiosity.is_none(),
-            takes_plain: !has_media
+            uses_fast_path: !has_media
                 && world.radiosity.is_none()
-                && direct::opaque::suits(world, quality),
-            minds_interiors,
+                && direct::opaque::supports(world, quality),
+            needs_interiors,
             around_camera,
             background,
             reflected_background,
-            samples: None,
-            kept: None,
+            session: None,
+            photon_maps: None,
             stop: CancelToken::default(),
         }
     }
 
-    /// What is traced.
+    /// The world that is traced.
     #[must_use]
     pub fn world(&self) -> &'w World {
         self.world
     }
 
-    /// The same, which sees nothing more as soon as it is to stop.
+    /// The same tracer with a cancellation token: once it is cancelled, all further rays are black.
     #[must_use]
     pub fn until(self, stop: &CancelToken) -> Self {
         Tracer {
@@ -214,45 +214,46 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The same with samples of gathered light, to which it adds none: points of the picture may be asked for in any
-    /// order.
+    /// The same tracer with irradiance samples. It adds none, so points of the picture may be traced in any order.
     #[must_use]
-    pub fn with_samples(self, samples: &Session) -> Self {
-        let samples = Some(Box::new(samples.in_mode(Mode::Lone)));
-        Tracer { samples, ..self }
+    pub fn with_samples(self, session: &Session) -> Self {
+        let session = Some(Box::new(session.in_mode(Mode::Lone)));
+        Tracer { session, ..self }
     }
 
-    /// The same with photons.
+    /// The same tracer with photon maps.
     #[must_use]
-    pub fn with_photons(self, kept: PhotonMaps) -> Self {
+    pub fn with_photons(self, photon_maps: PhotonMaps) -> Self {
         Tracer {
-            takes_plain: false,
-            kept: Some(Box::new(kept)),
+            uses_fast_path: false,
+            photon_maps: Some(Box::new(photon_maps)),
             ..self
         }
     }
 
-    /// What the camera sees at a point of a picture of `width` by `height` pixels; whole `x` and `y` are centres of
-    /// pixels. Where the camera has no ray the sample is black and lets everything through.
+    /// Traces a point of a picture of `width` by `height` pixels; integral `x` and `y` are pixel centres. Where the
+    /// camera has no ray the sample is black and fully transparent.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
         if self.world.radiosity.is_some() {
-            let see = |scratch: &mut Scratch| self.fresh_pixel((x, y), (width, height), scratch);
-            return self.noted((x, y), scratch, see);
+            let see = |scratch: &mut Scratch| self.fresh_pixel(x, y, width, height, scratch);
+            return self.recall_or_trace(x, y, scratch, see);
         }
         begin_sample(x, y, scratch);
-        self.fresh_pixel((x, y), (width, height), scratch)
+        self.fresh_pixel(x, y, width, height, scratch)
     }
 
     fn fresh_pixel(
         &self,
-        (x, y): (f64, f64),
-        (width, height): (u32, u32),
+        x: f64,
+        y: f64,
+        width: u32,
+        height: u32,
         scratch: &mut Scratch,
     ) -> Sample {
         match &self.world.lens {
-            Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
-            None if self.world.camera.rays() > 1 => self.several((x, y), (width, height), scratch),
+            Some(lens) => self.through_lens(lens, x, y, width, height, scratch),
+            None if self.world.camera.rays() > 1 => self.mean_of_rays(x, y, width, height, scratch),
             None => {
                 let ray = self.world.camera.primary_ray(x, y, width, height);
                 self.sample(ray, scratch)
@@ -260,7 +261,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What a ray of the camera sees, or nothing where the camera has none.
+    /// Traces a camera ray, if there is one.
     fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
         match ray {
             Some(ray) => self.trace(self.camera_path(ray), None, scratch),
@@ -269,34 +270,34 @@ impl<'w> Tracer<'w> {
     }
 
     fn camera_path(&self, ray: Ray) -> Path {
-        let inside = if self.minds_interiors && !self.world.camera.has_one_origin() {
+        let inside = if self.needs_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
-            Inside::from_slice(&self.around_camera)
+            InteriorStack::from_slice(&self.around_camera)
         };
         Path {
             ray,
             from: None,
-            seen: RayKind::Camera,
+            kind: RayKind::Camera,
             level: 0,
             weight: 1.0,
-            gathered: 0,
+            irradiance_depth: 0,
             inside,
             wavelength: None,
         }
     }
 
-    /// What a ray sees. `first` is what it meets first, and what is known of the lights there, where that was asked.
+    /// Traces a ray. `first` is its closest hit with the light samples there, if the caller has queried them.
     fn trace(
         &self,
         mut path: Path,
         mut first: Option<(Option<Hit>, LightSamples)>,
         scratch: &mut Scratch,
     ) -> Sample {
-        let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
+        let mut passed: SmallVec<[PassedSurface; 4]> = SmallVec::new();
         let end = loop {
-            if !self.is_above_bailout((path.level, path.weight), path.gathered)
-                || passed.len() == MOST_PASSED
+            if !self.is_above_bailout(path.level, path.weight, path.irradiance_depth)
+                || passed.len() == MAX_STRAIGHT
             {
                 break Sample::BLACK;
             }
@@ -305,78 +306,78 @@ impl<'w> Tracer<'w> {
                     ray: path.ray,
                     origin_surface: path.from,
                     t_max: f64::INFINITY,
-                    kind: path.seen,
+                    kind: path.kind,
                 };
                 (self.world.nearest(&query, scratch), LightSamples::NONE)
             });
             let Some(hit) = hit else {
                 let air = self.air(&path, End::Nothing, scratch);
                 break self
-                    .background_radiance(path.ray.dir, path.seen)
-                    .through(air);
+                    .background_radiance(path.ray.dir, path.kind)
+                    .behind_air(air);
             };
             let lights = self.world.surfaces[hit.surface as usize].lights;
             let end = End::Surface(hit.t, lights);
-            if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
-                break plain.through(self.air(&path, end, scratch));
+            if let Some(sample) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
+                break sample.behind_air(self.air(&path, end, scratch));
             }
-            // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
+            // POV-Ray traces the light behind the air first, which matters only where it draws random numbers.
             let is_last = scratch.order_dependent();
             let air = (!is_last).then(|| self.air(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
             let air = air.unwrap_or_else(|| self.air(&path, end, scratch));
-            let Some(passage) = view.straight_on else {
+            let Some(transmission) = view.unrefracted else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
                     transmit: view.transmit,
                 }
-                .through(air);
+                .behind_air(air);
             };
-            passed.push(Passed {
+            passed.push(PassedSurface {
                 rgb: view.rgb,
-                factor: passage.factor,
-                transmit: passage.transmit,
+                factor: transmission.factor,
+                transmit: transmission.transmit,
                 reflected: view.reflected,
                 air,
             });
-            // At the last level nothing is seen through a surface, bent or not.
+            // At the last level nothing is seen through a surface, refracted or not.
             if path.level + 1 >= self.world.globals.max_trace_level {
                 break Sample::BLACK;
             }
             path.ray = Ray::new(hit.point, path.ray.dir);
             path.from = Some(hit.departure);
-            path.weight *= passage.weight;
-            path.inside = passage.inside;
+            path.weight *= transmission.weight;
+            path.inside = transmission.inside;
         };
         passed.iter().rev().fold(end, |behind, here| {
             let seen = Sample {
                 rgb: here.rgb + here.factor * behind.rgb + here.reflected,
                 transmit: here.transmit * behind.transmit,
             };
-            seen.through(here.air)
+            seen.behind_air(here.air)
         })
     }
 
-    /// Whether a ray of this weight behind so many bends and mirrors, on which light was gathered so often, is followed.
-    fn is_above_bailout(&self, (level, weight): (u32, f64), gathered: usize) -> bool {
+    /// Reports if a ray of this trace level and weight, behind `irradiance_depth` nested irradiance samples, is traced.
+    fn is_above_bailout(&self, level: u32, weight: f64, irradiance_depth: usize) -> bool {
         level < self.world.globals.max_trace_level
-            && weight >= self.bailout(gathered)
+            && weight >= self.bailout(irradiance_depth)
             && !self.stop.is_asked()
     }
 
-    /// What a ray sees that meets nothing.
-    fn background_radiance(&self, dir: DVec3, seen: RayKind) -> Sample {
-        let background = self.background_of(seen);
+    /// Radiance of a ray that hits nothing.
+    fn background_radiance(&self, dir: DVec3, kind: RayKind) -> Sample {
+        let background = self.background_of(kind);
         match &self.world.sky {
             None => background.seen,
             Some(sky) => background.behind(sky.seen(dir)),
         }
     }
 
-    /// The background as these rays see it.
+    /// The background for rays of this kind.
     #[inline]
-    fn background_of(&self, seen: RayKind) -> &Background {
-        match seen {
+    fn background_of(&self, kind: RayKind) -> &Background {
+        match kind {
             RayKind::Reflection | RayKind::Radiosity | RayKind::RadiosityReflection => {
                 &self.reflected_background
             }
@@ -385,13 +386,13 @@ impl<'w> Tracer<'w> {
     }
 }
 
-/// The background as some rays see it.
+/// The background for some kinds of rays.
 #[derive(Debug)]
 struct Background {
     seen: Sample,
-    /// The factor on transparency behind it.
+    /// The transmittance to transparency behind it.
     transmission: Rgb,
-    /// Whether it hides the sky, which is so before version 3.7 in pictures with an alpha channel.
+    /// It hides the sky: before version 3.7, in pictures with an alpha channel.
     hides_sky: bool,
 }
 
@@ -407,7 +408,7 @@ impl Background {
     }
 }
 
-/// Starts the random numbers of a sample, unless they go on.
+/// Seeds the random numbers of a sample, unless they continue from sample to sample.
 fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
     if scratch.goes_on {
         return;
@@ -417,11 +418,11 @@ fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
     scratch.crand = seed_of_sample(x, y);
 }
 
-/// The background for camera rays and for mirror images.
+/// The backgrounds of camera rays and of reflected rays.
 ///
-/// Measured with `background { rgbft <.5, .6, .7, .1, .25> }`: version 3.7 shows the colour less its transmit, and
-/// with an alpha channel less its filter too; before 3.7 it is opaque, and with an alpha channel not there at all.
-/// Mirrors show the colour as it is, except in 3.7 without an alpha channel.
+/// Measured with `background { rgbft <.5, .6, .7, .1, .25> }`: version 3.7 shows the colour less its transmit, and with
+/// an alpha channel less its filter too. Before 3.7 it is opaque, and absent with an alpha channel. Mirrors show the
+/// unchanged colour, except in 3.7 without an alpha channel.
 fn backgrounds(world: &World) -> (Background, Background) {
     let color = world.background;
     let globals = &world.globals;

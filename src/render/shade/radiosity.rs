@@ -1,4 +1,4 @@
-//! Light that a surface gathers from others: what samples near a point know of it, or what a new sample finds.
+//! Irradiance at a surface: interpolated from the samples near a point, or from a new sample.
 //!
 //! The numbers are those of [`crate::render::radiosity`].
 
@@ -10,44 +10,44 @@ use crate::scene::texture::PreparedLayer;
 use crate::world::{Scratch, SpawnSurface};
 use glam::DVec3;
 
-/// Light that arrives at the front and at the back of a surface, where it was asked for.
+/// Irradiance on the front and the back of a surface, where computed.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Irradiance {
     front: Option<Rgb>,
     back: Option<Rgb>,
 }
 
-/// A point that gathers light.
+/// A point that receives irradiance.
 pub(super) struct IrradiancePoint<'r> {
     pub(super) radiosity: &'r Radiosity,
     point: DVec3,
-    pub(super) departure: Option<SpawnSurface>,
-    /// The unit normals on the side of the viewer: with bumps, if those count, and without.
+    pub(super) spawn_surface: Option<SpawnSurface>,
+    /// The unit normals on the viewer's side: with bump mapping, if the scene uses it, and without.
     normal: DVec3,
     pub(super) flat: DVec3,
     pub(super) depth: usize,
-    /// The weight of the ray that came here.
+    /// The weight of the ray that hit the point.
     weight: f64,
 }
 
 impl<'r> IrradiancePoint<'r> {
-    /// Where a ray meets a surface of this normal without bumps.
+    /// The shading point of a ray on a surface with this normal before bump mapping.
     pub(super) fn new(radiosity: &'r Radiosity, lit: &ShadingPoint, flat: DVec3) -> Self {
         let has_normals = radiosity.settings.has_normals;
         IrradiancePoint {
             radiosity,
             point: lit.at.point,
-            departure: lit.departure.copied(),
+            spawn_surface: lit.spawn_surface.copied(),
             normal: if has_normals { lit.at.normal } else { flat },
             flat,
-            depth: lit.path.gathered,
+            depth: lit.path.irradiance_depth,
             weight: lit.path.weight,
         }
     }
 }
 
 impl Tracer<'_> {
-    /// The weight below which a ray is not followed on which light was gathered so often.
+    /// The weight below which a ray behind this many nested irradiance samples is not traced.
     pub(super) fn bailout(&self, depth: usize) -> f64 {
         match &self.world.radiosity {
             Some(radiosity) if depth > 0 => radiosity.settings.adc_bailout,
@@ -55,18 +55,20 @@ impl Tracer<'_> {
         }
     }
 
-    /// Whether a ray meets neither fog nor media.
+    /// Reports if a ray ignores fog and media.
     pub(super) fn is_airless(&self, path: &Path) -> bool {
         let radiosity = self.world.radiosity.as_ref();
-        path.gathered > 0 && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
+        path.irradiance_depth > 0
+            && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
     }
 
-    /// What is seen at a point of the picture; what was noted of it and still holds is not looked at again.
-    pub(super) fn noted(
+    /// Traces a point of the picture with `trace`, unless a recorded sample of it is still valid.
+    pub(super) fn recall_or_trace(
         &self,
-        (x, y): (f64, f64),
+        x: f64,
+        y: f64,
         scratch: &mut Scratch,
-        see: impl FnOnce(&mut Scratch) -> Sample,
+        trace: impl FnOnce(&mut Scratch) -> Sample,
     ) -> Sample {
         if let Some(session) = &mut scratch.radiosity {
             match session.mode {
@@ -79,31 +81,35 @@ impl Tracer<'_> {
                 Mode::Lone => {}
             }
         } else {
-            scratch.radiosity.clone_from(&self.samples);
+            scratch.radiosity.clone_from(&self.session);
         }
         begin_sample(x, y, scratch);
-        let seen = see(scratch);
+        let sample = trace(scratch);
         if let Some(session) = &mut scratch.radiosity
             && session.mode == Mode::Watch
         {
-            session.notes.end(x, y, (seen.rgb, seen.transmit));
+            session.notes.end(x, y, (sample.rgb, sample.transmit));
         }
-        seen
+        sample
     }
 
-    /// What a layer throws back of the light that its surface gathers.
-    pub(super) fn gathered(
+    /// The light that a layer scatters of the irradiance of its surface.
+    pub(super) fn irradiance_radiance(
         &self,
-        gathering: &IrradiancePoint,
-        (layer, color, filter): (&PreparedLayer, Color, Rgb),
+        irradiance_point: &IrradiancePoint,
+        layer: &PreparedLayer,
+        color: Color,
+        filter: Rgb,
         known: &mut Irradiance,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let settings = &gathering.radiosity.settings;
-        if gathering.depth >= settings.recursion_limit as usize || scratch.radiosity.is_none() {
+        let settings = &irradiance_point.radiosity.settings;
+        if irradiance_point.depth >= settings.recursion_limit as usize
+            || scratch.radiosity.is_none()
+        {
             return Rgb::BLACK;
         }
-        let (_, coat) = self.coat(layer, color);
+        let (_, bsdf) = self.layer_bsdf(layer, color);
         let [front, back] = layer.finish.diffuse_as_given;
         let mut sum = Rgb::BLACK;
         let sides = [
@@ -111,50 +117,51 @@ impl Tracer<'_> {
             (back, &mut known.back, -1.0),
         ];
         for (diffuse, known, side) in sides {
-            let share = coat.opacity * f64::from(diffuse);
-            let weight = f64::from((filter * coat.rgb).grey()) * share;
+            let share = bsdf.opacity * f64::from(diffuse);
+            let weight = f64::from((filter * bsdf.rgb).grey()) * share;
             let light = match *known {
                 Some(light) => light,
-                None if weight > self.bailout(gathering.depth) => {
-                    let weight = gathering.weight * weight;
-                    *known.insert(self.light_around(gathering, side, weight, scratch))
+                None if weight > self.bailout(irradiance_point.depth) => {
+                    let weight = irradiance_point.weight * weight;
+                    *known.insert(self.irradiance(irradiance_point, side, weight, scratch))
                 }
                 None => continue,
             };
-            sum += coat.rgb * light * share;
+            sum += bsdf.rgb * light * share;
         }
         sum
     }
 
-    /// The light that arrives at a point in front (1) or at the back (-1).
-    fn light_around(
+    /// The irradiance at a point on the front (1) or the back (-1).
+    fn irradiance(
         &self,
-        gathering: &IrradiancePoint,
+        irradiance_point: &IrradiancePoint,
         side: f64,
         weight: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
         let &IrradiancePoint {
             radiosity, depth, ..
-        } = gathering;
+        } = irradiance_point;
         let Some(session) = scratch.radiosity.as_deref_mut() else {
             return Rgb::BLACK;
         };
-        let at = (gathering.point, side * gathering.normal);
-        let look = session.look(radiosity, at, depth, weight);
-        let mut mean = match session.known(radiosity, &look) {
+        let (point, normal) = (irradiance_point.point, side * irradiance_point.normal);
+        let cache_query = session.query(radiosity, point, normal, depth, weight);
+        let mut mean = match session.known(radiosity, &cache_query) {
             CachedLight::Unknown => return Rgb::BLACK,
             CachedLight::Enough(mean) => mean,
             CachedLight::Short(mut mean) => {
                 let quality = session.quality;
                 session.begin(depth);
-                let (sample, is_kept) = self.gather(gathering, (&look, side), scratch);
+                let (sample, is_stored) =
+                    self.gather(irradiance_point, &cache_query, side, scratch);
                 mean.weight += sample.quality;
                 mean.sum += sample.light * sample.quality;
                 if let Some(session) = scratch.radiosity.as_deref_mut() {
                     session.quality = quality;
-                    if is_kept {
-                        session.keep(radiosity, sample);
+                    if is_stored {
+                        session.store(radiosity, sample);
                     }
                 }
                 mean

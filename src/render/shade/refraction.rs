@@ -1,58 +1,59 @@
-//! What comes through a surface: straight on, bent, thrown back as a whole, or split into its colours.
+//! Transmission through a surface: straight, refracted, totally reflected, or dispersed.
 
 use super::direct::light::ShadingPoint;
 use super::interior_stack::{Refraction, SurfaceCrossing, bend};
 use super::surface::{SurfaceRadiance, facing_normal, mirrored_off, single};
-use super::{Inside, Path, Sample, Tracer, spectrum};
+use super::{InteriorStack, Path, Sample, Tracer, spectrum};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::scene::texture::Irid;
 use crate::world::{Hit, InteriorId, Scratch};
 use glam::DVec3;
 
-/// So many surfaces one behind the other are followed while others wait: each takes some of the stack.
-const MOST_FOLLOWED: u32 = 100;
+/// Limit on nested surfaces that are passed recursively: each takes part of the stack.
+const MAX_NESTED: u32 = 100;
 
-/// What shines through without a bend.
+/// Transmission without refraction.
 pub(super) struct StraightTransmission {
     /// The factor on light from behind.
     pub(super) factor: Rgb,
-    /// The factor on the transparency of what is behind.
+    /// The factor on the transparency behind.
     pub(super) transmit: f32,
     /// The factor on the weight of the ray.
     pub(super) weight: f64,
-    /// The interiors behind.
-    pub(super) inside: Inside,
+    /// The interior stack behind.
+    pub(super) inside: InteriorStack,
 }
 
-/// What a surface does to light that comes through it.
+/// The transmission of a surface.
 pub(super) struct LayerTransmission<'f> {
     /// The film on the top layer.
     film: Option<&'f Irid>,
     /// The factor on light.
     pub(super) factor: Rgb,
-    /// The same if all light comes back, whatever the layers would filter.
-    pub(super) thrown_back: Rgb,
-    /// The factor on the transparency of what is behind.
+    /// The same for total internal reflection, without the filter of the layers.
+    pub(super) total_reflection: Rgb,
+    /// The factor on the transparency behind.
     pub(super) transmit: f32,
     /// The factor on the weight of the ray.
     pub(super) weight: f64,
-    pub(super) passage: SurfaceCrossing,
+    pub(super) crossing: SurfaceCrossing,
 }
 
 impl Tracer<'_> {
-    /// What a surface of an interior, with such a filter and film, does to light that comes through it after a way of this
-    /// length, inside of these.
-    pub(super) fn through<'f>(
+    /// The transmission of a surface with this filter and film, for a ray with an interior stack and the length of its
+    /// segment.
+    pub(super) fn layer_transmission<'f>(
         &self,
-        (inside, length): (&Inside, f64),
+        inside: &InteriorStack,
+        length: f64,
         interior: InteriorId,
         filter: Rgb,
         film: Option<&'f Irid>,
     ) -> LayerTransmission<'f> {
-        let passage = self.passage(inside, interior);
+        let crossing = self.crossing(inside, interior);
         let interior = self.world.interiors.get(interior);
-        let fade = if passage.was_inside {
+        let fade = if crossing.was_inside {
             interior.fade(length)
         } else {
             Rgb::WHITE
@@ -60,58 +61,60 @@ impl Tracer<'_> {
         LayerTransmission {
             film,
             factor: filter * fade * interior.refraction,
-            thrown_back: fade * interior.refraction,
+            total_reflection: fade * interior.refraction,
             transmit: fade.grey() * filter.grey(),
             weight: f64::from(filter.map(f32::abs).max()),
-            passage,
+            crossing,
         }
     }
 
-    /// Adds what comes through a surface. Says whether it is the mirror image of a total reflection, beside which
-    /// there is no other.
+    /// Adds the light transmitted through a surface. Returns true for total internal reflection, which allows no other
+    /// reflection.
     pub(super) fn pass(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
-        (filter, film): (Rgb, Option<&Irid>),
+        filter: Rgb,
+        film: Option<&Irid>,
         view: &mut SurfaceRadiance,
         scratch: &mut Scratch,
     ) -> bool {
         let path = lit.path;
         let interior = self.world.surfaces[hit.surface as usize].interior;
-        let through = self.through((&path.inside, hit.t), interior, filter, film);
-        if path.wavelength.is_none() && through.passage.splits() {
-            self.split(lit, hit, &through, view, scratch);
+        let transmission = self.layer_transmission(&path.inside, hit.t, interior, filter, film);
+        if path.wavelength.is_none() && transmission.crossing.splits() {
+            self.split(lit, hit, &transmission, view, scratch);
             return false;
         }
-        let ratio = through.passage.ratio_at(path.wavelength);
+        let ratio = transmission.crossing.ratio_at(path.wavelength);
         match bend(path.ray.dir, lit.at.normal, ratio) {
             Refraction::None => {
-                view.straight_on = Some(StraightTransmission {
-                    factor: through.factor,
-                    transmit: through.transmit,
-                    weight: through.weight,
-                    inside: through.passage.inside,
+                view.unrefracted = Some(StraightTransmission {
+                    factor: transmission.factor,
+                    transmit: transmission.transmit,
+                    weight: transmission.weight,
+                    inside: transmission.crossing.inside,
                 });
                 false
             }
             Refraction::To(dir) => {
-                let behind = self.bent(lit, hit, &through, dir, path.wavelength, scratch);
+                let behind = self.refracted(lit, hit, &transmission, dir, path.wavelength, scratch);
                 view.rgb += behind.rgb;
                 view.transmit = behind.transmit;
                 false
             }
             Refraction::Total => {
-                let image = self.thrown_back(lit, hit, &through, path.wavelength, scratch);
-                view.rgb += through.thrown_back * image;
+                let image =
+                    self.total_reflection(lit, hit, &transmission, path.wavelength, scratch);
+                view.rgb += transmission.total_reflection * image;
                 true
             }
         }
     }
 
-    /// Adds what shines through without a bend at once, for what comes after it in POV-Ray's order. Behind too many
-    /// surfaces it is left to the one who asked.
-    pub(super) fn follow_straight_on(
+    /// Traces the light behind a surface without refraction at once, for the rays that follow in POV-Ray's order.
+    /// Beyond the nesting limit the caller has to do it.
+    pub(super) fn trace_unrefracted(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
@@ -119,10 +122,10 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         let path = lit.path;
-        if scratch.followed >= MOST_FOLLOWED {
+        if scratch.followed >= MAX_NESTED {
             return;
         }
-        let Some(onward) = view.straight_on.take() else {
+        let Some(onward) = view.unrefracted.take() else {
             return;
         };
         let behind = if path.level + 1 < self.world.globals.max_trace_level {
@@ -144,12 +147,12 @@ impl Tracer<'_> {
         view.transmit = onward.transmit * behind.transmit;
     }
 
-    /// What comes through a surface from a direction.
-    fn bent(
+    /// The light through a surface from a refracted direction.
+    fn refracted(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
-        through: &LayerTransmission,
+        transmission: &LayerTransmission,
         dir: DVec3,
         wavelength: Option<f64>,
         scratch: &mut Scratch,
@@ -158,26 +161,26 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, dir),
             from: Some(hit.departure),
-            seen: path.seen,
+            kind: path.kind,
             level: path.level + 1,
-            weight: path.weight * through.weight,
-            gathered: path.gathered,
-            inside: Inside::from_slice(&through.passage.inside),
+            weight: path.weight * transmission.weight,
+            irradiance_depth: path.irradiance_depth,
+            inside: InteriorStack::from_slice(&transmission.crossing.inside),
             wavelength,
         };
         let behind = self.trace(onward, None, scratch);
         Sample {
-            rgb: through.factor * behind.rgb,
-            transmit: through.transmit * behind.transmit,
+            rgb: transmission.factor * behind.rgb,
+            transmit: transmission.transmit * behind.transmit,
         }
     }
 
-    /// The mirror image of a total reflection.
-    fn thrown_back(
+    /// The light of a total internal reflection.
+    fn total_reflection(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
-        through: &LayerTransmission,
+        transmission: &LayerTransmission,
         wavelength: Option<f64>,
         scratch: &mut Scratch,
     ) -> Rgb {
@@ -187,27 +190,27 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, dir),
             from: Some(hit.departure),
-            seen: path.seen.mirrored(),
+            kind: path.kind.mirrored(),
             level: path.level + 1,
-            weight: path.weight * through.weight,
-            gathered: path.gathered,
-            inside: Inside::from_slice(&path.inside),
+            weight: path.weight * transmission.weight,
+            irradiance_depth: path.irradiance_depth,
+            inside: InteriorStack::from_slice(&path.inside),
             wavelength,
         };
         let rgb = self.trace(onward, None, scratch).rgb;
-        match through.film {
+        match transmission.film {
             Some(film) if film.amount > 0.0 => rgb * self.film(film, &lit.at, dir),
             _ => rgb,
         }
     }
 
-    /// Adds what comes through a surface that splits white light: the mean of its colours, each on a way of its own.
-    /// Colours that are reflected as a whole are filtered like the others, unlike light that is not split (measured).
+    /// Adds the light through a surface that disperses white light: the mean over its spectral bands, each refracted on
+    /// its own. Totally reflected bands are filtered like the others, unlike light that is not dispersed (measured).
     fn split(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
-        through: &LayerTransmission,
+        transmission: &LayerTransmission,
         view: &mut SurfaceRadiance,
         scratch: &mut Scratch,
     ) {
@@ -219,16 +222,20 @@ impl Tracer<'_> {
             let band = spectrum::band(number, count);
             let wavelength = Some(band.wavelength);
             let dir = lit.path.ray.dir;
-            let dir = match bend(dir, lit.at.normal, through.passage.ratio_at(wavelength)) {
+            let dir = match bend(
+                dir,
+                lit.at.normal,
+                transmission.crossing.ratio_at(wavelength),
+            ) {
                 Refraction::None => dir,
                 Refraction::To(dir) => dir,
                 Refraction::Total => {
-                    let light = self.thrown_back(lit, hit, through, wavelength, scratch);
-                    sum += band.hue * through.factor * light;
+                    let light = self.total_reflection(lit, hit, transmission, wavelength, scratch);
+                    sum += band.hue * transmission.factor * light;
                     continue;
                 }
             };
-            let behind = self.bent(lit, hit, through, dir, wavelength, scratch);
+            let behind = self.refracted(lit, hit, transmission, dir, wavelength, scratch);
             sum += band.hue * behind.rgb;
             transmit += f64::from(behind.transmit);
         }

@@ -1,5 +1,5 @@
-//! How plain surfaces take light. What is worked out of those of one colour, which are most of most pictures, is kept for
-//! a while: neighbours mostly see the same few.
+//! Materials of plain surfaces. Those of a single colour, the majority in most pictures, are cached: neighbouring
+//! pixels mostly show the same few.
 
 use super::Tracer;
 use super::direct::light::LayerBsdf;
@@ -7,27 +7,27 @@ use crate::base::color::{Color, Rgb};
 use crate::scene::texture::PreparedPigment;
 use crate::world::{LightList, Surface};
 
-/// So many are kept, a few more than a block of places shows of surfaces.
-const KEPT: usize = 128;
-/// No surface has this number.
+/// The size of the cache: somewhat more than the number of surfaces in a block.
+const CACHE_SIZE: usize = 128;
+/// No surface has this index.
 const NO_SURFACE: u32 = u32::MAX;
 
-/// How a plain surface takes light where diffuse light and highlights are all that there is.
+/// The material of a plain surface: diffuse light, highlights and secondary rays.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlainMaterial {
-    /// What it shines of itself.
+    /// Ambient light and emission.
     pub(super) own: Rgb,
     pub(super) rgb: Rgb,
-    /// How much of white light from straight above it scatters.
+    /// The share of white light at normal incidence that is scattered diffusely.
     pub(super) diffuse: f64,
-    /// Whether it has highlights.
+    /// It has highlights.
     pub(super) is_shiny: bool,
-    /// Whether it scatters less of what arrives at an angle than the cosine says.
+    /// It has a `brilliance`: diffuse light does not simply follow the cosine.
     pub(super) is_brilliant: bool,
-    /// Whether it has a mirror image or something shines through: there is more to be seen than the surface itself.
-    pub(super) shows_more: bool,
-    /// The share of light that it lets through.
-    pub(super) through: Rgb,
+    /// It reflects or transmits: secondary rays are needed.
+    pub(super) has_secondary: bool,
+    /// Its transmittance.
+    pub(super) transmittance: Rgb,
     /// The lights that shine on it.
     pub(super) lights: LightList,
 }
@@ -39,84 +39,85 @@ impl PlainMaterial {
         diffuse: 0.0,
         is_shiny: false,
         is_brilliant: false,
-        shows_more: false,
-        through: Rgb::BLACK,
+        has_secondary: false,
+        transmittance: Rgb::BLACK,
         lights: LightList::OUTSIDE,
     };
 }
 
-/// The coats of surfaces of one colour that a thread has seen last, each where the end of its number says.
+/// A per-thread, direct-mapped cache of the materials of single-colour surfaces.
 #[derive(Debug)]
 pub(super) struct ShadeCache {
-    kept: Box<[(u32, PlainMaterial); KEPT]>,
-    /// One that is not to be kept.
+    entries: Box<[(u32, PlainMaterial); CACHE_SIZE]>,
+    /// The last material that was not cacheable.
     other: PlainMaterial,
 }
 
 impl Default for ShadeCache {
     fn default() -> Self {
         ShadeCache {
-            kept: Box::new([(NO_SURFACE, PlainMaterial::NOTHING); KEPT]),
+            entries: Box::new([(NO_SURFACE, PlainMaterial::NOTHING); CACHE_SIZE]),
             other: PlainMaterial::NOTHING,
         }
     }
 }
 
 impl ShadeCache {
-    /// The coat of the surface of this number: the one kept, or else what `coat` says, which is kept if it has one colour.
+    /// The material of a surface: the cached one, or else the result of `evaluate`, which is cached if it has one
+    /// colour.
     #[inline(always)]
     pub(super) fn of(
         &mut self,
         number: u32,
-        coat: impl FnOnce() -> (Option<PlainMaterial>, bool),
+        evaluate: impl FnOnce() -> (Option<PlainMaterial>, bool),
     ) -> Option<&PlainMaterial> {
-        let at = number as usize % KEPT;
-        if self.kept[at].0 == number {
-            return Some(&self.kept[at].1);
+        let at = number as usize % CACHE_SIZE;
+        if self.entries[at].0 == number {
+            return Some(&self.entries[at].1);
         }
-        let (coat, has_one_color) = coat();
+        let (material, has_one_color) = evaluate();
         if has_one_color {
-            self.kept[at] = (number, coat?);
-            return Some(&self.kept[at].1);
+            self.entries[at] = (number, material?);
+            return Some(&self.entries[at].1);
         }
-        self.other = coat?;
+        self.other = material?;
         Some(&self.other)
     }
 
-    /// The coat of the surface of this number, if it is kept.
+    /// The cached material of a surface.
     #[inline(always)]
     pub(super) fn known(&self, number: u32) -> Option<&PlainMaterial> {
-        let (kept, coat) = &self.kept[number as usize % KEPT];
-        (*kept == number).then_some(coat)
+        let (entry, material) = &self.entries[number as usize % CACHE_SIZE];
+        (*entry == number).then_some(material)
     }
 }
 
 impl Tracer<'_> {
-    /// How a surface takes light where its pigment has the colour that `color` tells; `None` if it is not plain but for
-    /// what it shows of others, or scatters light in another way.
+    /// The material of a surface whose pigment has the colour that `color` returns; `None` if the surface needs more
+    /// than diffuse light, highlights and secondary rays.
     #[inline(always)]
-    pub(super) fn plain_coat(
+    pub(super) fn plain_material(
         &self,
         surface: &Surface,
         color: impl FnOnce(&PreparedPigment) -> Color,
     ) -> Option<PlainMaterial> {
         let layer = surface.texture.layers().first()?;
         let finish = &*layer.finish;
-        let shows_more = !surface.is_plain();
-        let is_known = !shows_more || surface.is_nearly_plain() && self.sends_waves;
+        let has_secondary = !surface.is_plain();
+        let is_known = !has_secondary || surface.is_nearly_plain() && self.uses_wavefront;
         if !is_known {
             return None;
         }
         let color = color(&layer.pigment);
-        let (own, LayerBsdf { rgb, opacity, .. }) = self.coat(layer, color);
+        let (own, LayerBsdf { rgb, opacity, .. }) = self.layer_bsdf(layer, color);
         Some(PlainMaterial {
             own,
             rgb,
             diffuse: f64::from(finish.diffuse) * opacity,
             is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
             is_brilliant: finish.brilliance != 1.0,
-            shows_more,
-            through: color.transmission(),
+            has_secondary,
+            transmittance: color.transmission(),
             lights: surface.lights,
         })
     }

@@ -1,4 +1,4 @@
-//! The spectrum of white light, as POV-Ray splits it.
+//! The spectrum of white light, as POV-Ray disperses it.
 //!
 //! Measured with one plate of `dispersion_samples 70`, whose samples are five nanometres wide each, and with a black
 //! edge behind it that hides them one by one; the steps came out at four digits to the last bit.
@@ -10,10 +10,10 @@ const FIRST_NM: f64 = 380.0;
 const LAST_NM: f64 = 730.0;
 /// The distance of the entries of [`BELOW`], in nanometres.
 const STEP_NM: f64 = 5.0;
-/// The wavelength that bends as the index of refraction says, in nanometres.
+/// The wavelength that is refracted by the index of refraction itself, in nanometres.
 const MIDDLE_NM: f64 = 555.0;
 
-/// For each wavelength, red, green and blue of all light that is shorter, in units of 1/10000.
+/// For each wavelength, red, green and blue of all shorter light, in units of 1/10000.
 #[rustfmt::skip]
 const BELOW: [[u16; 3]; 71] = [
     [0, 0, 0], [20, 0, 75], [49, 0, 184], [85, 0, 325], [126, 0, 496], [169, 0, 696],
@@ -34,7 +34,7 @@ const BELOW: [[u16; 3]; 71] = [
     [9516, 10000, 9962], [9698, 10000, 9962], [9840, 10000, 9962], [9938, 10000, 9962],
 ];
 
-/// One of the colours that white light is split into.
+/// A spectral band of dispersed white light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpectralBand {
     /// Its wavelength in nanometres.
@@ -43,7 +43,7 @@ pub(super) struct SpectralBand {
     pub(super) hue: Rgb,
 }
 
-/// The band of a number when light is split into `count`.
+/// The band with this index when light is split into `count`.
 pub(super) fn band(number: u32, count: u32) -> SpectralBand {
     let width = (LAST_NM - FIRST_NM) / f64::from(count);
     let wavelength = FIRST_NM + width * (f64::from(number) + 0.5);

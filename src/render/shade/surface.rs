@@ -1,10 +1,10 @@
-//! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
+//! Shading of a surface: its layers from the top down, then transmitted light, then reflections.
 
 use super::direct::light::{LayerBsdf, LightSamples, ShadingPoint, ViewPoint, metallic, mirrored};
 use super::direct::shadow_cache::ShadowCache;
 use super::radiosity::{Irradiance, IrradiancePoint};
 use super::refraction::StraightTransmission;
-use super::{Inside, Path, Sample, Tracer};
+use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
@@ -16,52 +16,52 @@ use crate::world::{Hit, Scratch, Surface};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
-/// What is seen at a hit.
+/// Radiance of a hit.
 pub(super) struct SurfaceRadiance {
-    /// Light of the surface itself, and light that comes through on another way.
+    /// The surface's own light, and refracted light.
     pub(super) rgb: Rgb,
-    /// The share of light that would come through from behind the whole scene on another way.
+    /// The transparency along refracted rays to behind the whole scene.
     pub(super) transmit: f32,
-    /// Light of the mirror images, added last.
+    /// Reflected light, added last.
     pub(super) reflected: Rgb,
-    /// What is still to be added if light also comes straight through.
-    pub(super) straight_on: Option<StraightTransmission>,
+    /// Transmission without refraction, still to be added.
+    pub(super) unrefracted: Option<StraightTransmission>,
 }
 
-/// The light of a texture's layers at a hit, before the rays that go on from there are followed.
+/// The light of a texture's layers at a hit, before its secondary rays are traced.
 pub(super) struct ShadedLayers<'t> {
     /// Its own light.
     pub(super) rgb: Rgb,
-    /// The share of light that passes all layers.
+    /// The transmittance of all layers.
     pub(super) filter: Rgb,
-    /// Whether that is worth following.
+    /// It is worth tracing the transmitted light.
     pub(super) passes: bool,
     /// The film on the top layer.
     pub(super) film: Option<&'t Irid>,
-    /// Its mirror images, the top layer's first.
+    /// Its reflections, the top layer's first.
     pub(super) mirrors: SmallVec<[Mirror<'t>; 2]>,
 }
 
 impl SurfaceRadiance {
-    /// Nothing is seen.
+    /// No light.
     const NOTHING: SurfaceRadiance = SurfaceRadiance {
         rgb: Rgb::BLACK,
         transmit: 0.0,
         reflected: Rgb::BLACK,
-        straight_on: None,
+        unrefracted: None,
     };
 
-    /// Adds a share of another view of the same point.
+    /// Adds a weighted texture of the same hit.
     fn add(&mut self, weight: f32, other: SurfaceRadiance) {
         self.rgb += other.rgb * f64::from(weight);
         self.transmit += other.transmit * weight;
         self.reflected += other.reflected * f64::from(weight);
-        let Some(mut other) = other.straight_on else {
+        let Some(mut other) = other.unrefracted else {
             return;
         };
         other.factor *= Rgb::splat(weight);
         other.transmit *= weight;
-        self.straight_on = Some(match self.straight_on.take() {
+        self.unrefracted = Some(match self.unrefracted.take() {
             None => other,
             Some(sum) => StraightTransmission {
                 factor: sum.factor + other.factor,
@@ -75,33 +75,41 @@ impl SurfaceRadiance {
 
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "POV-Ray keeps shares of textures in single precision, like colours"
+    reason = "POV-Ray stores texture weights in single precision, like colours"
 )]
 pub(super) fn single(weight: f64) -> f32 {
     weight as f32
 }
 
-/// What textures are asked for.
+/// The purpose of a texture lookup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TextureUse {
-    /// They are drawn.
+    /// Shading.
     Drawn,
-    /// They only filter light.
+    /// Filtering of light that passes.
     Passed,
 }
 
-/// A mirror image to be traced.
+/// A texture of a hit to be shaded.
+pub(super) struct TextureShading<'a, 't> {
+    pub(super) look: &'a Look<'t>,
+    /// The last bumped normal at the hit.
+    pub(super) tilted: &'a mut Option<DVec3>,
+    /// The shadowed light of earlier textures.
+    pub(super) shadow_cache: Option<&'t ShadowCache>,
+}
+
+/// A reflection to be traced.
 pub(super) struct Mirror<'f> {
     pub(super) reflectivity: Rgb,
     pub(super) weight: f64,
     pub(super) finish: &'f Finish,
-    /// The direction of the mirrored ray.
+    /// The direction of the reflected ray.
     pub(super) dir: DVec3,
 }
 
 impl<'w> Tracer<'w> {
-    /// What a ray sees at a hit, without what comes straight through. `known` is what is known of
-    /// the lights.
+    /// Shades a hit, without the light that passes unrefracted. `known` are the light samples there.
     pub(super) fn shade(
         &self,
         path: &Path,
@@ -111,20 +119,28 @@ impl<'w> Tracer<'w> {
     ) -> SurfaceRadiance {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self
-            .looks(surface, hit, path.ray.dir, TextureUse::Drawn)
+            .textures_at(surface, hit, path.ray.dir, TextureUse::Drawn)
             .as_slice()
         {
             [only] if only.weight == 1.0 => {
-                let arrived = (only.texture.layers().len() > 1).then(ShadowCache::default);
-                let one = (only, &mut None, arrived.as_ref());
+                let shadow_cache = (only.texture.layers().len() > 1).then(ShadowCache::default);
+                let one = TextureShading {
+                    look: only,
+                    tilted: &mut None,
+                    shadow_cache: shadow_cache.as_ref(),
+                };
                 self.shade_texture(path, hit, one, known, scratch)
             }
             several => {
                 let mut sum = SurfaceRadiance::NOTHING;
                 let mut tilted = None;
-                let arrived = ShadowCache::default();
+                let shadow_cache = ShadowCache::default();
                 for look in several {
-                    let one = (look, &mut tilted, Some(&arrived));
+                    let one = TextureShading {
+                        look,
+                        tilted: &mut tilted,
+                        shadow_cache: Some(&shadow_cache),
+                    };
                     let view = self.shade_texture(path, hit, one, known, scratch);
                     sum.add(look.weight, view);
                 }
@@ -133,18 +149,18 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
-    /// of a smooth triangle decide which side is seen, not the order of its corners.
-    pub(super) fn looks<'s>(
+    /// The textures of a hit with their weights. Weights below the bailout are not shaded. The shading normal of a
+    /// smooth triangle decides which side is seen, not the order of its corners.
+    pub(super) fn textures_at<'s>(
         &self,
         surface: &'s Surface,
         hit: &Hit,
         dir: DVec3,
-        sight: TextureUse,
+        purpose: TextureUse,
     ) -> Looks<'s> {
         let outside = match surface.inside_texture() {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
-                return self.look_of(inside, hit, dir, sight);
+                return self.single_texture(inside, hit, dir, purpose);
             }
             _ => &*surface.texture,
         };
@@ -154,7 +170,7 @@ impl<'w> Tracer<'w> {
             self.world.shares(hit)
         };
         if shares.is_empty() {
-            return self.look_of(outside, hit, dir, sight);
+            return self.single_texture(outside, hit, dir, purpose);
         }
         let least = self.world.globals.adc_bailout;
         let drawn = shares.iter().filter(|share| share.weight >= least);
@@ -164,27 +180,27 @@ impl<'w> Tracer<'w> {
                 .get(number as usize)
                 .map_or(outside, |skin| skin)
         };
-        let minds_normal = shares
+        let needs_normal = shares
             .iter()
             .any(|share| texture_of(share.skin).minds_normal());
-        let (point, mut chosen) = self.choosing(hit, dir, sight, minds_normal);
+        let (point, mut chosen) = self.choosing(hit, dir, purpose, needs_normal);
         for share in drawn {
             texture_of(share.skin).look(point, single(share.weight), &mut chosen);
         }
         chosen.looks
     }
 
-    /// The point at which the patterns of a hit are asked, and the begin of a choice of textures there.
+    /// The point at which the patterns of a hit are evaluated, and a new texture selection there.
     fn choosing<'t>(
         &self,
         hit: &Hit,
         dir: DVec3,
-        sight: TextureUse,
-        minds_normal: bool,
+        purpose: TextureUse,
+        needs_normal: bool,
     ) -> (DVec3, Choosing<'t>) {
-        let (point, spot) = self.place(hit, dir);
-        let follows = minds_normal && sight == TextureUse::Drawn && self.quality.has_normals;
-        let chosen = if follows {
+        let (point, spot) = self.pattern_point(hit, dir);
+        let needs_bumps = needs_normal && purpose == TextureUse::Drawn && self.quality.has_normals;
+        let chosen = if needs_bumps {
             Choosing::drawn_at(spot)
         } else {
             Choosing::at(spot)
@@ -192,17 +208,17 @@ impl<'w> Tracer<'w> {
         (point, chosen)
     }
 
-    /// What a ray sees of a texture that covers a hit alone.
+    /// The textures of a hit that one texture covers alone.
     #[inline]
-    fn look_of<'t>(
+    fn single_texture<'t>(
         &self,
         texture: &'t PreparedTexture,
         hit: &Hit,
         dir: DVec3,
-        sight: TextureUse,
+        purpose: TextureUse,
     ) -> Looks<'t> {
         if texture.is_patterned() {
-            let (point, mut chosen) = self.choosing(hit, dir, sight, texture.minds_normal());
+            let (point, mut chosen) = self.choosing(hit, dir, purpose, texture.minds_normal());
             texture.look(point, 1.0, &mut chosen);
             return chosen.looks;
         }
@@ -211,17 +227,17 @@ impl<'w> Tracer<'w> {
             weight: 1.0,
             texture,
             point: if is_mapped {
-                self.place(hit, dir).0
+                self.pattern_point(hit, dir).0
             } else {
                 hit.point
             },
         }])
     }
 
-    /// The point at which the patterns of a hit are asked, and the place itself.
+    /// The point at which the patterns of a hit are evaluated, and its surface point.
     #[inline]
-    pub(super) fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, SurfacePoint) {
-        let mut spot = spot(hit, dir);
+    pub(super) fn pattern_point(&self, hit: &Hit, dir: DVec3) -> (DVec3, SurfacePoint) {
+        let mut spot = surface_point(hit, dir);
         let surface = &self.world.surfaces[hit.surface as usize];
         if !surface.uses_uv() {
             return (hit.point, spot);
@@ -236,14 +252,14 @@ impl<'w> Tracer<'w> {
         (point, spot)
     }
 
-    /// What a ray sees of one texture at a hit. `tilted` is the normal that bumps have made last at this hit: as in POV-Ray
-    /// that is the one whose slope patterns see, also those of layers and textures that have no bumps. `arrived` is what is
-    /// known of light from textures before.
+    /// Shades one texture of a hit. `tilted` is the last bumped normal at this hit: as in POV-Ray, slope patterns use
+    /// it, even those of later layers and textures without bumps. The cache holds the shadowed light of earlier
+    /// textures.
     fn shade_texture(
         &self,
         path: &Path,
         hit: &Hit,
-        of: (&Look, &mut Option<DVec3>, Option<&ShadowCache>),
+        of: TextureShading,
         known: LightSamples,
         scratch: &mut Scratch,
     ) -> SurfaceRadiance {
@@ -252,11 +268,10 @@ impl<'w> Tracer<'w> {
         view.rgb = shaded.rgb;
         let mut is_total = false;
         if shaded.passes {
-            let filter = (shaded.filter, shaded.film);
-            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
+            is_total = self.pass(&lit, hit, shaded.filter, shaded.film, &mut view, scratch);
         }
         if scratch.order_dependent() && (self.has_air() || !shaded.mirrors.is_empty()) {
-            self.follow_straight_on(&lit, hit, &mut view, scratch);
+            self.trace_unrefracted(&lit, hit, &mut view, scratch);
         }
         if !is_total {
             for mirror in &shaded.mirrors {
@@ -266,26 +281,31 @@ impl<'w> Tracer<'w> {
         view
     }
 
-    /// The light of all layers of a texture at a hit, and what of others they show.
+    /// Lights all layers of a texture at a hit, and collects their secondary rays.
     pub(super) fn layers<'p>(
         &self,
         path: &'p Path,
         hit: &'p Hit,
-        (look, tilted, arrived): (&Look<'p>, &mut Option<DVec3>, Option<&'p ShadowCache>),
+        of: TextureShading<'_, 'p>,
         known: LightSamples<'p>,
         scratch: &mut Scratch,
     ) -> (ShadedLayers<'p>, ShadingPoint<'p>)
     where
         'w: 'p,
     {
+        let TextureShading {
+            look,
+            tilted,
+            shadow_cache,
+        } = of;
         let texture = look.texture;
         let surface = &self.world.surfaces[hit.surface as usize];
         let mut lit = ShadingPoint {
             at: ViewPoint::new(hit, path.ray.dir),
-            departure: Some(&hit.departure),
+            spawn_surface: Some(&hit.departure),
             path,
             known,
-            arrived,
+            shadow_cache,
             is_double_illuminated: surface.is_double_illuminated(),
             lights: self.world.lights.of(surface.lights),
             collects: self.has_caustics() && !surface.photons().keeps_none,
@@ -299,15 +319,15 @@ impl<'w> Tracer<'w> {
         };
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                let (_, spot) = self.place(hit, path.ray.dir);
+                let (_, spot) = self.pattern_point(hit, path.ray.dir);
                 shaded.rgb = self.color(lowest, look.point, &spot).rgb;
             }
             return (shaded, lit);
         }
         let mut filter = Rgb::WHITE;
-        let mut gathered = Irradiance::default();
+        let mut irradiance = Irradiance::default();
         let mut photons = None;
-        let (_, mut spot) = self.place(hit, path.ray.dir);
+        let (_, mut spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
@@ -325,19 +345,25 @@ impl<'w> Tracer<'w> {
             spot.normal = flat;
             let mut own = self.layer(&lit, layer, color, scratch);
             if lit.collects {
-                let (_, coat) = self.coat(layer, color);
-                own += self.caustics(&lit, &coat, flat, &mut photons, scratch);
+                let (_, bsdf) = self.layer_bsdf(layer, color);
+                own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
             }
             if let Some(radiosity) = &self.world.radiosity {
-                let gathering = IrradiancePoint::new(radiosity, &lit, flat);
-                own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
+                let irradiance_point = IrradiancePoint::new(radiosity, &lit, flat);
+                own += self.irradiance_radiance(
+                    &irradiance_point,
+                    layer,
+                    color,
+                    filter,
+                    &mut irradiance,
+                    scratch,
+                );
             }
             shaded.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let coat = (&*layer.finish, color.rgb);
                 let ior = || self.relative_ior(&path.inside, surface.interior);
-                let mut mirror = mirror(&lit.at, flat, coat, ior);
-                // Though the layers above take nothing from it.
+                let mut mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, ior);
+                // The weight falls although the layers above do not darken the reflection.
                 mirror.weight *= f64::from(filter.grey());
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
@@ -345,7 +371,7 @@ impl<'w> Tracer<'w> {
                 shaded.mirrors.push(mirror);
             }
             filter *= color.transmission();
-            if self.is_opaque(path.gathered, filter) {
+            if self.is_opaque(path.irradiance_depth, filter) {
                 break;
             }
         }
@@ -354,12 +380,13 @@ impl<'w> Tracer<'w> {
         }
         lit.at.normal = top.unwrap_or(flat);
         shaded.filter = filter;
-        shaded.passes = self.quality.has_transparency && !self.is_opaque(path.gathered, filter);
+        shaded.passes =
+            self.quality.has_transparency && !self.is_opaque(path.irradiance_depth, filter);
         shaded.film = texture.layers().first().map(|top| &top.finish.irid);
         (shaded, lit)
     }
 
-    /// The light of one layer itself.
+    /// The light of one layer.
     fn layer(
         &self,
         lit: &ShadingPoint,
@@ -367,30 +394,34 @@ impl<'w> Tracer<'w> {
         color: Color,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let (own, coat) = self.coat(layer, color);
-        own + self.illuminate(lit, &coat, scratch)
+        let (own, bsdf) = self.layer_bsdf(layer, color);
+        own + self.illuminate(lit, &bsdf, scratch)
     }
 
-    /// What one layer shines of itself, and how it takes light.
+    /// The own light of a layer, and its reflective properties.
     #[inline]
-    pub(super) fn coat<'l>(&self, layer: &'l PreparedLayer, color: Color) -> (Rgb, LayerBsdf<'l>) {
+    pub(super) fn layer_bsdf<'l>(
+        &self,
+        layer: &'l PreparedLayer,
+        color: Color,
+    ) -> (Rgb, LayerBsdf<'l>) {
         let finish = &*layer.finish;
         let passing = if self.world.globals.rules_37 {
             color.filter + color.transmit
         } else {
             color.filter * color.rgb.max() + color.transmit
         };
-        let coat = LayerBsdf {
+        let bsdf = LayerBsdf {
             finish,
             rgb: color.rgb,
             opacity: f64::from(1.0 - passing),
         };
         let own = color.rgb * finish.ambient * self.world.globals.ambient_light
             + color.rgb * finish.emission;
-        (own * coat.opacity, coat)
+        (own * bsdf.opacity, bsdf)
     }
 
-    /// The mirror image of one layer.
+    /// Traces the reflection of one layer.
     fn reflect(
         &self,
         lit: &ShadingPoint,
@@ -399,17 +430,17 @@ impl<'w> Tracer<'w> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let path = lit.path;
-        let onward = Path {
+        let reflected = Path {
             ray: Ray::new(hit.point, mirror.dir),
             from: Some(hit.departure),
-            seen: path.seen.mirrored(),
+            kind: path.kind.mirrored(),
             level: path.level + 1,
             weight: path.weight * mirror.weight,
-            gathered: path.gathered,
-            inside: Inside::from_slice(&path.inside),
+            irradiance_depth: path.irradiance_depth,
+            inside: InteriorStack::from_slice(&path.inside),
             wavelength: path.wavelength,
         };
-        let Sample { mut rgb, .. } = self.trace(onward, None, scratch);
+        let Sample { mut rgb, .. } = self.trace(reflected, None, scratch);
         let irid = &mirror.finish.irid;
         if irid.amount > 0.0 {
             rgb *= self.film(irid, &lit.at, mirror.dir);
@@ -421,13 +452,13 @@ impl<'w> Tracer<'w> {
         rgb * mirror.reflectivity
     }
 
-    /// The share of shadow light that passes the surface of a hit.
+    /// The share of light that a shadow ray keeps at the surface of a hit.
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let looks = self.looks(surface, hit, ray.dir, TextureUse::Passed);
+        let textures = self.textures_at(surface, hit, ray.dir, TextureUse::Passed);
         let caustics = f64::from(self.interior_of(hit).caustics);
-        let (_, spot) = self.place(hit, ray.dir);
-        looks.iter().fold(Rgb::BLACK, |sum, look| {
+        let (_, spot) = self.pattern_point(hit, ray.dir);
+        textures.iter().fold(Rgb::BLACK, |sum, look| {
             let layers = look.texture.layers().iter();
             let light = layers.fold(Rgb::WHITE, |light, layer| {
                 let through = self.color(layer, look.point, &spot).transmission();
@@ -441,7 +472,7 @@ impl<'w> Tracer<'w> {
         })
     }
 
-    /// The colour of a layer, in previews its quick colour.
+    /// The colour of a layer, its quick colour in previews.
     #[inline]
     pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &SurfacePoint) -> Color {
         match layer.quick_color() {
@@ -450,7 +481,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The normal of a layer on the side that is seen, tilted by its bumps.
+    /// The normal of a layer on the side that is seen, with bump mapping.
     #[inline]
     pub(super) fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &SurfacePoint) -> DVec3 {
         match layer.normal() {
@@ -464,15 +495,15 @@ impl<'w> Tracer<'w> {
         self.world.interiors.get(id)
     }
 
-    /// Whether too little passes to be looked at; colours that take light away count as much as those that give it.
-    pub(super) fn is_opaque(&self, gathered: usize, filter: Rgb) -> bool {
-        f64::from(filter.map(f32::abs).grey()) <= self.bailout(gathered)
+    /// Reports if too little passes to be traced; negative colours count by their size.
+    pub(super) fn is_opaque(&self, irradiance_depth: usize, filter: Rgb) -> bool {
+        f64::from(filter.map(f32::abs).grey()) <= self.bailout(irradiance_depth)
     }
 }
 
-/// The place that patterns are asked about.
+/// The surface point at which patterns are evaluated.
 #[inline]
-pub(super) fn spot(hit: &Hit, dir: DVec3) -> SurfacePoint {
+pub(super) fn surface_point(hit: &Hit, dir: DVec3) -> SurfacePoint {
     SurfacePoint {
         point: hit.point,
         normal: facing_normal(hit, dir),
@@ -481,7 +512,7 @@ pub(super) fn spot(hit: &Hit, dir: DVec3) -> SurfacePoint {
     }
 }
 
-/// The shading normal on the side from which a ray comes.
+/// The shading normal on the side of the ray's origin.
 #[inline]
 pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     if hit.shading_normal.dot(dir) > 0.0 {
@@ -491,12 +522,13 @@ pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     }
 }
 
-/// How much of its surroundings a layer with a pigment of this colour reflects at this angle; `ior` is that of what is
-/// behind relative to that before it, `flat` the normal without bumps.
+/// The reflection of a layer with this pigment colour; `ior` gives the relative index of refraction behind the surface,
+/// `flat` is the normal without bump mapping.
 pub(super) fn mirror<'f>(
     at: &ViewPoint,
     flat: DVec3,
-    (finish, pigment): (&'f Finish, Rgb),
+    finish: &'f Finish,
+    pigment: Rgb,
     ior: impl FnOnce() -> f64,
 ) -> Mirror<'f> {
     let reflection = &finish.reflection;
@@ -511,7 +543,7 @@ pub(super) fn mirror<'f>(
         };
         reflection.max * share + reflection.min * (1.0 - share)
     };
-    // What metal takes away does not count here (measured with POV-Ray).
+    // The tint of metal does not count here (measured with POV-Ray).
     let weight = if reflection.is_fresnel {
         reflectivity.max()
     } else {
@@ -528,8 +560,8 @@ pub(super) fn mirror<'f>(
     }
 }
 
-/// The mirror image of a direction in a surface tilted by bumps. Where that goes into the flat surface it is mirrored
-/// there as well, or there alone if it goes into the tilted one too (facts 4.5).
+/// The mirror image of a direction about a bumped normal. If it points below the flat surface it is mirrored again
+/// there, or mirrored by the flat normal alone if it points below the bumped surface too (facts 4.5).
 pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     let image = mirrored(dir, tilted);
     if tilted == flat || image.dot(flat) >= 0.0 {
@@ -541,7 +573,7 @@ pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     }
 }
 
-/// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction of what is behind.
+/// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction.
 fn fresnel(cosine: f64, ior: f64) -> f64 {
     let g_sq = ior * ior + cosine * cosine - 1.0;
     if g_sq < 0.0 {
@@ -558,7 +590,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn glass_reflects_four_percent_straight_and_all_when_grazing() {
+    fn glass_reflects_4_percent_at_normal_incidence_and_all_when_grazing() {
         assert!((fresnel(1.0, 1.5) - 0.04).abs() < 1e-15);
         assert!((fresnel(0.0, 1.5) - 1.0).abs() < 1e-15);
         assert_eq!(fresnel(0.2, 1.0 / 1.5), 1.0);

@@ -1,4 +1,4 @@
-//! `irid`: the colours of a thin film on a surface.
+//! `irid`: thin-film interference on a surface.
 
 use super::Tracer;
 use super::direct::light::ViewPoint;
@@ -8,7 +8,7 @@ use crate::scene::texture::Irid;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// The octaves of the noise by which the thickness of films varies.
+/// The octaves of the noise that varies the thickness of films.
 const OCTAVES: Octaves = Octaves {
     count: 5,
     lambda: 2.0,
@@ -16,8 +16,8 @@ const OCTAVES: Octaves = Octaves {
 };
 
 impl Tracer<'_> {
-    /// The factor of a film on light that comes from a unit direction and goes to the viewer: `1 + amount · cos(2π ·
-    /// way / wavelength)` for each colour, the way through the film taken as its thickness times both cosines.
+    /// The factor of a film on light from a unit direction to the viewer: `1 + amount · cos(2π · length / wavelength)`
+    /// for each colour, with the path length through the film taken as its thickness times both cosines.
     pub(super) fn film(&self, irid: &Irid, at: &ViewPoint, from: DVec3) -> Rgb {
         let globals = &self.world.globals;
         let mut thickness = f64::from(irid.thickness);
@@ -25,9 +25,9 @@ impl Tracer<'_> {
             let noise = 2.0 * globals.noise.turbulence(at.point, &OCTAVES) - 1.0;
             thickness *= 1.0 + f64::from(irid.turbulence) * noise;
         }
-        let way = thickness * (at.normal.dot(from).abs() + at.normal.dot(at.view).abs());
+        let length = thickness * (at.normal.dot(from).abs() + at.normal.dot(at.view).abs());
         globals.irid_wavelength.map(|wavelength| {
-            let wave = (TAU * way / f64::from(wavelength)).cos();
+            let wave = (TAU * length / f64::from(wavelength)).cos();
             #[allow(
                 clippy::cast_possible_truncation,
                 reason = "colours are single precision"

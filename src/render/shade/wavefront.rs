@@ -1,18 +1,17 @@
-//! What surfaces show of others, in their mirror images and through them, for all places of a block together: the rays
-//! that go on from what the camera sees are followed, lit and coloured as those of the camera are ([`super::block`]), then
-//! those that go on from what these meet, and so on. Rays that split, surfaces of several textures or mirror images, and
-//! scenes whose random numbers come one after the other are left to the way for single rays.
+//! The wavefront of reflected and refracted rays of a block. Secondary rays of all pixels are traced, lit and shaded
+//! together, as camera rays are ([`super::block`]), then the rays that leave their hits, and so on. Dispersed light,
+//! surfaces with several textures or reflections, and scenes with sequential random numbers are left to the scalar
+//! path.
 
 use super::atmosphere::{AirTint, End};
-use super::block::{AROUND, MANY_LIGHTS};
+use super::block::{MANY_LIGHTS, SMALL_BATCH};
 use super::direct::block::BlockHits;
 use super::direct::light::{LightSamples, ViewPoint};
-use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, viewed};
+use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, ShadeBuffers, viewed};
 use super::direct::shadow_cache::ShadowCache;
 use super::interior_stack::{Refraction, bend};
-use super::shade_cache::ShadeCache;
-use super::surface::{Mirror, TextureUse, facing_normal, mirror, mirrored_off};
-use super::{Inside, MOST_PASSED, Path, Sample, Tracer};
+use super::surface::{Mirror, TextureShading, TextureUse, facing_normal, mirror, mirrored_off};
+use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
@@ -20,61 +19,61 @@ use crate::scene::texture::{Irid, Look};
 use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, Scratch, SpawnSurface};
 use glam::DVec3;
 
-/// So many surfaces that show others are looked at together; behind those rays are followed one by one, which needs no
-/// room for all the branches of a tree at once.
-const MOST_SHOWN: usize = 1 << 13;
+/// Limit on queued surfaces. Beyond it rays are traced one by one, which does not hold all branches of the ray tree in
+/// memory at once.
+const MAX_PENDING: usize = 1 << 13;
 
-/// So many rays of a wave are searched for, lit and coloured together.
-const MOST_AT_ONCE: usize = 1 << 10;
+/// The number of rays of a wave that are traced, lit and shaded together.
+const WAVE_BATCH: usize = 1 << 10;
 
-/// Buffers for what surfaces show.
+/// Buffers of the wavefront.
 #[derive(Debug, Default)]
 pub(super) struct Wavefront {
     all: BlockHits,
-    /// The rays that are followed now.
+    /// The rays of the current wave.
     rays: Vec<SecondaryRay>,
-    /// Those that go on from what these meet.
+    /// The rays of the next wave.
     next: Vec<SecondaryRay>,
-    shown: Vec<PendingSurface>,
-    /// What a few of these need besides.
+    pending: Vec<PendingSurface>,
+    /// The filters of pending surfaces; most have none.
     filters: Vec<Filters>,
-    /// What rays are in, those around the camera first.
-    insides: Vec<Inside>,
+    /// The interior stacks of rays, that of the camera first.
+    interior_stacks: Vec<InteriorStack>,
 }
 
-/// A ray that goes on from a surface.
+/// A reflected or refracted ray.
 #[derive(Clone, Copy, Debug)]
 struct SecondaryRay {
     query: Query,
-    /// How many bends and mirrors lie behind it.
+    /// The number of refractions and reflections before it.
     level: u32,
-    /// How many surfaces it has passed since then without a bend.
+    /// The number of surfaces passed since then without refraction.
     passed: usize,
-    /// The largest share that its colour can have in the sample.
+    /// The path throughput: the largest share that its colour can have in the sample.
     weight: f64,
-    /// The number of what it is in.
+    /// The index of its interior stack.
     inside: usize,
     to: Destination,
 }
 
-/// Up to four of the rays of a wave.
+/// Up to four rays of a wave.
 struct RaySlice<'a> {
     rays: &'a [SecondaryRay],
-    insides: &'a [Inside],
+    interior_stacks: &'a [InteriorStack],
 }
 
-/// Where a sample goes.
+/// The receiver of a sample.
 #[derive(Clone, Copy, Debug)]
 enum Destination {
-    /// To the place of this number.
-    Place(usize),
-    /// It is the mirror image in the surface of this number.
+    /// The pixel with this index.
+    Pixel(usize),
+    /// The reflection of the pending surface with this index.
     Image(usize),
-    /// It is behind the surface of this number.
+    /// The transmitted light of the pending surface with this index.
     Behind(usize),
 }
 
-/// A surface that shows others.
+/// A surface that waits for its secondary rays.
 #[derive(Clone, Copy, Debug)]
 struct PendingSurface {
     to: Destination,
@@ -82,22 +81,22 @@ struct PendingSurface {
     own: Rgb,
     /// The factor on light from behind.
     factor: Rgb,
-    /// The factor on the transparency of what is behind.
+    /// The factor on the transparency behind.
     transmit: f32,
     reflectivity: Rgb,
     behind: Sample,
     image: Rgb,
-    /// The number of its filters, if it has any.
+    /// The index of its filters, if it has any.
     filters: Option<u32>,
 }
 
-/// What colours light that a surface shows, besides its reflectivity and transmission.
+/// Filters on secondary light besides reflectivity and transmittance.
 #[derive(Clone, Copy, Debug)]
 struct Filters {
-    /// The factor of a thin film on the mirror image, and on what is behind.
+    /// The factor of a thin film on the reflection, and on the transmitted light.
     on_image: Rgb,
     on_behind: Rgb,
-    /// The exponent of the mirror image.
+    /// The exponent of the reflection.
     exponent: f32,
     /// The air before the surface.
     air: Option<AirTint>,
@@ -113,7 +112,7 @@ impl Filters {
 }
 
 impl PendingSurface {
-    /// What is seen there, once it is known what it shows.
+    /// The sample of the surface, once its secondary rays are traced.
     fn sample(&self, filters: &[Filters]) -> Sample {
         let (mut image, mut behind, mut air) = (self.image, self.behind.rgb, None);
         if let Some(filters) = self.filters.and_then(|number| filters.get(number as usize)) {
@@ -129,27 +128,27 @@ impl PendingSurface {
             rgb: self.own + self.factor * behind + reflected,
             transmit: self.transmit * self.behind.transmit,
         }
-        .through(air)
+        .behind_air(air)
     }
 }
 
-/// A point of a surface from which rays go on.
+/// The origin of secondary rays on a surface.
 struct SpawnPoint {
-    /// The point as it is viewed, with the normal of the top layer.
+    /// The viewed point, with the normal of the top layer.
     at: ViewPoint,
-    /// The normal without bumps.
+    /// The normal without bump mapping.
     flat: DVec3,
-    departure: SpawnSurface,
-    /// How far the ray came to it.
+    spawn_surface: SpawnSurface,
+    /// The distance of the hit.
     t: f64,
     surface: u32,
 }
 
-/// What a surface shows of itself, and how it shows others.
+/// The light of a surface, and the properties of its secondary rays.
 struct SurfaceLight<'t> {
     /// Its own light.
     own: Rgb,
-    /// The share of light that passes all layers, if that is worth following.
+    /// The transmittance of all layers, if it is worth tracing.
     passing: Option<Rgb>,
     mirror: Option<&'t Mirror<'t>>,
     /// The film on the top layer.
@@ -159,86 +158,89 @@ struct SurfaceLight<'t> {
 }
 
 impl Wavefront {
-    /// Whether there is room for one more surface.
+    /// Reports if one more surface may be queued.
     #[inline(always)]
-    pub(super) fn have_room(&self) -> bool {
-        self.shown.len() < MOST_SHOWN
+    pub(super) fn has_capacity(&self) -> bool {
+        self.pending.len() < MAX_PENDING
     }
 
-    /// Tells a surface what it shows.
-    fn tell(&mut self, to: Destination, sample: Sample, take: &mut impl FnMut(usize, Sample)) {
+    /// Delivers a sample to its receiver.
+    fn deliver(&mut self, to: Destination, sample: Sample, take: &mut impl FnMut(usize, Sample)) {
         match to {
-            Destination::Place(place) => take(place, sample),
-            Destination::Image(number) => self.shown[number].image = sample.rgb,
-            Destination::Behind(number) => self.shown[number].behind = sample,
+            Destination::Pixel(pixel) => take(pixel, sample),
+            Destination::Image(number) => self.pending[number].image = sample.rgb,
+            Destination::Behind(number) => self.pending[number].behind = sample,
         }
     }
 }
 
 impl RaySource for RaySlice<'_> {
-    fn seen(&self, lane: usize) -> RayKind {
+    fn kind(&self, lane: usize) -> RayKind {
         self.rays[lane].query.kind
     }
 
-    fn all_seen(&self) -> Option<RayKind> {
+    fn common_kind(&self) -> Option<RayKind> {
         let first = self.rays[0].query.kind;
         let are_same = self.rays.iter().all(|onward| onward.query.kind == first);
         are_same.then_some(first)
     }
 
     fn inside(&self, lane: usize) -> &[InteriorId] {
-        &self.insides[self.rays[lane].inside]
+        &self.interior_stacks[self.rays[lane].inside]
     }
 
     fn path(&self, lane: usize, _dir: DVec3) -> Path {
-        self.rays[lane].path(self.insides)
+        self.rays[lane].path(self.interior_stacks)
     }
 }
 
 impl SecondaryRay {
-    /// A question about the nearest surface on a ray.
-    fn query(ray: Ray, from: Option<SpawnSurface>, seen: RayKind) -> Query {
+    /// A closest-hit query.
+    fn query(ray: Ray, from: Option<SpawnSurface>, ray_kind: RayKind) -> Query {
         Query {
             ray,
             origin_surface: from,
             t_max: f64::INFINITY,
-            kind: seen,
+            kind: ray_kind,
         }
     }
 
-    fn path(&self, insides: &[Inside]) -> Path {
+    fn path(&self, interior_stacks: &[InteriorStack]) -> Path {
         Path {
             ray: self.query.ray,
             from: self.query.origin_surface,
-            seen: self.query.kind,
+            kind: self.query.kind,
             level: self.level,
             weight: self.weight,
-            gathered: 0,
-            inside: Inside::from_slice(&insides[self.inside]),
+            irradiance_depth: 0,
+            inside: InteriorStack::from_slice(&interior_stacks[self.inside]),
             wavelength: None,
         }
     }
 }
 
 impl Tracer<'_> {
-    /// Notes that a ray of the camera meets a surface that shows others at a place, in this lane of these hits.
+    /// Queues a surface that a camera ray hits, in this lane of these hits.
     #[inline(never)]
     pub(super) fn begin_wavefront(
         &self,
-        waves: &mut Wavefront,
-        place: usize,
-        (hits, lane): (&HitPacket4, usize),
-        showing: &SecondarySurface,
+        wavefront: &mut Wavefront,
+        pixel: usize,
+        hits: &HitPacket4,
+        lane: usize,
+        secondary: &SecondarySurface,
         scratch: &mut Scratch,
     ) {
-        let onward = self.camera_ray(waves, place, hits.dir(lane));
-        self.show(waves, &onward, (hits, lane), showing, scratch);
+        let onward = self.camera_ray(wavefront, pixel, hits.dir(lane));
+        self.queue_plain(wavefront, &onward, hits, lane, secondary, scratch);
     }
 
-    /// The ray of the camera in this direction, which has met something at a place.
-    fn camera_ray(&self, waves: &mut Wavefront, place: usize, dir: DVec3) -> SecondaryRay {
-        if waves.insides.is_empty() {
-            waves.insides.push(Inside::from_slice(&self.around_camera));
+    /// The camera ray in this direction, for a pixel.
+    fn camera_ray(&self, wavefront: &mut Wavefront, pixel: usize, dir: DVec3) -> SecondaryRay {
+        if wavefront.interior_stacks.is_empty() {
+            wavefront
+                .interior_stacks
+                .push(InteriorStack::from_slice(&self.around_camera));
         }
         let ray = Ray::new(self.world.camera.location(), dir);
         SecondaryRay {
@@ -247,85 +249,92 @@ impl Tracer<'_> {
             passed: 0,
             weight: 1.0,
             inside: 0,
-            to: Destination::Place(place),
+            to: Destination::Pixel(pixel),
         }
     }
 
-    /// Notes a ray of the camera, which is followed with those that go on from surfaces.
-    pub(super) fn begin_ray(&self, waves: &mut Wavefront, place: usize, ray: Ray) {
+    /// Queues a camera ray, to be traced with the secondary rays.
+    pub(super) fn queue_camera_ray(&self, wavefront: &mut Wavefront, pixel: usize, ray: Ray) {
         let path = self.camera_path(ray);
-        if waves.insides.last() != Some(&path.inside) {
-            waves.insides.push(path.inside);
+        if wavefront.interior_stacks.last() != Some(&path.inside) {
+            wavefront.interior_stacks.push(path.inside);
         }
-        waves.next.push(SecondaryRay {
-            query: SecondaryRay::query(ray, None, path.seen),
+        wavefront.next.push(SecondaryRay {
+            query: SecondaryRay::query(ray, None, path.kind),
             level: path.level,
             passed: 0,
             weight: path.weight,
-            inside: waves.insides.len() - 1,
-            to: Destination::Place(place),
+            inside: wavefront.interior_stacks.len() - 1,
+            to: Destination::Pixel(pixel),
         });
     }
 
-    /// What a ray of the camera in this direction sees at a place, where something is known of its hit; nothing if it is
-    /// noted what goes on from there.
-    pub(super) fn seen_by_camera(
+    /// Shades the hit of a camera ray for a pixel; `None` if its secondary rays are queued.
+    pub(super) fn shade_or_queue_camera_hit(
         &self,
-        waves: &mut Wavefront,
-        place: usize,
-        (dir, hit, known): (DVec3, Option<Hit>, LightSamples),
+        wavefront: &mut Wavefront,
+        pixel: usize,
+        dir: DVec3,
+        hit: Option<Hit>,
+        known: LightSamples,
         scratch: &mut Scratch,
     ) -> Option<Sample> {
-        let onward = self.camera_ray(waves, place, dir);
-        self.seen_by(waves, &onward, (hit, known), scratch)
+        let onward = self.camera_ray(wavefront, pixel, dir);
+        self.shade_or_queue(wavefront, &onward, hit, known, scratch)
     }
 
-    /// Notes the rays that go on from a plain surface that such a ray meets.
-    fn show(
+    /// Queues the secondary rays of a plain surface.
+    fn queue_plain(
         &self,
-        waves: &mut Wavefront,
-        met: &SecondaryRay,
-        (hits, lane): (&HitPacket4, usize),
-        showing: &SecondarySurface,
+        wavefront: &mut Wavefront,
+        incoming: &SecondaryRay,
+        hits: &HitPacket4,
+        lane: usize,
+        secondary: &SecondarySurface,
         scratch: &mut Scratch,
     ) {
-        let finish = showing.finish;
+        let finish = secondary.finish;
         let at = viewed(hits, lane);
-        let surfaced = SpawnPoint {
+        let spawn_point = SpawnPoint {
             at,
             flat: at.normal,
-            departure: hits.departure(lane),
+            spawn_surface: hits.departure(lane),
             t: hits.t[lane],
             surface: hits.surface[lane],
         };
         let mut filter = Rgb::WHITE;
         let mut image = None;
         if finish.has_reflection() {
-            let interior = self.world.surfaces[surfaced.surface as usize].interior;
-            let ior = || self.relative_ior(&waves.insides[met.inside], interior);
-            let mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
+            let interior = self.world.surfaces[spawn_point.surface as usize].interior;
+            let ior = || self.relative_ior(&wavefront.interior_stacks[incoming.inside], interior);
+            let mirror = mirror(&at, at.normal, finish, secondary.pigment, ior);
             if finish.conserve_energy {
                 filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
             }
             image = Some(mirror);
         }
-        filter *= showing.through;
+        filter *= secondary.transmittance;
         let light = SurfaceLight {
-            own: showing.own,
+            own: secondary.own,
             passing: (!self.is_opaque(0, filter)).then_some(filter),
             mirror: image.as_ref(),
             film: None,
-            air: self.air_before(hits, lane, || met.path(&waves.insides), scratch),
+            air: self.air_before(
+                hits,
+                lane,
+                || incoming.path(&wavefront.interior_stacks),
+                scratch,
+            ),
         };
-        self.go_on(waves, met, &surfaced, &light);
+        self.queue_secondary_rays(wavefront, incoming, &spawn_point, &light);
     }
 
-    /// Notes the rays that go on from a surface that such a ray meets: through it and into its mirror image.
+    /// Queues the refracted and reflected ray of a surface.
     #[inline(always)]
-    fn go_on(
+    fn queue_secondary_rays(
         &self,
-        waves: &mut Wavefront,
-        met: &SecondaryRay,
+        wavefront: &mut Wavefront,
+        incoming: &SecondaryRay,
         from: &SpawnPoint,
         light: &SurfaceLight,
     ) {
@@ -334,9 +343,9 @@ impl Tracer<'_> {
             air: Some(air),
             ..Filters::NONE
         });
-        let number = waves.shown.len();
-        let mut shown = PendingSurface {
-            to: met.to,
+        let number = wavefront.pending.len();
+        let mut pending = PendingSurface {
+            to: incoming.to,
             own: light.own,
             factor: Rgb::BLACK,
             transmit: 0.0,
@@ -345,60 +354,60 @@ impl Tracer<'_> {
             image: Rgb::BLACK,
             filters: None,
         };
-        let departure = Some(from.departure);
-        let onward = |dir: DVec3, seen: RayKind| {
-            SecondaryRay::query(Ray::new(at.point, dir), departure, seen)
+        let spawn_surface = Some(from.spawn_surface);
+        let onward = |dir: DVec3, kind: RayKind| {
+            SecondaryRay::query(Ray::new(at.point, dir), spawn_surface, kind)
         };
-        let seen_in_mirror = met.query.kind.mirrored();
-        let level = met.level + 1;
+        let reflected_kind = incoming.query.kind.mirrored();
+        let level = incoming.level + 1;
         let mut mirror = light.mirror;
         if let Some(filter) = light.passing {
-            let before = (&waves.insides[met.inside], from.t);
+            let stack = &wavefront.interior_stacks[incoming.inside];
             let interior = self.world.surfaces[from.surface as usize].interior;
-            let through = self.through(before, interior, filter, None);
-            shown.factor = through.factor;
-            shown.transmit = through.transmit;
-            let weight = met.weight * through.weight;
+            let transmission = self.layer_transmission(stack, from.t, interior, filter, None);
+            pending.factor = transmission.factor;
+            pending.transmit = transmission.transmit;
+            let weight = incoming.weight * transmission.weight;
             let to = Destination::Behind(number);
-            let bend = bend(at.view, at.normal, through.passage.ratio);
+            let bend = bend(at.view, at.normal, transmission.crossing.ratio);
             match bend {
                 Refraction::None | Refraction::To(_) => {
                     let (dir, level, passed) = match bend {
                         Refraction::To(dir) => (dir, level, 0),
-                        _ => (at.view, met.level, met.passed + 1),
+                        _ => (at.view, incoming.level, incoming.passed + 1),
                     };
-                    waves.next.push(SecondaryRay {
-                        query: onward(dir, met.query.kind),
+                    wavefront.next.push(SecondaryRay {
+                        query: onward(dir, incoming.query.kind),
                         level,
                         passed,
                         weight,
-                        inside: waves.insides.len(),
+                        inside: wavefront.interior_stacks.len(),
                         to,
                     });
-                    waves.insides.push(through.passage.inside);
+                    wavefront.interior_stacks.push(transmission.crossing.inside);
                 }
                 Refraction::Total => {
-                    shown.factor = through.thrown_back;
-                    shown.transmit = 0.0;
+                    pending.factor = transmission.total_reflection;
+                    pending.transmit = 0.0;
                     mirror = None;
                     let dir = mirrored_off(at.view, at.normal, from.flat);
                     if let Some(film) = light.film.filter(|film| film.amount > 0.0) {
                         let film = self.film(film, at, dir);
                         filters.get_or_insert(Filters::NONE).on_behind = film;
                     }
-                    waves.next.push(SecondaryRay {
-                        query: onward(dir, seen_in_mirror),
+                    wavefront.next.push(SecondaryRay {
+                        query: onward(dir, reflected_kind),
                         level,
                         passed: 0,
                         weight,
-                        inside: met.inside,
+                        inside: incoming.inside,
                         to,
                     });
                 }
             }
         }
         if let Some(mirror) = mirror {
-            shown.reflectivity = mirror.reflectivity;
+            pending.reflectivity = mirror.reflectivity;
             let exponent = mirror.finish.reflection.exponent;
             if exponent != 1.0 {
                 filters.get_or_insert(Filters::NONE).exponent = exponent;
@@ -407,148 +416,161 @@ impl Tracer<'_> {
             if irid.amount > 0.0 {
                 filters.get_or_insert(Filters::NONE).on_image = self.film(irid, at, mirror.dir);
             }
-            waves.next.push(SecondaryRay {
-                query: onward(mirror.dir, seen_in_mirror),
+            wavefront.next.push(SecondaryRay {
+                query: onward(mirror.dir, reflected_kind),
                 level,
                 passed: 0,
-                weight: met.weight * mirror.weight,
-                inside: met.inside,
+                weight: incoming.weight * mirror.weight,
+                inside: incoming.inside,
                 to: Destination::Image(number),
             });
         }
         if let Some(filters) = filters {
-            shown.filters = u32::try_from(waves.filters.len()).ok();
-            waves.filters.push(filters);
+            pending.filters = u32::try_from(wavefront.filters.len()).ok();
+            wavefront.filters.push(filters);
         }
-        waves.shown.push(shown);
+        wavefront.pending.push(pending);
     }
 
-    /// Finds out what the surfaces show that have been noted. `take` gets the number of each of their places and what is
-    /// seen there.
-    pub(super) fn follow_wavefronts(
+    /// Traces all queued rays, wave by wave. `take` gets the index of each pixel and its sample.
+    pub(super) fn trace_wavefronts(
         &self,
-        waves: &mut Wavefront,
-        (scratch, coats): (&mut Scratch, &mut ShadeCache),
+        wavefront: &mut Wavefront,
+        buffers: ShadeBuffers,
         mut take: impl FnMut(usize, Sample),
     ) {
-        while !waves.next.is_empty() {
-            std::mem::swap(&mut waves.rays, &mut waves.next);
-            waves.next.clear();
-            // What is not worth following shows nothing, as is noted already. At the last level nothing is seen through a
-            // surface, bent or not.
+        let ShadeBuffers { scratch, cache } = buffers;
+        while !wavefront.next.is_empty() {
+            std::mem::swap(&mut wavefront.rays, &mut wavefront.next);
+            wavefront.next.clear();
+            // Rays below the bailout stay black, as initialised. At the last level nothing is seen through a surface,
+            // refracted or not.
             let (most, least) = (self.world.globals.max_trace_level, self.bailout(0));
-            waves.rays.retain(|onward| {
+            wavefront.rays.retain(|onward| {
                 let is_past = onward.passed > 0 && onward.level + 1 >= most;
                 let is_worth = onward.level < most && onward.weight >= least && !is_past;
-                is_worth && onward.passed < MOST_PASSED
+                is_worth && onward.passed < MAX_STRAIGHT
             });
             if self.stop.is_asked() {
-                waves.rays.clear();
+                wavefront.rays.clear();
             }
-            // The ways to many lights would take much room.
+            // With many lights the shadow rays would take too much memory.
             let at_once = match self.world.lights.len() > MANY_LIGHTS {
-                true => AROUND,
-                false => MOST_AT_ONCE,
+                true => SMALL_BATCH,
+                false => WAVE_BATCH,
             };
-            let rays = std::mem::take(&mut waves.rays);
+            let rays = std::mem::take(&mut wavefront.rays);
             for rays in rays.chunks(at_once) {
-                self.follow_wavefront(rays, waves, (scratch, coats), &mut take);
+                let buffers = ShadeBuffers {
+                    scratch: &mut *scratch,
+                    cache: &mut *cache,
+                };
+                self.trace_wave(rays, wavefront, buffers, &mut take);
             }
-            waves.rays = rays;
+            wavefront.rays = rays;
         }
-        waves.insides.clear();
-        // Those that are shown come behind those that show them.
-        while let Some(shown) = waves.shown.pop() {
-            let sample = shown.sample(&waves.filters);
-            waves.tell(shown.to, sample, &mut take);
+        wavefront.interior_stacks.clear();
+        // Surfaces are queued before those that they show.
+        while let Some(pending) = wavefront.pending.pop() {
+            let sample = pending.sample(&wavefront.filters);
+            wavefront.deliver(pending.to, sample, &mut take);
         }
-        waves.filters.clear();
+        wavefront.filters.clear();
     }
 
-    /// Follows these rays of one wave.
-    fn follow_wavefront(
+    /// Traces some rays of one wave.
+    fn trace_wave(
         &self,
         rays: &[SecondaryRay],
-        waves: &mut Wavefront,
-        (scratch, coats): (&mut Scratch, &mut ShadeCache),
+        wavefront: &mut Wavefront,
+        buffers: ShadeBuffers,
         take: &mut impl FnMut(usize, Sample),
     ) {
-        let mut all = std::mem::take(&mut waves.all);
+        let ShadeBuffers { scratch, cache } = buffers;
+        let mut all = std::mem::take(&mut wavefront.all);
         all.hits.resize(rays.len().div_ceil(4), HitPacket4::NOTHING);
         for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
             let query = |ray: usize| &rays[ray].query;
             self.world
                 .nearest_of_stream(rays.len(), query, hits, scratch);
         }
-        // Where much is filtered each way is looked at alone.
+        // With transparent objects each shadow ray is traced on its own.
         self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
         with_widest(
             #[inline(always)]
             |_| {
                 let mut seen = RadiancePacket4::NOTHING;
-                for (four, onwards) in rays.chunks(4).enumerate() {
-                    let few = RaySlice {
+                for (packet, onwards) in rays.chunks(4).enumerate() {
+                    let slice = RaySlice {
                         rays: onwards,
-                        insides: &waves.insides,
+                        interior_stacks: &wavefront.interior_stacks,
                     };
-                    let kept = (&mut *scratch, &mut *coats);
-                    self.shade_packet4(&few, (four, rays.len()), &all, kept, &mut seen);
+                    let buffers = ShadeBuffers {
+                        scratch: &mut *scratch,
+                        cache: &mut *cache,
+                    };
+                    self.shade_packet4(&slice, packet, rays.len(), &all, buffers, &mut seen);
                     for (lane, onward) in onwards.iter().enumerate() {
-                        let showing = seen.showing(lane).filter(|_| waves.have_room());
-                        let sample = match (seen.sample(lane), showing) {
+                        let secondary = seen.secondary(lane).filter(|_| wavefront.has_capacity());
+                        let sample = match (seen.sample(lane), secondary) {
                             (Some(sample), _) => sample,
-                            (None, Some(showing)) => {
-                                self.show(
-                                    waves,
+                            (None, Some(secondary)) => {
+                                self.queue_plain(
+                                    wavefront,
                                     onward,
-                                    (&all.hits[four], lane),
-                                    &showing,
+                                    &all.hits[packet],
+                                    lane,
+                                    &secondary,
                                     scratch,
                                 );
                                 continue;
                             }
                             (None, None) => {
-                                let hit = all.hits[four].hit(lane);
-                                let known = LightSamples::at(&all, 4 * four + lane);
-                                match self.seen_by(waves, onward, (hit, known), scratch) {
+                                let hit = all.hits[packet].hit(lane);
+                                let known = LightSamples::at(&all, 4 * packet + lane);
+                                match self.shade_or_queue(wavefront, onward, hit, known, scratch) {
                                     Some(sample) => sample,
                                     None => continue,
                                 }
                             }
                         };
-                        waves.tell(onward.to, sample, take);
+                        wavefront.deliver(onward.to, sample, take);
                     }
                 }
             },
         );
-        waves.all = all;
+        wavefront.all = all;
     }
 
-    /// What a ray sees that has met this, where something is known of the lights there; nothing if it is noted what goes
-    /// on from there.
+    /// Shades the hit of a secondary ray; `None` if its own secondary rays are queued.
     #[inline(never)]
-    fn seen_by(
+    fn shade_or_queue(
         &self,
-        waves: &mut Wavefront,
-        met: &SecondaryRay,
-        (hit, known): (Option<Hit>, LightSamples),
+        wavefront: &mut Wavefront,
+        incoming: &SecondaryRay,
+        hit: Option<Hit>,
+        known: LightSamples,
         scratch: &mut Scratch,
     ) -> Option<Sample> {
-        let path = met.path(&waves.insides);
-        let Some(hit) = hit.filter(|_| self.queues && waves.have_room()) else {
+        let path = incoming.path(&wavefront.interior_stacks);
+        let Some(hit) = hit.filter(|_| self.queues_all_surfaces && wavefront.has_capacity()) else {
             return Some(self.trace(path, Some((hit, known)), scratch));
         };
         let surface = &self.world.surfaces[hit.surface as usize];
         let end = End::Surface(hit.t, surface.lights);
-        if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
-            return Some(plain.through(self.air(&path, end, scratch)));
+        if let Some(plain) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
+            return Some(plain.behind_air(self.air(&path, end, scratch)));
         }
-        let looks = self.looks(surface, &hit, path.ray.dir, TextureUse::Drawn);
-        let [only @ Look { weight: 1.0, .. }] = looks.as_slice() else {
+        let textures = self.textures_at(surface, &hit, path.ray.dir, TextureUse::Drawn);
+        let [only @ Look { weight: 1.0, .. }] = textures.as_slice() else {
             return Some(self.trace(path, Some((Some(hit), known)), scratch));
         };
-        let arrived = (only.texture.layers().len() > 1).then(ShadowCache::default);
-        let of = (only, &mut None, arrived.as_ref());
+        let shadow_cache = (only.texture.layers().len() > 1).then(ShadowCache::default);
+        let of = TextureShading {
+            look: only,
+            tilted: &mut None,
+            shadow_cache: shadow_cache.as_ref(),
+        };
         let (shaded, lit) = self.layers(&path, &hit, of, known, scratch);
         let air = self.air(&path, end, scratch);
         if !shaded.passes && shaded.mirrors.is_empty() {
@@ -556,16 +578,16 @@ impl Tracer<'_> {
                 rgb: shaded.rgb + Rgb::BLACK,
                 transmit: 0.0,
             };
-            return Some(sample.through(air));
+            return Some(sample.behind_air(air));
         }
         if shaded.mirrors.len() > 1 {
-            let again = met.path(&waves.insides);
+            let again = incoming.path(&wavefront.interior_stacks);
             return Some(self.trace(again, Some((Some(hit), known)), scratch));
         }
-        let surfaced = SpawnPoint {
+        let spawn_point = SpawnPoint {
             at: lit.at,
             flat: facing_normal(&hit, path.ray.dir),
-            departure: hit.departure,
+            spawn_surface: hit.departure,
             t: hit.t,
             surface: hit.surface,
         };
@@ -576,7 +598,7 @@ impl Tracer<'_> {
             film: shaded.film,
             air,
         };
-        self.go_on(waves, met, &surfaced, &light);
+        self.queue_secondary_rays(wavefront, incoming, &spawn_point, &light);
         None
     }
 }

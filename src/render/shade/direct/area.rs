@@ -1,6 +1,6 @@
-//! Light from many lamps: soft shadows, and each lamp by itself with `area_illumination`.
+//! Area lights: soft shadows from a grid of point lights, and light from each of them with `area_illumination`.
 
-use super::light::{LayerBsdf, LightContribution, ShadingPoint, is_nothing};
+use super::light::{LayerBsdf, LightContribution, ShadingPoint, is_negligible};
 use super::transmittance::{ShadowPath, shadow_query};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
@@ -14,35 +14,35 @@ use crate::world::{HitPacket4, Scratch, ShadowPacket4};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// By this much, summed over the channels, corners must differ for the part between them to be divided.
-const DIFFERENCE: f32 = 0.1;
+/// Threshold of adaptive subdivision: a part is divided if its corners differ by more, summed over the channels.
+const MAX_DIFFERENCE: f32 = 0.1;
 
-/// The lamps of one light as one point sees them.
-pub(in crate::render::shade) struct Lamps<'a> {
-    number: u32,
+/// An area light seen from one shading point.
+pub(in crate::render::shade) struct AreaLight<'a> {
+    light_index: u32,
     light: &'a Light,
     area: &'a Area,
     axes: Axes,
     lit: &'a ShadingPoint<'a>,
-    /// The distance to the middle of the light.
+    /// The distance to the centre of the light.
     distance: f64,
-    /// What is to be spread over them.
+    /// The light that is spread over the grid.
     arriving: Rgb,
-    /// The point, four times, if several lamps can be asked about at once.
+    /// The shading point in all four lanes, if shadow rays can be traced as packets.
     hits: Option<HitPacket4>,
 }
 
-/// Points four ways to lamps that stand so far from the middle of a light.
-struct Aiming<'a> {
+/// Sets up four shadow rays to grid lights with these offsets from the centre of a light.
+struct GridAim<'a> {
     centre: DVec3,
     point: DVec3,
-    /// Of the surface that the ways go out from; zero where there is none.
+    /// The normal at the origin of the rays; zero in space.
     normal: DVec3,
     offset: &'a [[f64; 4]; 3],
 }
 
-impl SimdKernel for Aiming<'_> {
-    /// The ways, and the largest of their lengths and of the coordinates of where they end.
+impl SimdKernel for GridAim<'_> {
+    /// The rays, and the largest of their lengths and of the coordinates of their ends.
     type Output = (ShadowPacket4, [f64; 4]);
 
     #[inline(always)]
@@ -53,33 +53,33 @@ impl SimdKernel for Aiming<'_> {
         let to_light = divide(offset, distance);
         let end = add(splat(self.point), scale(to_light, distance));
         let cosine = dot(splat(self.normal), to_light);
-        let ways = ShadowPacket4 {
+        let shadow_rays = ShadowPacket4 {
             to_light: to_arrays(to_light),
             distance: distance.to_array(),
             goes_out: F::bitmask(F::splat(0.0).lt(cosine)),
             ..ShadowPacket4::NOTHING
         };
-        (ways, max_abs(end).lane_max(distance).to_array())
+        (shadow_rays, max_abs(end).lane_max(distance).to_array())
     }
 }
 
-/// The indices of lamps that are to be asked about.
-type Wanted = SmallVec<[[u32; 2]; 16]>;
+/// The grid indices of lights to sample.
+type GridIndices = SmallVec<[[u32; 2]; 16]>;
 
-/// Fewer lamps than this are asked about one by one.
-const MANY: usize = 3;
+/// Fewer shadow rays than this are traced one by one.
+const MIN_PACKET_RAYS: usize = 3;
 
-impl<'a> Lamps<'a> {
+impl<'a> AreaLight<'a> {
     pub(in crate::render::shade) fn new(
-        number: u32,
+        light_index: u32,
         light: &'a Light,
         area: &'a Area,
         lit: &'a ShadingPoint<'a>,
         arriving: Rgb,
     ) -> Self {
         let arrival = light.arrival(lit.at.point);
-        Lamps {
-            number,
+        AreaLight {
+            light_index,
             light,
             area,
             axes: area.axes_for(arrival.to_light),
@@ -90,12 +90,12 @@ impl<'a> Lamps<'a> {
         }
     }
 
-    /// The number of a lamp.
+    /// The index of a grid light.
     fn index(&self, [u, v]: [u32; 2]) -> usize {
         u as usize + self.area.sizes[0] as usize * v as usize
     }
 
-    /// How the light of a lamp arrives that stands so far from the middle.
+    /// The direction and distance to the grid light with this offset from the centre.
     fn arrival(&self, offset: DVec3) -> Arrival {
         let centre = self.light.centre + offset;
         if self.light.is_parallel {
@@ -112,7 +112,7 @@ impl<'a> Lamps<'a> {
         }
     }
 
-    /// Where a lamp stands from the middle of the light. With jitter it is somewhere else each time it is asked.
+    /// The offset of a grid light from the centre. With jitter each call gives another one.
     fn offset(&self, u: u32, v: u32, scratch: &mut Scratch) -> DVec3 {
         let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
         if self.area.has_jitter {
@@ -124,20 +124,22 @@ impl<'a> Lamps<'a> {
 }
 
 impl Tracer<'_> {
-    /// What is left of light after the shadows of all lamps.
-    pub(in crate::render::shade) fn through_area(
+    /// The light that remains after the shadows of all grid lights.
+    pub(in crate::render::shade) fn shadowed_area_light(
         &self,
-        lamps: &mut Lamps,
+        area_light: &mut AreaLight,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let [columns, rows] = lamps.area.sizes;
+        let [columns, rows] = area_light.area.sizes;
         scratch.lamps.clear();
         scratch.lamps.resize(columns as usize * rows as usize, None);
-        lamps.hits = self.hits_for(lamps);
-        if lamps.hits.is_some() {
-            let first = lamps.area.first_lamps();
-            self.ask(lamps, first, scratch);
-            let mut known = first.iter().map(|&lamp| scratch.lamps[lamps.index(lamp)]);
+        area_light.hits = self.packet_for(area_light);
+        if area_light.hits.is_some() {
+            let first = area_light.area.first_lamps();
+            self.sample_grid(area_light, first, scratch);
+            let mut known = first
+                .iter()
+                .map(|&corner| scratch.lamps[area_light.index(corner)]);
             if let Some(Some(light)) = known.next()
                 && known.all(|other| other == Some(light))
                 && is_its_own_mean(light)
@@ -145,123 +147,149 @@ impl Tracer<'_> {
                 return light;
             }
         }
-        self.part_of_area(lamps, Part::all(lamps.area.sizes), 0, scratch)
+        self.shadowed_part(area_light, Part::all(area_light.area.sizes), 0, scratch)
     }
 
-    /// The point, four times, if its ways to several lamps can be asked about at once. With jitter lamps stand elsewhere
-    /// each time they are asked about, and media on the ways draw random numbers: both keep POV-Ray's order.
-    fn hits_for(&self, lamps: &Lamps) -> Option<HitPacket4> {
+    /// The shading point in all four lanes, if shadow rays can be traced as packets. Not with jitter, which moves grid
+    /// lights on every query, nor in media, which draw random numbers: both follow POV-Ray's order.
+    fn packet_for(&self, area_light: &AreaLight) -> Option<HitPacket4> {
         let lights = &self.world.lights;
-        let departure = lamps.lit.departure?;
-        let is_fit = !lamps.area.has_jitter
+        let spawn_surface = area_light.lit.spawn_surface?;
+        let is_fit = !area_light.area.has_jitter
             && !self.has_media
-            && !lamps.light.is_shadowless()
-            && !lights.is_projected(lamps.number)
+            && !area_light.light.is_shadowless()
+            && !lights.is_projected(area_light.light_index)
             && self.world.asks_from_points();
-        is_fit.then(|| HitPacket4::all_at(lamps.lit.at.point, departure))
+        is_fit.then(|| HitPacket4::all_at(area_light.lit.at.point, spawn_surface))
     }
 
-    /// Finds out at once what comes from some lamps.
-    fn ask(&self, lamps: &Lamps, wanted: &[[u32; 2]], scratch: &mut Scratch) {
-        let Some(hits) = &lamps.hits else {
+    /// Samples several grid lights, as shadow packets if they are enough.
+    fn sample_grid(&self, area_light: &AreaLight, requested: &[[u32; 2]], scratch: &mut Scratch) {
+        let Some(hits) = &area_light.hits else {
             return;
         };
-        if wanted.len() < MANY {
-            for &[u, v] in wanted {
-                scratch.lamps[lamps.index([u, v])] = None;
-                self.lamp(lamps, [u, v], scratch);
+        if requested.len() < MIN_PACKET_RAYS {
+            for &[u, v] in requested {
+                scratch.lamps[area_light.index([u, v])] = None;
+                self.sample_grid_light(area_light, [u, v], scratch);
             }
             return;
         }
-        let mut ways = std::mem::take(&mut scratch.to_lamps);
-        ways.clear();
-        if lamps.light.is_parallel {
-            let four = |four: &[[u32; 2]]| self.parallel_ways(lamps, four);
-            ways.extend(wanted.chunks(4).map(four));
+        let mut shadow_rays = std::mem::take(&mut scratch.to_lamps);
+        shadow_rays.clear();
+        if area_light.light.is_parallel {
+            let packet = |chunk: &[[u32; 2]]| self.parallel_shadow_packet(area_light, chunk);
+            shadow_rays.extend(requested.chunks(4).map(packet));
         } else {
             with_widest(
                 #[inline(always)]
                 |lanes| {
-                    for four in wanted.chunks(4) {
-                        ways.push(self.four_ways(lanes, lamps, four));
+                    for chunk in requested.chunks(4) {
+                        shadow_rays.push(self.grid_shadow_packet(lanes, area_light, chunk));
                     }
                 },
             );
         }
-        let to_lamps = (&mut ways[..], wanted.len());
-        self.world.ways_from(hits, to_lamps, scratch);
-        for (at, &lamp) in wanted.iter().enumerate() {
-            let (ways, lane) = (&ways[at / 4], at % 4);
-            let way = ShadowPath {
-                light: lamps.number,
-                query: ways.query(hits, lane),
-                distance: ways.distance[lane],
-                known: ways.way(lane),
-                inside: &lamps.lit.path.inside,
-                collects: lamps.lit.collects,
+        let rays_to_grid = (&mut shadow_rays[..], requested.len());
+        self.world.ways_from(hits, rays_to_grid, scratch);
+        for (at, &grid_index) in requested.iter().enumerate() {
+            let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
+            let shadow_path = ShadowPath {
+                light: area_light.light_index,
+                query: shadow_rays.query(hits, lane),
+                distance: shadow_rays.distance[lane],
+                known: shadow_rays.way(lane),
+                inside: &area_light.lit.path.inside,
+                collects: area_light.lit.collects,
             };
-            scratch.lamps[lamps.index(lamp)] =
-                Some(self.transmittance(lamps.arriving, &way, scratch));
+            scratch.lamps[area_light.index(grid_index)] =
+                Some(self.transmittance(area_light.arriving, &shadow_path, scratch));
         }
-        scratch.to_lamps = ways;
+        scratch.to_lamps = shadow_rays;
     }
 
-    /// The ways to up to four lamps that are near.
+    /// Shadow rays to up to four grid lights at a finite distance.
     #[inline(always)]
-    fn four_ways(&self, lanes: SimdLevel, lamps: &Lamps, wanted: &[[u32; 2]]) -> ShadowPacket4 {
+    fn grid_shadow_packet(
+        &self,
+        lanes: SimdLevel,
+        area_light: &AreaLight,
+        requested: &[[u32; 2]],
+    ) -> ShadowPacket4 {
         let mut offset = [[0.0; 4]; 3];
         for lane in 0..4 {
-            let [u, v] = wanted[lane.min(wanted.len() - 1)];
-            let lamp = lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v));
-            (offset[0][lane], offset[1][lane], offset[2][lane]) = lamp.into();
+            let [u, v] = requested[lane.min(requested.len() - 1)];
+            let from_centre = area_light
+                .area
+                .lamp(&area_light.axes, f64::from(u), f64::from(v));
+            (offset[0][lane], offset[1][lane], offset[2][lane]) = from_centre.into();
         }
-        let normal = lamps.lit.departure.map_or(DVec3::ZERO, |left| left.normal);
-        let aiming = Aiming {
-            centre: lamps.light.centre,
-            point: lamps.lit.at.point,
+        let normal = area_light
+            .lit
+            .spawn_surface
+            .map_or(DVec3::ZERO, |left| left.normal);
+        let aim = GridAim {
+            centre: area_light.light.centre,
+            point: area_light.lit.at.point,
             normal,
             offset: &offset,
         };
-        let (mut ways, size) = lanes.run(aiming);
-        ways.far = self.world.reach_of_four(&ways.distance, &size);
-        ways
+        let (mut shadow_rays, size) = lanes.run(aim);
+        shadow_rays.far = self.world.reach_of_four(&shadow_rays.distance, &size);
+        shadow_rays
     }
 
-    /// The ways to up to four lamps that are infinitely far.
-    fn parallel_ways(&self, lamps: &Lamps, wanted: &[[u32; 2]]) -> ShadowPacket4 {
-        let departure = lamps.lit.departure.copied();
-        let mut way = ShadowPacket4::NOTHING;
+    /// Shadow rays to up to four parallel grid lights.
+    fn parallel_shadow_packet(
+        &self,
+        area_light: &AreaLight,
+        requested: &[[u32; 2]],
+    ) -> ShadowPacket4 {
+        let spawn_surface = area_light.lit.spawn_surface.copied();
+        let mut packet = ShadowPacket4::NOTHING;
         for lane in 0..4 {
-            let [u, v] = wanted[lane.min(wanted.len() - 1)];
-            let arrival = lamps.arrival(lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
-            let ray = Ray::new(lamps.lit.at.point, arrival.to_light);
-            let query = shadow_query(self.world, departure, ray, arrival.distance);
-            way.aim(lane, arrival.to_light, arrival.distance, query.t_max);
-            let goes_out = departure.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
-            way.goes_out |= u32::from(goes_out) << lane;
+            let [u, v] = requested[lane.min(requested.len() - 1)];
+            let arrival = area_light.arrival(area_light.area.lamp(
+                &area_light.axes,
+                f64::from(u),
+                f64::from(v),
+            ));
+            let ray = Ray::new(area_light.lit.at.point, arrival.to_light);
+            let query = shadow_query(self.world, spawn_surface, ray, arrival.distance);
+            packet.aim(lane, arrival.to_light, arrival.distance, query.t_max);
+            let goes_out = spawn_surface.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
+            packet.goes_out |= u32::from(goes_out) << lane;
         }
-        way
+        packet
     }
 
-    fn part_of_area(&self, lamps: &Lamps, part: Part, level: u32, scratch: &mut Scratch) -> Rgb {
-        let corners = part.corners().map(|lamp| self.lamp(lamps, lamp, scratch));
+    fn shadowed_part(
+        &self,
+        area_light: &AreaLight,
+        part: Part,
+        level: u32,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let corners = part
+            .corners()
+            .map(|corner| self.sample_grid_light(area_light, corner, scratch));
         let [low_low, high_low, low_high, high_high] = corners;
         let is_divided = part.can_be_divided()
-            && (level < lamps.area.adaptive
+            && (level < area_light.area.adaptive
                 || differ(low_low, high_low)
                 || differ(high_low, high_high)
                 || differ(high_high, low_high)
                 || differ(low_high, low_low));
         let parts = if is_divided {
             let quarters = part.quarters();
-            if lamps.hits.is_some() && level >= lamps.area.adaptive {
-                let mut wanted = Wanted::new();
+            if area_light.hits.is_some() && level >= area_light.area.adaptive {
+                let mut requested = GridIndices::new();
                 for quarter in quarters {
-                    want(lamps, quarter, &mut wanted, scratch);
+                    request_corners(area_light, quarter, &mut requested, scratch);
                 }
-                self.ask(lamps, &wanted, scratch);
+                self.sample_grid(area_light, &requested, scratch);
             }
-            quarters.map(|quarter| self.part_of_area(lamps, quarter, level + 1, scratch))
+            quarters.map(|quarter| self.shadowed_part(area_light, quarter, level + 1, scratch))
         } else {
             corners
         };
@@ -269,54 +297,65 @@ impl Tracer<'_> {
         (a + b + c + d) * 0.25_f64
     }
 
-    /// What comes from one lamp, found out once for each point.
-    fn lamp(&self, lamps: &Lamps, lamp: [u32; 2], scratch: &mut Scratch) -> Rgb {
-        let index = lamps.index(lamp);
+    /// The light that remains from one grid light, traced once for each shading point.
+    fn sample_grid_light(
+        &self,
+        area_light: &AreaLight,
+        grid_index: [u32; 2],
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let index = area_light.index(grid_index);
         if let Some(known) = scratch.lamps[index] {
             return known;
         }
-        let arrival = lamps.arrival(lamps.offset(lamp[0], lamp[1], scratch));
-        let left = self.through_shadows(lamps.arriving, lamps.lit, lamps.number, &arrival, scratch);
+        let arrival = area_light.arrival(area_light.offset(grid_index[0], grid_index[1], scratch));
+        let left = self.shadowed_point_light(
+            area_light.arriving,
+            area_light.lit,
+            area_light.light_index,
+            &arrival,
+            scratch,
+        );
         scratch.lamps[index] = Some(left);
         left
     }
 
-    /// What the lamps give to a layer, each from where it is. The shadows are still those of all lamps together. With jitter
-    /// the lamps stand elsewhere than they did for the shadows.
-    pub(in crate::render::shade) fn light_up_by_lamps(
+    /// Light of a layer from each grid light at its own position (`area_illumination`). The shadow is still that of all
+    /// grid lights together. With jitter the lights are moved again after the shadow test.
+    pub(in crate::render::shade) fn illuminate_by_grid(
         &self,
-        mut lamps: Lamps,
-        coat: &LayerBsdf,
+        mut area_light: AreaLight,
+        bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if self.quality.has_shadows && !lamps.light.is_shadowless() {
-            lamps.arriving = self.through_area(&mut lamps, scratch);
+        if self.quality.has_shadows && !area_light.light.is_shadowless() {
+            area_light.arriving = self.shadowed_area_light(&mut area_light, scratch);
         }
-        // No lamp is placed then, which later random numbers show.
-        if is_nothing(lamps.arriving) {
+        // No offset is drawn in this case: later random numbers depend on that.
+        if is_negligible(area_light.arriving) {
             return Rgb::BLACK;
         }
-        let Lamps { light, lit, .. } = lamps;
-        let [columns, rows] = lamps.area.sizes;
-        let each = lamps.arriving * (1.0 / (f64::from(columns) * f64::from(rows)));
+        let AreaLight { light, lit, .. } = area_light;
+        let [columns, rows] = area_light.area.sizes;
+        let each = area_light.arriving * (1.0 / (f64::from(columns) * f64::from(rows)));
         let mut sum = Rgb::BLACK;
         for v in 0..rows {
             for u in 0..columns {
-                let lamp = light.lamp(lamps.offset(u, v, scratch));
-                let arrival = lamp.arrival(lit.at.point);
-                let left = each * lamp.share(lit.at.point, &arrival);
-                if is_nothing(left) {
+                let grid_light = light.lamp(area_light.offset(u, v, scratch));
+                let arrival = grid_light.arrival(lit.at.point);
+                let left = each * grid_light.share(lit.at.point, &arrival);
+                if is_negligible(left) {
                     continue;
                 }
                 let cosine = lit.at.normal.dot(arrival.to_light);
-                if let Some(side) = coat.side(cosine, lit.is_double_illuminated) {
-                    let shining = LightContribution {
+                if let Some(side) = bsdf.side(cosine, lit.is_double_illuminated) {
+                    let contribution = LightContribution {
                         to_light: arrival.to_light,
                         side,
                         arriving: left,
                         has_highlights: side.is_in_front && !light.is_shadowless(),
                     };
-                    sum += self.add_contribution(&shining, &lit.at, coat, scratch);
+                    sum += self.add_contribution(&contribution, &lit.at, bsdf, scratch);
                 }
             }
         }
@@ -324,23 +363,28 @@ impl Tracer<'_> {
     }
 }
 
-/// Adds the lamps at the corners of a part that are not wanted yet. They count as dark until they are asked about.
-fn want(lamps: &Lamps, part: Part, wanted: &mut Wanted, scratch: &mut Scratch) {
-    for lamp in part.corners() {
-        let known = &mut scratch.lamps[lamps.index(lamp)];
+/// Adds the corners of a part that are not sampled yet to the request. They count as dark until then.
+fn request_corners(
+    area_light: &AreaLight,
+    part: Part,
+    requested: &mut GridIndices,
+    scratch: &mut Scratch,
+) {
+    for corner in part.corners() {
+        let known = &mut scratch.lamps[area_light.index(corner)];
         if known.is_none() {
             *known = Some(Rgb::BLACK);
-            wanted.push(lamp);
+            requested.push(corner);
         }
     }
 }
 
-/// Whether the mean of four of it is the same to the bit: it is for numbers that neither overflow nor vanish, four times
-/// which a float holds, and three times which it holds within half a rounding of that.
+/// Tests if the mean of four equal values is bit-identical to the value. It is for numbers that neither overflow nor
+/// vanish: four times the value is exact, and three times the value is off by at most half a rounding.
 fn is_its_own_mean(light: Rgb) -> bool {
     (light + light + light + light) * 0.25_f64 == light
 }
 
 fn differ(a: Rgb, b: Rgb) -> bool {
-    (a.r - b.r).abs() + (a.g - b.g).abs() + (a.b - b.b).abs() > DIFFERENCE
+    (a.r - b.r).abs() + (a.g - b.g).abs() + (a.b - b.b).abs() > MAX_DIFFERENCE
 }

@@ -1,6 +1,6 @@
 //! Direct light at a shading point: diffuse light and highlights. Shadows are computed in [`super::transmittance`].
 
-use super::area::Lamps;
+use super::area::AreaLight;
 use super::block::BlockHits;
 use super::shadow_cache::ShadowCache;
 use super::transmittance::shadow_query;
@@ -17,24 +17,24 @@ use glam::DVec3;
 use std::f64::consts::FRAC_2_PI;
 
 /// Below this a colour counts as no light, and the cosine of light as grazing; POV-Ray's value.
-pub(in crate::render::shade) const NOTHING: f64 = 1e-10;
+pub(in crate::render::shade) const NEGLIGIBLE: f64 = 1e-10;
 /// From this `phong_size` on, small highlights are cut off.
 const SMALL_PHONG: f32 = 60.0;
 /// The cosine at which they are cut off.
 const PHONG_CUT: f64 = 0.0008;
 
-/// A point of a surface, as it is viewed.
+/// A surface point with its view direction.
 #[derive(Clone, Copy)]
 pub(in crate::render::shade) struct ViewPoint {
     pub(in crate::render::shade) point: DVec3,
-    /// The unit normal on the side of the viewer.
+    /// The unit normal on the viewer's side.
     pub(in crate::render::shade) normal: DVec3,
     /// The unit direction from the viewer.
     pub(in crate::render::shade) view: DVec3,
 }
 
 impl ViewPoint {
-    /// What a ray of this direction meets.
+    /// The point that a ray of this direction hits.
     #[inline]
     pub(in crate::render::shade) fn new(hit: &Hit, dir: DVec3) -> ViewPoint {
         ViewPoint {
@@ -45,38 +45,38 @@ impl ViewPoint {
     }
 }
 
-/// A point of a surface, as light finds it.
+/// A surface point to be lit.
 pub(in crate::render::shade) struct ShadingPoint<'p> {
     pub(in crate::render::shade) at: ViewPoint,
-    /// The root that rays from here leave; none in the middle of space.
-    pub(in crate::render::shade) departure: Option<&'p SpawnSurface>,
+    /// The surface that shadow rays leave; none in space.
+    pub(in crate::render::shade) spawn_surface: Option<&'p SpawnSurface>,
     pub(in crate::render::shade) path: &'p Path,
-    /// What is known of the lights.
+    /// The light samples that are known already.
     pub(in crate::render::shade) known: LightSamples<'p>,
-    /// What shadows have left for layers and textures drawn before, where there is more than one.
-    pub(in crate::render::shade) arrived: Option<&'p ShadowCache>,
+    /// The shadowed light cached by earlier layers and textures, if there are several.
+    pub(in crate::render::shade) shadow_cache: Option<&'p ShadowCache>,
     pub(in crate::render::shade) is_double_illuminated: bool,
-    /// The numbers of the lights that shine on it.
+    /// The lights that shine on it.
     pub(in crate::render::shade) lights: &'p [u32],
-    /// Whether photons stand for light that targets would let through to it.
+    /// Photons replace the light that their targets would transmit to it.
     pub(in crate::render::shade) collects: bool,
 }
 
-/// What is known of the light of a lamp at a point before the point is looked at.
+/// Light from one light source at a hit, before the material is known.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::render::shade) struct LightSample {
-    /// How it arrives.
+    /// Its direction and distance.
     pub(in crate::render::shade) arrival: Arrival,
-    /// The cosine between its direction and the normal on the side of the viewer.
+    /// The cosine between its direction and the normal on the viewer's side.
     pub(in crate::render::shade) cosine: f64,
-    /// The share of its light that arrives if nothing is in the way.
+    /// The share of its light that arrives if nothing occludes it.
     pub(in crate::render::shade) share: f64,
-    /// What is in the way, if that was asked.
-    pub(in crate::render::shade) way: Option<Occlusion>,
+    /// The occlusion of its shadow ray, if traced.
+    pub(in crate::render::shade) occlusion: Option<Occlusion>,
 }
 
 impl LightSample {
-    /// Nothing.
+    /// No light.
     pub(in crate::render::shade) const NOTHING: LightSample = LightSample {
         arrival: Arrival {
             to_light: DVec3::ZERO,
@@ -84,27 +84,27 @@ impl LightSample {
         },
         cosine: 0.0,
         share: 0.0,
-        way: None,
+        occlusion: None,
     };
 
-    /// What is known of one of four ways.
-    pub(in crate::render::shade) fn of(ways: &ShadowPacket4, lane: usize) -> LightSample {
-        let way = ways.way(lane);
-        if way.is_none() {
+    /// The sample of one lane.
+    pub(in crate::render::shade) fn of(shadow_rays: &ShadowPacket4, lane: usize) -> LightSample {
+        let occlusion = shadow_rays.way(lane);
+        if occlusion.is_none() {
             return LightSample::NOTHING;
         }
         LightSample {
             arrival: Arrival {
-                to_light: ways.to_light(lane),
-                distance: ways.distance[lane],
+                to_light: shadow_rays.to_light(lane),
+                distance: shadow_rays.distance[lane],
             },
-            cosine: ways.cosine[lane],
-            share: ways.share[lane],
-            way,
+            cosine: shadow_rays.cosine[lane],
+            share: shadow_rays.share[lane],
+            occlusion,
         }
     }
 
-    /// The question what is in the way.
+    /// The shadow ray.
     #[inline]
     pub(in crate::render::shade) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
         let ray = Ray::new(hit.point, self.arrival.to_light);
@@ -112,46 +112,51 @@ impl LightSample {
     }
 }
 
-/// What is known of the lights at a hit that was lit together with others.
+/// The light samples of a hit that was lit in a block.
 #[derive(Clone, Copy)]
 pub(in crate::render::shade) struct LightSamples<'a>(Option<(&'a BlockHits, usize)>);
 
 impl<'a> LightSamples<'a> {
-    /// Nothing.
+    /// No samples.
     pub(in crate::render::shade) const NONE: LightSamples<'static> = LightSamples(None);
 
-    /// What is known at a place of these.
-    pub(in crate::render::shade) fn at(all: &'a BlockHits, place: usize) -> Self {
-        LightSamples(all.knows_ways.then_some((all, place)))
+    /// The samples of a hit with this index.
+    pub(in crate::render::shade) fn at(all: &'a BlockHits, index: usize) -> Self {
+        LightSamples(all.has_occlusion.then_some((all, index)))
     }
 
-    /// What is known of the light of this number, if anything is known of any.
+    /// The sample of a light, if there are samples.
     #[inline]
     pub(in crate::render::shade) fn of(self, light: u32) -> Option<LightSample> {
-        let (all, place) = self.0?;
-        let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
-        Some(LightSample::of(ways, place % 4))
+        let (all, index) = self.0?;
+        let shadow_rays = all
+            .shadow_rays
+            .get(light as usize * all.hits.len() + index / 4)?;
+        Some(LightSample::of(shadow_rays, index % 4))
     }
 
-    /// What is in the way of the light of this number, if that is known.
+    /// The occlusion of a light, if known.
     #[inline]
-    pub(in crate::render::shade) fn way(self, light: u32) -> Option<Occlusion> {
-        let (all, place) = self.0?;
-        let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
-        ways.way(place % 4)
+    pub(in crate::render::shade) fn occlusion(self, light: u32) -> Option<Occlusion> {
+        let (all, index) = self.0?;
+        let shadow_rays = all
+            .shadow_rays
+            .get(light as usize * all.hits.len() + index / 4)?;
+        shadow_rays.way(index % 4)
     }
 
-    /// Whether something transparent is in the way of any light.
+    /// Reports if a transparent surface lies before any light.
     pub(in crate::render::shade) fn any_is_filtered(self) -> bool {
-        self.0.is_some_and(|(all, place)| {
-            let ways = all.ways.chunks(all.hits.len());
-            let mut ways = ways.map(|ways| ways[place / 4].way(place % 4));
-            ways.any(|way| way == Some(Occlusion::Transmissive))
+        self.0.is_some_and(|(all, index)| {
+            let shadow_rays = all.shadow_rays.chunks(all.hits.len());
+            let mut shadow_rays =
+                shadow_rays.map(|shadow_rays| shadow_rays[index / 4].way(index % 4));
+            shadow_rays.any(|occlusion| occlusion == Some(Occlusion::Transmissive))
         })
     }
 }
 
-/// The colour of a layer at a point.
+/// The reflective properties of a layer at a point.
 pub(in crate::render::shade) struct LayerBsdf<'f> {
     pub(in crate::render::shade) finish: &'f Finish,
     pub(in crate::render::shade) rgb: Rgb,
@@ -159,7 +164,7 @@ pub(in crate::render::shade) struct LayerBsdf<'f> {
     pub(in crate::render::shade) opacity: f64,
 }
 
-/// How a layer takes light from one direction.
+/// The side of a layer that receives light from one direction.
 #[derive(Clone, Copy)]
 pub(in crate::render::shade) struct Side {
     diffuse: f32,
@@ -168,26 +173,26 @@ pub(in crate::render::shade) struct Side {
     cosine: f64,
 }
 
-/// Light from one direction on its way into a layer.
+/// Light that arrives at a layer from one direction.
 #[derive(Clone, Copy)]
 pub(in crate::render::shade) struct LightContribution {
     /// The unit direction to the light.
     pub(in crate::render::shade) to_light: DVec3,
     pub(in crate::render::shade) side: Side,
-    /// What the shadows have left.
+    /// The light after shadows.
     pub(in crate::render::shade) arriving: Rgb,
     pub(in crate::render::shade) has_highlights: bool,
 }
 
 impl LayerBsdf<'_> {
-    /// The side on which light arrives at this cosine to the normal; `None` where the layer takes none from there.
+    /// The side lit by light at this cosine to the normal; `None` if the layer receives none from there.
     #[inline]
     pub(in crate::render::shade) fn side(
         &self,
         cosine: f64,
         is_double_illuminated: bool,
     ) -> Option<Side> {
-        let (diffuse, is_in_front) = if cosine >= NOTHING || is_double_illuminated {
+        let (diffuse, is_in_front) = if cosine >= NEGLIGIBLE || is_double_illuminated {
             (self.finish.diffuse, true)
         } else if self.finish.diffuse_back != 0.0 {
             (self.finish.diffuse_back, false)
@@ -203,25 +208,24 @@ impl LayerBsdf<'_> {
 }
 
 impl Tracer<'_> {
-    /// What all lights give to a layer.
+    /// Direct light of a layer from all lights.
     pub(in crate::render::shade) fn illuminate(
         &self,
         lit: &ShadingPoint,
-        coat: &LayerBsdf,
+        bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
         let mut sum = Rgb::BLACK;
-        if !coat.finish.takes_light() {
+        if !bsdf.finish.takes_light() {
             return sum;
         }
         for &light in lit.lights {
-            sum += self.light_up(light, lit, coat, scratch);
+            sum += self.light_from(light, lit, bsdf, scratch);
         }
         sum
     }
 
-    /// What is known of the light of a lamp at a hit, besides what is in the way; its share is nothing where the surface
-    /// takes none of it.
+    /// Samples a light at a hit without its occlusion. The share is zero if the surface receives none of it.
     #[inline]
     pub(in crate::render::shade) fn light_at(
         &self,
@@ -244,68 +248,72 @@ impl Tracer<'_> {
             arrival,
             cosine,
             share: light.share(hit.point, &arrival),
-            way: None,
+            occlusion: None,
         }
     }
 
-    /// What the light of this number gives to a layer.
-    fn light_up(
+    /// Direct light of a layer from one light.
+    fn light_from(
         &self,
         number: u32,
         lit: &ShadingPoint,
-        coat: &LayerBsdf,
+        bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
         let light = self.world.lights.get(number);
         let is_point = light.area.is_none() && !light.is_parallel;
         let known = lit.known.of(number);
-        let known = known.filter(|known| is_point && known.way.is_some());
+        let known = known.filter(|known| is_point && known.occlusion.is_some());
         let arrival = known.map_or_else(|| light.arrival(lit.at.point), |known| known.arrival);
         if let Some(area) = &light.area
             && area.is_full
             && self.samples_areas(lit.path)
         {
-            let lamps = Lamps::new(number, light, area, lit, light.color);
-            return self.light_up_by_lamps(lamps, coat, scratch);
+            let area_light = AreaLight::new(number, light, area, lit, light.color);
+            return self.illuminate_by_grid(area_light, bsdf, scratch);
         }
         let cosine = lit.at.normal.dot(arrival.to_light);
-        let Some(side) = coat.side(cosine, lit.is_double_illuminated) else {
+        let Some(side) = bsdf.side(cosine, lit.is_double_illuminated) else {
             return Rgb::BLACK;
         };
         let share = known.map_or_else(|| light.share(lit.at.point, &arrival), |known| known.share);
         let mut arriving = light.color * share;
-        if is_nothing(arriving) {
+        if is_negligible(arriving) {
             return Rgb::BLACK;
         }
         if self.quality.has_shadows {
-            let known = lit.arrived.and_then(|arrived| arrived.of(number));
+            let known = lit
+                .shadow_cache
+                .and_then(|shadow_cache| shadow_cache.of(number));
             arriving = known.unwrap_or_else(|| {
-                let left = self.after_shadows(arriving, number, lit, &arrival, scratch);
-                if let Some(arrived) = lit.arrived {
-                    arrived.keep(number, left);
+                let left = self.shadowed_light(arriving, number, lit, &arrival, scratch);
+                if let Some(shadow_cache) = lit.shadow_cache {
+                    shadow_cache.keep(number, left);
                 }
                 left
             });
-            if is_nothing(arriving) {
+            if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
         }
-        let shining = LightContribution {
+        let contribution = LightContribution {
             to_light: arrival.to_light,
             side,
             arriving,
-            has_highlights: side.is_in_front && !light.is_shadowless() && lit.path.gathered == 0,
+            has_highlights: side.is_in_front
+                && !light.is_shadowless()
+                && lit.path.irradiance_depth == 0,
         };
-        self.add_contribution(&shining, &lit.at, coat, scratch)
+        self.add_contribution(&contribution, &lit.at, bsdf, scratch)
     }
 
-    /// Whether area lights are more than a point to a ray.
+    /// Reports if area lights are sampled for a ray; otherwise they are points.
     fn samples_areas(&self, path: &Path) -> bool {
-        self.quality.has_area_lights && path.gathered == 0
+        self.quality.has_area_lights && path.irradiance_depth == 0
     }
 
-    /// What is left of light after all that stands between a point and the lamps of its source.
-    pub(in crate::render::shade) fn after_shadows(
+    /// The light that remains after shadows, for point and area lights.
+    pub(in crate::render::shade) fn shadowed_light(
         &self,
         arriving: Rgb,
         number: u32,
@@ -319,44 +327,44 @@ impl Tracer<'_> {
         }
         match &light.area {
             Some(area) if self.samples_areas(lit.path) => {
-                let mut lamps = Lamps::new(number, light, area, lit, arriving);
-                self.through_area(&mut lamps, scratch)
+                let mut area_light = AreaLight::new(number, light, area, lit, arriving);
+                self.shadowed_area_light(&mut area_light, scratch)
             }
-            _ => self.through_shadows(arriving, lit, number, arrival, scratch),
+            _ => self.shadowed_point_light(arriving, lit, number, arrival, scratch),
         }
     }
 
-    /// What light from one direction gives to a layer.
+    /// The light that a layer scatters of light from one direction.
     #[inline]
     pub(in crate::render::shade) fn add_contribution(
         &self,
-        shining: &LightContribution,
+        contribution: &LightContribution,
         at: &ViewPoint,
-        coat: &LayerBsdf,
+        bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let finish = coat.finish;
+        let finish = bsdf.finish;
         let LightContribution {
             to_light,
             side,
             arriving,
             has_highlights,
-        } = *shining;
+        } = *contribution;
         let cosine = side.cosine.abs();
         let mut sum = Rgb::BLACK;
         if side.diffuse != 0.0 {
             let mut strength = f64::from(side.diffuse)
-                * coat.opacity
+                * bsdf.opacity
                 * exact_power(cosine, f64::from(finish.brilliance));
             if finish.crand > 0.0 {
                 strength -= grain(scratch) * f64::from(finish.crand);
             }
-            sum += coat.rgb * arriving * strength;
+            sum += bsdf.rgb * arriving * strength;
         }
         if has_highlights {
             let strength = highlight(finish, at, to_light);
             if strength != 0.0 {
-                let shine = metallic(finish.metallic, coat.rgb, cosine);
+                let shine = metallic(finish.metallic, bsdf.rgb, cosine);
                 sum += arriving * shine * strength;
             }
         }
@@ -367,24 +375,24 @@ impl Tracer<'_> {
     }
 }
 
-/// The next number of `crand`, from 0 to 1.
+/// The next random number of `crand`, from 0 to 1.
 fn grain(scratch: &mut Scratch) -> f64 {
     scratch.crand = hash::next(scratch.crand);
     f64::from(scratch.crand) / f64::from(u32::MAX)
 }
 
-/// Bumps hardly ever let a surface face a light that is farther behind it.
+/// Lights farther behind a surface are hardly ever faced after bump mapping.
 pub(in crate::render::shade) const MOST_TILTED: f64 = -0.5;
 
-/// Whether light at this cosine to the normal can matter to a surface.
+/// Reports if light at this cosine to the normal can light a surface.
 #[inline]
 pub(in crate::render::shade) fn faces(surface: &Surface, cosine: f64) -> bool {
-    cosine >= NOTHING || surface.is_lit_from_behind()
+    cosine >= NEGLIGIBLE || surface.is_lit_from_behind()
 }
 
 #[inline]
-pub(in crate::render::shade) fn is_nothing(light: Rgb) -> bool {
-    let is_small = |c: f32| f64::from(c).abs() < NOTHING;
+pub(in crate::render::shade) fn is_negligible(light: Rgb) -> bool {
+    let is_small = |c: f32| f64::from(c).abs() < NEGLIGIBLE;
     is_small(light.r) && is_small(light.g) && is_small(light.b)
 }
 
@@ -394,7 +402,7 @@ pub(in crate::render::shade) fn highlight(finish: &Finish, at: &ViewPoint, to_li
     phong(finish, at, to_light) + specular(finish, at, to_light)
 }
 
-/// Phong's highlight: the cosine between mirrored view and light.
+/// Phong's highlight: the cosine between the reflected view direction and the light.
 #[inline]
 fn phong(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     if finish.phong == 0.0 {
@@ -409,14 +417,14 @@ fn phong(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     }
 }
 
-/// Blinn's highlight: the cosine between the normal and the half-way vector.
+/// Blinn's highlight: the cosine between the normal and the half vector.
 #[inline]
 fn specular(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     if finish.specular == 0.0 {
         return 0.0;
     }
-    let half_way = 0.5 * (to_light - at.view);
-    let cosine = half_way.dot(at.normal) / half_way.length();
+    let half_vector = 0.5 * (to_light - at.view);
+    let cosine = half_vector.dot(at.normal) / half_vector.length();
     if cosine > 0.0 {
         f64::from(finish.specular) * exact_power(cosine, f64::from(finish.shininess))
     } else {
@@ -429,8 +437,8 @@ pub(in crate::render::shade) fn mirrored(dir: DVec3, normal: DVec3) -> DVec3 {
     dir - 2.0 * dir.dot(normal) * normal
 }
 
-/// The tint that a `metallic` of strength `m` gives to light that arrives at an angle of this cosine: less of the
-/// pigment's colour the more grazing.
+/// The tint that a `metallic` of strength `m` gives to light at an angle of this cosine: less of the pigment's colour
+/// the more grazing.
 pub(in crate::render::shade) fn metallic(m: f32, pigment: Rgb, cosine: f64) -> Rgb {
     if m == 0.0 {
         return Rgb::WHITE;

@@ -1,30 +1,30 @@
-//! The fast path of shading: one opaque layer without reflection, lit by point lights. Most pixels of most pictures are
-//! that.
+//! The fast path of shading: one opaque layer without reflection, lit by point lights. Most pixels of most pictures
+//! need no more.
 //!
 //! It is the general path ([`Tracer::trace`]) without the terms that are zero here: the sums are the same, in the same
 //! order. Where a shadow ray passes something transparent, both call the same transmittance.
 
 use super::light::{
-    LayerBsdf, LightContribution, LightSample, LightSamples, ViewPoint, is_nothing,
+    LayerBsdf, LightContribution, LightSample, LightSamples, ViewPoint, is_negligible,
 };
 use crate::base::color::Rgb;
-use crate::render::shade::surface::spot;
+use crate::render::shade::surface::surface_point;
 use crate::render::shade::{Quality, Sample, Tracer};
 use crate::world::{Hit, Occlusion, Scratch, Surface, World};
 use glam::DVec3;
 
-/// Light of a lamp that arrives.
+/// Unoccluded light from one light source.
 struct DirectLight {
     number: u32,
     to_light: DVec3,
-    /// The cosine between its direction and the normal on the side of the viewer.
+    /// The cosine between its direction and the normal on the viewer's side.
     cosine: f64,
     /// The share of the light that arrives.
     share: f64,
 }
 
-/// Whether plain surfaces of a world may be coloured the short way.
-pub(in crate::render::shade) fn suits(world: &World, quality: Quality) -> bool {
+/// Reports if plain surfaces of a world may be shaded by the fast path.
+pub(in crate::render::shade) fn supports(world: &World, quality: Quality) -> bool {
     let globals = &world.globals;
     let is_simple = |number: u32| {
         let light = world.lights.get(number);
@@ -35,47 +35,47 @@ pub(in crate::render::shade) fn suits(world: &World, quality: Quality) -> bool {
     quality == Quality::FULL
         && globals.max_trace_level > 0
         && (0.0..=1.0).contains(&globals.adc_bailout)
-        && (world.has_clear_air() || dims_rays_alone(world))
+        && (world.has_clear_air() || air_affects_rays_only(world))
         && lights.all(is_simple)
 }
 
-/// Whether fog and rainbows change what rays see and not what light arrives, and take no random numbers.
-fn dims_rays_alone(world: &World) -> bool {
+/// Reports if fog and rainbows attenuate camera and secondary rays but no shadow rays, and draw no random numbers.
+fn air_affects_rays_only(world: &World) -> bool {
     let mut lights = world.lights.iter();
     !world.uses_random() && !lights.any(|light| light.media_attenuation)
 }
 
 impl Tracer<'_> {
-    /// What light that nothing stops gives to a layer.
+    /// Direct light of a layer from an unoccluded light source.
     #[inline(always)]
     fn plain_light(
         &self,
         lit: &DirectLight,
         surface: &Surface,
         at: &ViewPoint,
-        coat: &LayerBsdf,
+        bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let Some(side) = coat.side(lit.cosine, surface.is_double_illuminated()) else {
+        let Some(side) = bsdf.side(lit.cosine, surface.is_double_illuminated()) else {
             return Rgb::BLACK;
         };
         let arriving = self.world.lights.get(lit.number).color * lit.share;
-        if is_nothing(arriving) {
+        if is_negligible(arriving) {
             return Rgb::BLACK;
         }
-        let shining = LightContribution {
+        let contribution = LightContribution {
             to_light: lit.to_light,
             side,
             arriving,
             has_highlights: side.is_in_front,
         };
-        self.add_contribution(&shining, at, coat, scratch)
+        self.add_contribution(&contribution, at, bsdf, scratch)
     }
 
-    /// What a ray in this direction sees at a hit, if that is plain. Of each light either what can be known is known, or
-    /// nothing is.
+    /// Shades a hit seen in this direction, if it is plain. The light samples are complete for every light, or there
+    /// are none.
     #[inline]
-    pub(in crate::render::shade) fn plain(
+    pub(in crate::render::shade) fn shade_plain(
         &self,
         hit: &Hit,
         dir: DVec3,
@@ -83,18 +83,18 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Option<Sample> {
         let surface = &self.world.surfaces[hit.surface as usize];
-        if !self.takes_plain || !surface.is_plain() || known.any_is_filtered() {
+        if !self.uses_fast_path || !surface.is_plain() || known.any_is_filtered() {
             return None;
         }
         let layer = surface.texture.layers().first()?;
-        let color = layer.pigment.color(&spot(hit, dir));
-        let (own, coat) = self.coat(layer, color);
+        let color = layer.pigment.color(&surface_point(hit, dir));
+        let (own, bsdf) = self.layer_bsdf(layer, color);
         let at = ViewPoint::new(hit, dir);
         let mut sum = Rgb::BLACK;
         for &number in self.world.lights.of(surface.lights) {
             let known = known.of(number);
-            let known = known.unwrap_or_else(|| self.find_out(number, hit, &at, scratch));
-            match known.way {
+            let known = known.unwrap_or_else(|| self.sample_light(number, hit, &at, scratch));
+            match known.occlusion {
                 Some(Occlusion::Clear) => {}
                 Some(Occlusion::Transmissive) => return None,
                 Some(Occlusion::Opaque) | None => continue,
@@ -105,7 +105,7 @@ impl Tracer<'_> {
                 cosine: known.cosine,
                 share: known.share,
             };
-            sum += self.plain_light(&lit, surface, &at, &coat, scratch);
+            sum += self.plain_light(&lit, surface, &at, &bsdf, scratch);
         }
         Some(Sample {
             rgb: Rgb::BLACK + (own + sum),
@@ -113,8 +113,8 @@ impl Tracer<'_> {
         })
     }
 
-    /// What can be known of a light at a point.
-    fn find_out(
+    /// Samples a light at a point, with its occlusion.
+    fn sample_light(
         &self,
         number: u32,
         hit: &Hit,
@@ -124,7 +124,7 @@ impl Tracer<'_> {
         let mut known = self.light_at(number, hit, at.normal);
         if known.share != 0.0 {
             let query = known.shadow_query(self.world, hit);
-            known.way = Some(self.world.way(&query, number, scratch));
+            known.occlusion = Some(self.world.way(&query, number, scratch));
         }
         known
     }

@@ -1,9 +1,8 @@
-//! The fast path of shading ([`super::opaque`]) for four shading points of a block at once, and for the own light of surfaces
-//! that reflect or refract ([`crate::render::shade::wavefront`]). A point that needs more than diffuse light and highlights is left to the
-//! scalar path.
+//! The fast path of shading ([`super::opaque`]) for packets of four hits, and the own light of surfaces that reflect or
+//! refract ([`crate::render::shade::wavefront`]). Lanes that need more than diffuse light and highlights are left to the scalar path.
 
 use super::block::BlockHits;
-use super::light::{NOTHING, ViewPoint, highlight, is_nothing, metallic};
+use super::light::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
 use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
@@ -16,45 +15,51 @@ use crate::scene::texture::{Finish, PreparedPigment};
 use crate::world::{HitPacket4, InteriorId, LightList, RayKind, Scratch, ShadowPacket4};
 use glam::{DVec2, DVec3};
 
-/// A number for each of four places, far enough from the next four that the two are not read as one: what was just written
-/// in two pieces is slow to read in one. For the same reason all that is told of four places stays where it is.
+/// One value per lane. Aligned, so that a packet is not read together with the next one: a read that spans two fresh
+/// writes stalls on store forwarding. For the same reason the results of a packet stay in place.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 struct LaneValues([f32; 4]);
 
-/// The colours of four places, channel by channel.
+/// The colours of four lanes, channel by channel.
 type RgbPacket = [LaneValues; 3];
 
-/// What is seen at four places.
+/// Radiance of four rays.
 pub(in crate::render::shade) struct RadiancePacket4<'w> {
     rgb: RgbPacket,
     transmit: [f32; 4],
-    /// At which of them it is known, one bit each.
+    /// Mask of the lanes whose sample is complete.
     known: u32,
-    /// At which of them it is known of the surface itself, which shows others.
-    half_known: u32,
-    coats: MaterialPacket4<'w>,
+    /// Mask of the lanes with only the surface's own light: secondary rays are still to be traced.
+    has_own_light: u32,
+    materials: MaterialPacket4<'w>,
 }
 
-/// What is seen of a surface that shows others.
+/// A surface with secondary rays.
 pub(in crate::render::shade) struct SecondarySurface<'w> {
     /// Its own light.
     pub(in crate::render::shade) own: Rgb,
     pub(in crate::render::shade) finish: &'w Finish,
     pub(in crate::render::shade) pigment: Rgb,
-    /// The share of light that it lets through.
-    pub(in crate::render::shade) through: Rgb,
+    /// The transmittance of its layer.
+    pub(in crate::render::shade) transmittance: Rgb,
 }
 
-/// Rays that see what is met at four places.
+/// The buffers of a thread for shading.
+pub(in crate::render::shade) struct ShadeBuffers<'a> {
+    pub(in crate::render::shade) scratch: &'a mut Scratch,
+    pub(in crate::render::shade) cache: &'a mut ShadeCache,
+}
+
+/// The rays that hit a packet of surfaces.
 pub(in crate::render::shade) trait RaySource {
-    /// Who looks in this lane.
-    fn seen(&self, lane: usize) -> RayKind;
-    /// Who looks in all lanes, if that is the same.
-    fn all_seen(&self) -> Option<RayKind>;
-    /// The interiors that the ray in this lane is in.
+    /// The kind of the ray in this lane.
+    fn kind(&self, lane: usize) -> RayKind;
+    /// The common kind of all rays, if there is one.
+    fn common_kind(&self) -> Option<RayKind>;
+    /// The interiors around the ray in this lane.
     fn inside(&self, lane: usize) -> &[InteriorId];
-    /// The ray in this lane, which goes in this direction.
+    /// The path of the ray in this lane, in this direction.
     fn path(&self, lane: usize, dir: DVec3) -> Path;
 }
 
@@ -63,31 +68,31 @@ impl<'w> RadiancePacket4<'w> {
         rgb: BLACK,
         transmit: [0.0; 4],
         known: 0,
-        half_known: 0,
-        coats: MaterialPacket4::NOTHING,
+        has_own_light: 0,
+        materials: MaterialPacket4::NOTHING,
     };
 
-    /// Takes note of the same at all of these.
+    /// Sets all of these lanes to the same sample.
     #[inline(always)]
-    fn see(&mut self, Sample { rgb, transmit }: Sample, known: u32) {
+    fn set_all(&mut self, Sample { rgb, transmit }: Sample, known: u32) {
         self.rgb = all_of(rgb);
         self.transmit = [transmit; 4];
         self.known = known;
     }
 
-    /// What is seen at one of them, if that is known.
+    /// The sample of a lane, if it is complete.
     #[inline(always)]
     pub(in crate::render::shade) fn sample(&self, lane: usize) -> Option<Sample> {
         (self.known >> lane & 1 == 1).then(|| self.known(lane))
     }
 
-    /// Whether it is known what is seen at so many of them from the first on.
+    /// Reports if the first `count` lanes are complete.
     #[inline(always)]
     pub(in crate::render::shade) fn is_known(&self, count: usize) -> bool {
         self.known == (1 << count) - 1
     }
 
-    /// What is seen at one of them where that is known.
+    /// The sample of a lane that is complete.
     #[inline(always)]
     pub(in crate::render::shade) fn known(&self, lane: usize) -> Sample {
         Sample {
@@ -96,35 +101,35 @@ impl<'w> RadiancePacket4<'w> {
         }
     }
 
-    /// What is seen of a surface itself at one of them, if that shows others and is known.
+    /// The surface of a lane that has secondary rays.
     #[inline(always)]
-    pub(in crate::render::shade) fn showing(&self, lane: usize) -> Option<SecondarySurface<'w>> {
-        let coats = &self.coats;
-        let finish = coats.finishes[lane].filter(|_| self.half_known >> lane & 1 == 1)?;
+    pub(in crate::render::shade) fn secondary(&self, lane: usize) -> Option<SecondarySurface<'w>> {
+        let materials = &self.materials;
+        let finish = materials.finishes[lane].filter(|_| self.has_own_light >> lane & 1 == 1)?;
         Some(SecondarySurface {
             own: one_of(&self.rgb, lane),
             finish,
-            pigment: one_of(&coats.rgb, lane),
-            through: coats.through[lane],
+            pigment: one_of(&materials.rgb, lane),
+            transmittance: materials.transmittance[lane],
         })
     }
 }
 
 /// The outermost layers at four hits.
 struct MaterialPacket4<'w> {
-    /// What they shine of themselves.
+    /// Their ambient light and emission.
     own: RgbPacket,
     rgb: RgbPacket,
-    /// How much of white light from straight above they scatter.
+    /// The share of white light at normal incidence that is scattered diffusely.
     diffuse: [f64; 4],
     finishes: [Option<&'w Finish>; 4],
-    /// Which of them have highlights, and which a `brilliance`, one bit each.
+    /// Lanes with highlights, and lanes with a `brilliance`.
     shiny: u32,
     brilliant: u32,
-    /// Which of them show others, and the shares of light that these let through.
-    showing: u32,
-    through: [Rgb; 4],
-    /// The lights that shine on all of them.
+    /// Lanes with secondary rays, and their transmittance.
+    secondary: u32,
+    transmittance: [Rgb; 4],
+    /// The lights of all lanes.
     lights: LightList,
 }
 
@@ -136,40 +141,40 @@ impl MaterialPacket4<'_> {
         finishes: [None; 4],
         shiny: 0,
         brilliant: 0,
-        showing: 0,
-        through: [Rgb::BLACK; 4],
+        secondary: 0,
+        transmittance: [Rgb::BLACK; 4],
         lights: LightList::OUTSIDE,
     };
 }
 
 impl<'w> MaterialPacket4<'w> {
-    /// Takes in the coat of one hit.
+    /// Sets the material of one lane.
     #[inline(always)]
-    fn put(&mut self, lane: usize, coat: &PlainMaterial, finish: Option<&'w Finish>) {
-        put(&mut self.own, lane, coat.own);
-        put(&mut self.rgb, lane, coat.rgb);
-        self.diffuse[lane] = coat.diffuse;
+    fn put(&mut self, lane: usize, material: &PlainMaterial, finish: Option<&'w Finish>) {
+        put(&mut self.own, lane, material.own);
+        put(&mut self.rgb, lane, material.rgb);
+        self.diffuse[lane] = material.diffuse;
         self.finishes[lane] = finish;
-        self.shiny |= u32::from(coat.is_shiny) << lane;
-        self.brilliant |= u32::from(coat.is_brilliant) << lane;
-        if coat.shows_more {
-            self.showing |= 1 << lane;
-            self.through[lane] = coat.through;
+        self.shiny |= u32::from(material.is_shiny) << lane;
+        self.brilliant |= u32::from(material.is_brilliant) << lane;
+        if material.has_secondary {
+            self.secondary |= 1 << lane;
+            self.transmittance[lane] = material.transmittance;
         }
     }
 
-    /// Takes in the coat that all four hits have.
+    /// Sets the material of all lanes.
     #[inline(always)]
-    fn put_all(&mut self, coat: &PlainMaterial, finish: Option<&'w Finish>) {
-        self.own = all_of(coat.own);
-        self.rgb = all_of(coat.rgb);
-        self.diffuse = [coat.diffuse; 4];
+    fn put_all(&mut self, material: &PlainMaterial, finish: Option<&'w Finish>) {
+        self.own = all_of(material.own);
+        self.rgb = all_of(material.rgb);
+        self.diffuse = [material.diffuse; 4];
         self.finishes = [finish; 4];
-        self.shiny = if coat.is_shiny { 0b1111 } else { 0 };
-        self.brilliant = if coat.is_brilliant { 0b1111 } else { 0 };
-        if coat.shows_more {
-            self.showing = 0b1111;
-            self.through = [coat.through; 4];
+        self.shiny = if material.is_shiny { 0b1111 } else { 0 };
+        self.brilliant = if material.is_brilliant { 0b1111 } else { 0 };
+        if material.has_secondary {
+            self.secondary = 0b1111;
+            self.transmittance = [material.transmittance; 4];
         }
     }
 }
@@ -197,7 +202,7 @@ fn put(to: &mut RgbPacket, lane: usize, rgb: Rgb) {
     }
 }
 
-/// Calls `visit` with the number of each bit that is set.
+/// Calls `visit` with the index of each set bit.
 #[inline(always)]
 fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
     while bits != 0 {
@@ -207,80 +212,82 @@ fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl<'w> Tracer<'w> {
-    /// What rays see at the first `count` of these four places of a block, where that is plain, put into `seen`.
+    /// Shades the first `count` hits of a packet of a block into `seen`, in lanes with plain materials.
     #[inline(always)]
     pub(in crate::render::shade) fn shade_packet4(
         &self,
         rays: &(impl RaySource + ?Sized),
-        (four, count): (usize, usize),
+        packet: usize,
+        count: usize,
         all: &BlockHits,
-        (scratch, kept): (&mut Scratch, &mut ShadeCache),
+        buffers: ShadeBuffers,
         seen: &mut RadiancePacket4<'w>,
     ) {
-        (seen.known, seen.half_known) = (0, 0);
-        if !self.takes_plain || self.stop.is_asked() {
+        let ShadeBuffers { scratch, cache } = buffers;
+        (seen.known, seen.has_own_light) = (0, 0);
+        if !self.uses_fast_path || self.stop.is_asked() {
             return;
         }
-        let hits = &all.hits[four];
-        let there = 0b1111 >> (4 - (count - 4 * four).min(4));
-        let meets_nothing = there & hits.met == 0;
-        if meets_nothing
+        let hits = &all.hits[packet];
+        let there = 0b1111 >> (4 - (count - 4 * packet).min(4));
+        let has_no_hit = there & hits.met == 0;
+        if has_no_hit
             && self.world.sky.is_none()
             && !self.has_air()
-            && let Some(who) = rays.all_seen()
+            && let Some(kind) = rays.common_kind()
         {
-            seen.see(self.background_of(who).seen, there);
+            seen.set_all(self.background_of(kind).seen, there);
             return;
         }
         seen.transmit = [0.0; 4];
         each_lane(there & !hits.met, |lane| {
-            let behind = self.background_radiance(hits.dir(lane), rays.seen(lane));
+            let behind = self.background_radiance(hits.dir(lane), rays.kind(lane));
             put(&mut seen.rgb, lane, behind.rgb);
             seen.transmit[lane] = behind.transmit;
             seen.known |= 1 << lane;
         });
-        if meets_nothing {
+        if has_no_hit {
             self.attenuate(rays, hits, scratch, seen);
             return;
         }
-        let mut lit = self.materials(hits, there & hits.met, kept, &mut seen.coats);
-        let coats = &seen.coats;
+        let mut lit = self.materials(hits, there & hits.met, cache, &mut seen.materials);
+        let materials = &seen.materials;
         let mut sum = BLACK;
         let mut arriving = ArrivingLight { rgb: BLACK, lit: 0 };
-        for &number in self.world.lights.of(coats.lights) {
-            let ways = &all.ways[number as usize * all.hits.len() + four];
-            let arrives = ways.asked & !ways.blocked;
-            if self.minds_backs {
+        for &number in self.world.lights.of(materials.lights) {
+            let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + packet];
+            let arrives = shadow_rays.asked & !shadow_rays.blocked;
+            if self.needs_backface_light {
                 each_lane(arrives, |lane| {
-                    if ways.cosine[lane] < NOTHING {
+                    if shadow_rays.cosine[lane] < NEGLIGIBLE {
                         lit &= !(1 << lane);
                     }
                 });
             }
             let light = self.world.lights.get(number);
-            let filtered = arrives & ways.filtered & lit;
-            let free = arrives & !ways.filtered & lit;
+            let filtered = arrives & shadow_rays.filtered & lit;
+            let free = arrives & !shadow_rays.filtered & lit;
             if free | filtered == 0 {
                 continue;
             }
-            arriving.come(light, ways, free);
+            arriving.set_unoccluded(light, shadow_rays, free);
             each_lane(filtered, |lane| {
-                let of = (all, 4 * four + lane);
-                let left = self.filtered(number, of, rays.inside(lane), scratch);
-                arriving.take(lane, left);
+                let index = 4 * packet + lane;
+                let left = self.transmitted_light(number, all, index, rays.inside(lane), scratch);
+                arriving.set_lane(lane, left);
             });
-            add_light(&arriving, ways, hits, coats, &mut sum);
+            add_light(&arriving, shadow_rays, hits, materials, &mut sum);
         }
         each_lane(lit, |lane| {
-            let rgb = Rgb::BLACK + (one_of(&coats.own, lane) + one_of(&sum, lane));
+            let rgb = Rgb::BLACK + (one_of(&materials.own, lane) + one_of(&sum, lane));
             put(&mut seen.rgb, lane, rgb);
         });
-        seen.known |= lit & !coats.showing;
-        seen.half_known = lit & coats.showing;
+        seen.known |= lit & !materials.secondary;
+        seen.has_own_light = lit & materials.secondary;
         self.attenuate(rays, hits, scratch, seen);
     }
 
-    /// Takes the air between into account where it is known what is seen.
+    /// Applies the air along the rays to the lanes that are complete.
     #[inline(always)]
     fn attenuate(
         &self,
@@ -294,13 +301,13 @@ impl<'w> Tracer<'w> {
         }
         each_lane(seen.known, |lane| {
             let air = self.air_before(hits, lane, || rays.path(lane, hits.dir(lane)), scratch);
-            let Sample { rgb, transmit } = seen.known(lane).through(air);
+            let Sample { rgb, transmit } = seen.known(lane).behind_air(air);
             put(&mut seen.rgb, lane, rgb);
             seen.transmit[lane] = transmit;
         });
     }
 
-    /// What the air does to light on its way from one of four hits, or from where nothing is met.
+    /// The effect of the air along the ray of a lane.
     #[inline]
     pub(in crate::render::shade) fn air_before(
         &self,
@@ -322,67 +329,71 @@ impl<'w> Tracer<'w> {
         self.air(&path(), end, scratch)
     }
 
-    /// What is left of the light of this number at a place behind all that filters it on its way.
+    /// The light from this light source that arrives at a hit through transparent surfaces.
     #[inline(never)]
-    fn filtered(
+    fn transmitted_light(
         &self,
         number: u32,
-        (all, place): (&BlockHits, usize),
+        all: &BlockHits,
+        index: usize,
         inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
-        let (hits, lane) = (&all.hits[place / 4], place % 4);
-        let ways = &all.ways[number as usize * all.hits.len() + place / 4];
-        let arriving = self.world.lights.get(number).color * ways.share[lane];
-        if is_nothing(arriving) {
+        let (hits, lane) = (&all.hits[index / 4], index % 4);
+        let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + index / 4];
+        let arriving = self.world.lights.get(number).color * shadow_rays.share[lane];
+        if is_negligible(arriving) {
             return Rgb::BLACK;
         }
-        let way = ShadowPath {
+        let shadow_path = ShadowPath {
             light: number,
-            query: ways.query(hits, lane),
-            distance: ways.distance[lane],
-            known: if all.knows_ways { ways.way(lane) } else { None },
+            query: shadow_rays.query(hits, lane),
+            distance: shadow_rays.distance[lane],
+            known: if all.has_occlusion {
+                shadow_rays.way(lane)
+            } else {
+                None
+            },
             inside,
             collects: false,
         };
-        self.transmittance(arriving, &way, scratch)
+        self.transmittance(arriving, &shadow_path, scratch)
     }
 
-    /// Puts the layers at these of four hits into `coats`. Gives those of them at which diffuse light and highlights are all
-    /// that there is, one bit each.
+    /// Looks up the materials of these lanes. Returns the lanes with only diffuse light, highlights and secondary rays.
     #[inline(always)]
     fn materials(
         &self,
         hits: &HitPacket4,
-        asked: u32,
-        kept: &mut ShadeCache,
-        coats: &mut MaterialPacket4<'w>,
+        active: u32,
+        shade_cache: &mut ShadeCache,
+        materials: &mut MaterialPacket4<'w>,
     ) -> u32 {
-        let first = hits.surface[asked.trailing_zeros() as usize % 4];
-        coats.lights = self.world.surfaces[first as usize].lights;
-        (coats.shiny, coats.brilliant, coats.showing) = (0, 0, 0);
-        if asked == 0b1111
+        let first = hits.surface[active.trailing_zeros() as usize % 4];
+        materials.lights = self.world.surfaces[first as usize].lights;
+        (materials.shiny, materials.brilliant, materials.secondary) = (0, 0, 0);
+        if active == 0b1111
             && hits.surface == [first; 4]
-            && let Some(coat) = kept.known(first)
+            && let Some(material) = shade_cache.known(first)
         {
-            coats.put_all(coat, self.finish_of(first, coat));
-            return asked;
+            materials.put_all(material, self.finish_of(first, material));
+            return active;
         }
         let mut plain = 0;
         each_lane(
-            asked,
+            active,
             #[inline(always)]
             |lane| {
                 let number = hits.surface[lane];
-                let coat = kept.of(
+                let material = shade_cache.of(
                     number,
                     #[inline(always)]
-                    || self.material_at(hits, lane),
+                    || self.evaluate_material(hits, lane),
                 );
-                if let Some(coat) = coat
-                    && coat.lights == coats.lights
+                if let Some(material) = material
+                    && material.lights == materials.lights
                 {
-                    coats.put(lane, coat, self.finish_of(number, coat));
+                    materials.put(lane, material, self.finish_of(number, material));
                     plain |= 1 << lane;
                 }
             },
@@ -390,22 +401,22 @@ impl<'w> Tracer<'w> {
         plain
     }
 
-    /// The finish of a surface, where it matters besides what the coat tells.
+    /// The finish of a surface, if it holds more than the material does.
     #[inline(always)]
-    fn finish_of(&self, surface: u32, coat: &PlainMaterial) -> Option<&'w Finish> {
-        if !coat.is_shiny && !coat.is_brilliant && !coat.shows_more {
+    fn finish_of(&self, surface: u32, material: &PlainMaterial) -> Option<&'w Finish> {
+        if !material.is_shiny && !material.is_brilliant && !material.has_secondary {
             return None;
         }
         let layers = self.world.surfaces[surface as usize].texture.layers();
         layers.first().map(|layer| &*layer.finish)
     }
 
-    /// The layer at one of four hits, if it is plain, and whether it is so everywhere on its surface.
+    /// The material at a hit if it is plain, and whether it is constant over its surface.
     #[inline(never)]
-    fn material_at(&self, hits: &HitPacket4, lane: usize) -> (Option<PlainMaterial>, bool) {
+    fn evaluate_material(&self, hits: &HitPacket4, lane: usize) -> (Option<PlainMaterial>, bool) {
         let surface = &self.world.surfaces[hits.surface[lane] as usize];
         let mut has_one_color = false;
-        let coat = self.plain_coat(surface, |pigment| {
+        let material = self.plain_material(surface, |pigment| {
             has_one_color = matches!(pigment, PreparedPigment::Plain(_));
             pigment.color(&SurfacePoint {
                 point: hits.point(lane),
@@ -414,37 +425,39 @@ impl<'w> Tracer<'w> {
                 uv: DVec2::ZERO,
             })
         });
-        (coat, has_one_color)
+        (material, has_one_color)
     }
 }
 
-/// The light of one lamp that arrives at four hits.
+/// Light from one light source that arrives at four hits.
 struct ArrivingLight {
     rgb: RgbPacket,
-    /// At which of them any arrives, one bit each.
+    /// Mask of the lanes with any light.
     lit: u32,
 }
 
 impl ArrivingLight {
-    /// Becomes the light of a lamp, of which nothing is stopped on its way to these hits.
+    /// Sets the light in unoccluded lanes.
     #[inline(always)]
-    fn come(&mut self, light: &Light, ways: &ShadowPacket4, free: u32) {
+    fn set_unoccluded(&mut self, light: &Light, shadow_rays: &ShadowPacket4, free: u32) {
         self.rgb = all_of(light.color);
-        self.lit = if is_nothing(light.color) { 0 } else { free };
+        self.lit = if is_negligible(light.color) { 0 } else { free };
         if !light.has_even_share() {
-            each_lane(free, |lane| self.take(lane, light.color * ways.share[lane]));
+            each_lane(free, |lane| {
+                self.set_lane(lane, light.color * shadow_rays.share[lane])
+            });
         }
     }
 
-    /// Takes what arrives at one of them.
+    /// Sets the light of one lane.
     #[inline(always)]
-    fn take(&mut self, lane: usize, rgb: Rgb) {
+    fn set_lane(&mut self, lane: usize, rgb: Rgb) {
         put(&mut self.rgb, lane, rgb);
-        self.lit = self.lit & !(1 << lane) | u32::from(!is_nothing(rgb)) << lane;
+        self.lit = self.lit & !(1 << lane) | u32::from(!is_negligible(rgb)) << lane;
     }
 }
 
-/// What is viewed at one of four hits.
+/// The viewed point of a lane.
 #[inline(always)]
 pub(in crate::render::shade) fn viewed(hits: &HitPacket4, lane: usize) -> ViewPoint {
     ViewPoint {
@@ -454,7 +467,7 @@ pub(in crate::render::shade) fn viewed(hits: &HitPacket4, lane: usize) -> ViewPo
     }
 }
 
-/// Adds the light of one lamp that arrives at these hits.
+/// Adds the light from one light source to the sums.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
@@ -462,63 +475,63 @@ pub(in crate::render::shade) fn viewed(hits: &HitPacket4, lane: usize) -> ViewPo
 )]
 fn add_light(
     arriving: &ArrivingLight,
-    ways: &ShadowPacket4,
+    shadow_rays: &ShadowPacket4,
     hits: &HitPacket4,
-    coats: &MaterialPacket4,
+    materials: &MaterialPacket4,
     sum: &mut RgbPacket,
 ) {
     let mut strength = [0.0; 4];
     for (lane, strength) in strength.iter_mut().enumerate() {
-        *strength = coats.diffuse[lane] * ways.cosine[lane];
+        *strength = materials.diffuse[lane] * shadow_rays.cosine[lane];
     }
-    each_lane(arriving.lit & coats.brilliant, |lane| {
-        if let Some(finish) = coats.finishes[lane] {
+    each_lane(arriving.lit & materials.brilliant, |lane| {
+        if let Some(finish) = materials.finishes[lane] {
             let brilliance = f64::from(finish.brilliance);
-            let cosine = exact_power(ways.cosine[lane].abs(), brilliance);
-            strength[lane] = coats.diffuse[lane] * cosine;
+            let cosine = exact_power(shadow_rays.cosine[lane].abs(), brilliance);
+            strength[lane] = materials.diffuse[lane] * cosine;
         }
     });
-    let mut given = BLACK;
-    let tints = coats.rgb.iter().zip(&arriving.rgb);
-    for (given, (rgb, arriving)) in given.iter_mut().zip(tints) {
-        for (lane, given) in given.0.iter_mut().enumerate() {
+    let mut contribution = BLACK;
+    let tints = materials.rgb.iter().zip(&arriving.rgb);
+    for (contribution, (rgb, arriving)) in contribution.iter_mut().zip(tints) {
+        for (lane, contribution) in contribution.0.iter_mut().enumerate() {
             let tinted = rgb.0[lane] * arriving.0[lane];
             let scattered = (f64::from(tinted) * strength[lane]) as f32;
-            *given = if coats.diffuse[lane] != 0.0 {
+            *contribution = if materials.diffuse[lane] != 0.0 {
                 scattered
             } else {
                 0.0
             };
         }
     }
-    let shining = arriving.lit & coats.shiny;
-    if shining == 0 {
-        add(&given, arriving.lit, sum);
+    let with_highlights = arriving.lit & materials.shiny;
+    if with_highlights == 0 {
+        add(&contribution, arriving.lit, sum);
         return;
     }
-    each_lane(shining, |lane| {
-        let Some(finish) = coats.finishes[lane] else {
+    each_lane(with_highlights, |lane| {
+        let Some(finish) = materials.finishes[lane] else {
             return;
         };
-        let strength = highlight(finish, &viewed(hits, lane), ways.to_light(lane));
+        let strength = highlight(finish, &viewed(hits, lane), shadow_rays.to_light(lane));
         if strength != 0.0 {
-            let pigment = one_of(&coats.rgb, lane);
-            let shine = metallic(finish.metallic, pigment, ways.cosine[lane]);
+            let pigment = one_of(&materials.rgb, lane);
+            let shine = metallic(finish.metallic, pigment, shadow_rays.cosine[lane]);
             let shine = one_of(&arriving.rgb, lane) * shine * strength;
-            let both = one_of(&given, lane) + shine;
-            put(&mut given, lane, both);
+            let both = one_of(&contribution, lane) + shine;
+            put(&mut contribution, lane, both);
         }
     });
-    add(&given, arriving.lit, sum);
+    add(&contribution, arriving.lit, sum);
 }
 
-/// Adds the light given by those that are lit.
+/// Adds the contributions of these lanes.
 #[inline(always)]
-fn add(given: &RgbPacket, lit: u32, sum: &mut RgbPacket) {
-    for (sum, given) in sum.iter_mut().zip(given) {
+fn add(contribution: &RgbPacket, lit: u32, sum: &mut RgbPacket) {
+    for (sum, contribution) in sum.iter_mut().zip(contribution) {
         for (lane, sum) in sum.0.iter_mut().enumerate() {
             let is_lit = lit >> lane & 1 == 1;
-            *sum += if is_lit { given.0[lane] } else { 0.0 };
+            *sum += if is_lit { contribution.0[lane] } else { 0.0 };
         }
     }
 }

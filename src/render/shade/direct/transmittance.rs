@@ -1,33 +1,33 @@
-//! The way of light from its source to a point: what lies on it, and what is left of light behind that.
+//! Shadow rays: the occlusion of a light, and the transmittance of transparent surfaces and air before it.
 
-use super::light::{ShadingPoint, is_nothing};
+use super::light::{ShadingPoint, is_negligible};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
-use crate::render::shade::{Inside, MOST_PASSED, Tracer, interior_stack};
+use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Tracer, interior_stack};
 use crate::scene::light::{Arrival, Light};
 use crate::world::{
     InteriorId, Occlusion, Query, RayKind, Scratch, SpawnSurface, TransmissiveHit,
     TransmissiveHits, World,
 };
 
-/// A way from a point to a light, and what is known of it.
+/// A shadow ray to a light with its known occlusion.
 pub(in crate::render::shade) struct ShadowPath<'i> {
-    /// The number of the light.
+    /// The index of the light.
     pub(in crate::render::shade) light: u32,
-    /// The question what lies on it.
+    /// The occlusion query.
     pub(in crate::render::shade) query: Query,
     pub(in crate::render::shade) distance: f64,
-    /// What lies on it, if that was asked before.
+    /// The occlusion, if traced before.
     pub(in crate::render::shade) known: Option<Occlusion>,
-    /// The interiors that the point is in.
+    /// The interiors around the shading point.
     pub(in crate::render::shade) inside: &'i [InteriorId],
-    /// Whether photons stand for light that targets would let through to it.
+    /// Photons replace the light that their targets would transmit to the point.
     pub(in crate::render::shade) collects: bool,
 }
 
 impl Tracer<'_> {
-    /// What is left of light after all that stands between a point and its source.
-    pub(in crate::render::shade) fn through_shadows(
+    /// The light of a single light position that remains after shadows.
+    pub(in crate::render::shade) fn shadowed_point_light(
         &self,
         arriving: Rgb,
         lit: &ShadingPoint,
@@ -35,15 +35,15 @@ impl Tracer<'_> {
         arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let known = lit.known.way(light);
+        let known = lit.known.occlusion(light);
         match known {
             Some(Occlusion::Opaque) => return Rgb::BLACK,
-            Some(Occlusion::Clear) if !self.minds_air(light) => return arriving,
+            Some(Occlusion::Clear) if !self.is_attenuated_by_air(light) => return arriving,
             _ => {}
         }
         let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
-        let mut query = shadow_query(self.world, lit.departure.copied(), ray, distance);
+        let mut query = shadow_query(self.world, lit.spawn_surface.copied(), ray, distance);
         let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
             return Rgb::BLACK;
         };
@@ -52,7 +52,7 @@ impl Tracer<'_> {
         if source.is_shadowless() {
             return arriving;
         }
-        let way = ShadowPath {
+        let shadow_path = ShadowPath {
             light,
             query,
             distance,
@@ -60,66 +60,71 @@ impl Tracer<'_> {
             inside: &lit.path.inside,
             collects: lit.collects,
         };
-        self.transmittance(arriving, &way, scratch)
+        self.transmittance(arriving, &shadow_path, scratch)
     }
 
-    /// Whether the media of the atmosphere take something of the light of a source.
-    fn is_dimmed_by_media(&self, source: &Light) -> bool {
+    /// Reports if the media of the atmosphere attenuate a light.
+    fn is_attenuated_by_media(&self, source: &Light) -> bool {
         self.has_media
             && !self.world.media.is_empty()
             && source.media_attenuation
             && source.media_interaction
     }
 
-    /// Whether the air takes something of the light of this number.
-    fn minds_air(&self, light: u32) -> bool {
+    /// Reports if fog or media attenuate a light.
+    fn is_attenuated_by_air(&self, light: u32) -> bool {
         let source = self.world.lights.get(light);
         let by_fog = source.media_attenuation && !self.world.fogs.is_empty();
-        by_fog || self.is_dimmed_by_media(source)
+        by_fog || self.is_attenuated_by_media(source)
     }
 
-    /// What is left of light behind all that lies on its way.
+    /// The light that remains after everything along a shadow ray.
     pub(in crate::render::shade) fn transmittance(
         &self,
         mut arriving: Rgb,
-        way: &ShadowPath,
+        shadow_path: &ShadowPath,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let (query, light) = (&way.query, way.light);
+        let (query, light) = (&shadow_path.query, shadow_path.light);
         let source = self.world.lights.get(light);
-        let by_air = self.is_dimmed_by_media(source);
-        let minds_air = self.minds_air(light);
-        match way
+        let by_air = self.is_attenuated_by_media(source);
+        let is_attenuated = self.is_attenuated_by_air(light);
+        match shadow_path
             .known
             .unwrap_or_else(|| self.world.way(query, light, scratch))
         {
-            Occlusion::Clear if !minds_air => return arriving,
+            Occlusion::Clear if !is_attenuated => return arriving,
             Occlusion::Opaque => return Rgb::BLACK,
-            // What was asked for many rays at once was not gathered.
-            Occlusion::Clear | Occlusion::Transmissive if way.known.is_some() => {
-                let way = self.world.occlusion_unrecorded(query, light, scratch);
-                if way == Occlusion::Opaque {
+            // Packet queries do not record the transparent hits.
+            Occlusion::Clear | Occlusion::Transmissive if shadow_path.known.is_some() => {
+                let occlusion = self.world.occlusion_unrecorded(query, light, scratch);
+                if occlusion == Occlusion::Opaque {
                     return Rgb::BLACK;
                 }
             }
             Occlusion::Clear | Occlusion::Transmissive => {}
         }
-        if !(minds_air || self.has_media || !self.quality.has_transparency)
+        if !(is_attenuated || self.has_media || !self.quality.has_transparency)
             && let Some(passed) = self.world.transmissive_hits(query, scratch)
         {
             let mut surfaces = passed.iter().map(TransmissiveHit::surface);
-            if way.collects && surfaces.any(|surface| self.replaces(surface, light)) {
+            if shadow_path.collects && surfaces.any(|surface| self.replaces(surface, light)) {
                 return Rgb::BLACK;
             }
-            return self.through_all(arriving, &query.ray, &passed, way.inside);
+            return self.through_uniform_surfaces(
+                arriving,
+                &query.ray,
+                &passed,
+                shadow_path.inside,
+            );
         }
         let ray = query.ray;
         let mut query = *query;
-        let mut inside = Inside::from_slice(way.inside);
-        let mut left = way.distance;
-        for _ in 0..MOST_PASSED {
+        let mut inside = InteriorStack::from_slice(shadow_path.inside);
+        let mut left = shadow_path.distance;
+        for _ in 0..MAX_STRAIGHT {
             let hit = self.world.next_transmissive_hit(&query, scratch);
-            if minds_air {
+            if is_attenuated {
                 let length = hit.map_or(left, |hit| hit.t);
                 if source.media_attenuation
                     && let Some(fog) = self.fog(&query.ray, length)
@@ -130,20 +135,20 @@ impl Tracer<'_> {
             }
             if by_air {
                 let length = hit.map_or(left, |hit| hit.t);
-                arriving *= self.dimmed_by_air(&query.ray, length, &inside, scratch);
+                arriving *= self.atmosphere_transmittance(&query.ray, length, &inside, scratch);
             }
             let Some(hit) = hit else {
-                // As in POV-Ray interiors take no light from where nothing ends them.
+                // As in POV-Ray, interiors do not attenuate the last segment, which no surface ends.
                 return arriving;
             };
-            if way.collects && self.replaces(hit.surface, light) {
+            if shadow_path.collects && self.replaces(hit.surface, light) {
                 return Rgb::BLACK;
             }
-            arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
+            arriving *= self.interior_transmittance(&query.ray, hit.t, &inside, scratch);
             left -= hit.t;
             let interior = self.world.surfaces[hit.surface as usize].interior;
             arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
-            if is_nothing(arriving) {
+            if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
             query.ray.origin = hit.point;
@@ -153,15 +158,15 @@ impl Tracer<'_> {
         Rgb::BLACK
     }
 
-    /// What is left of light behind surfaces each of which lets the same share through everywhere, but for the angle.
-    fn through_all(
+    /// The light that remains behind surfaces with a uniform transmittance each, apart from the angle.
+    fn through_uniform_surfaces(
         &self,
         mut arriving: Rgb,
         ray: &Ray,
         passed: &TransmissiveHits,
         inside: &[InteriorId],
     ) -> Rgb {
-        let mut inside = self.light_fades.then(|| Inside::from_slice(inside));
+        let mut inside = self.light_fades.then(|| InteriorStack::from_slice(inside));
         let mut from = 0.0;
         for passing in passed {
             let interior = self.world.surfaces[passing.surface() as usize].interior;
@@ -175,7 +180,7 @@ impl Tracer<'_> {
                 share *= self.fade(inside, interior, passing.t() - from);
             }
             arriving *= share;
-            if is_nothing(arriving) {
+            if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
             from = passing.t();
@@ -183,9 +188,8 @@ impl Tracer<'_> {
         arriving
     }
 
-    /// The fading of light along a segment of this length that ends at the surface of an interior, which changes what the
-    /// light is inside of.
-    fn fade(&self, inside: &mut Inside, interior: InteriorId, length: f64) -> Rgb {
+    /// The attenuation of a segment of this length that ends at a surface of an interior; updates the interior stack.
+    fn fade(&self, inside: &mut InteriorStack, interior: InteriorId, length: f64) -> Rgb {
         if interior_stack::cross(inside, interior) {
             self.world.interiors.get(interior).fade_on_light(length)
         } else {
@@ -194,7 +198,7 @@ impl Tracer<'_> {
     }
 }
 
-/// The question what lies between a point and a light.
+/// The occlusion query between a point and a light.
 #[inline]
 pub(in crate::render::shade) fn shadow_query(
     world: &World,

@@ -1,37 +1,50 @@
-//! Photons on their way from lights to targets: in which directions they are sent (facts 2, section 3.2).
+//! Photon emission from lights towards targets (facts 2, section 3.2).
 //!
-//! From each light a ring after the other is sent around the middle of a target, until the target's box is filled or a ring
-//! has missed it. The order of all random numbers is POV-Ray's.
+//! From each light, rings of photons are emitted around the centre of a target, until the target's bounding box is
+//! covered or a ring has missed it. The order of all random numbers is POV-Ray's.
 
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::Stream;
 use crate::render::photons::{self, Map, PhotonMaps, PhotonTarget, Photons};
-use crate::render::shade::{Inside, Path, Tracer};
+use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
 use crate::world::{RayKind, Scratch};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// A ring of less is the middle of the target.
+/// A ring of a smaller angle is the centre of the target.
 const MIDDLE: f64 = 1e-10;
-/// Photons of less light are not sent.
+/// Photons with a smaller share of light are not emitted.
 const LEAST_SHARE: f64 = 1e-5;
 /// Within this of one, the direction to the target counts as that of an axis.
 const ALONG_AXIS: f64 = 0.1;
 
-/// A light and a target, seen from one of its lamps.
+/// The view of a target from a light position.
 struct PhotonAim {
-    /// The unit direction to the middle of the target.
+    /// The light position.
+    from: DVec3,
+    /// The centre of the target.
+    middle: DVec3,
+    /// The unit direction to the centre of the target.
     forward: DVec3,
     /// A unit direction across it.
     left: DVec3,
     distance: f64,
 }
 
-/// The rings of one target.
+/// The position of a photon on a ring.
+#[derive(Clone, Copy)]
+struct RingPosition {
+    /// The angle off the centre of the target; a length for parallel light.
+    off: f64,
+    /// The angle around it.
+    around: f64,
+}
+
+/// The rings of photons around a target.
 struct Rings {
-    /// The distance of neighbours one unit away; that of parallel ones.
+    /// The spacing of neighbouring photons at unit distance; at any distance for parallel light.
     spread: f64,
     step: f64,
     end: f64,
@@ -39,12 +52,12 @@ struct Rings {
 
 impl PhotonAim {
     fn new(light: &Light, from: DVec3, middle: DVec3) -> PhotonAim {
-        let way = middle - from;
-        let distance = way.length();
+        let to_middle = middle - from;
+        let distance = to_middle.length();
         let forward = if distance == 0.0 {
             DVec3::Z
         } else {
-            way / distance
+            to_middle / distance
         };
         let aside = if (forward.z.abs() - 1.0).abs() < ALONG_AXIS {
             DVec3::Y
@@ -57,14 +70,17 @@ impl PhotonAim {
             forward
         };
         PhotonAim {
+            from,
+            middle,
             forward,
             left: along.cross(aside).normalize_or_zero(),
             distance,
         }
     }
 
-    /// The ray of a photon: an angle off the middle, or a length for parallel light, and an angle around it.
-    fn ray(&self, light: &Light, from: DVec3, middle: DVec3, off: f64, around: f64) -> Ray {
+    fn ray(&self, light: &Light, at: RingPosition) -> Ray {
+        let &PhotonAim { from, middle, .. } = self;
+        let RingPosition { off, around } = at;
         if light.is_parallel {
             let dir = light.rays();
             let start = middle - (middle - from).dot(dir) * dir;
@@ -83,13 +99,14 @@ impl Rings {
         light: &Light,
         target: &PhotonTarget,
         spacing: f64,
-        (aim, radius): (&PhotonAim, f64),
+        aim: &PhotonAim,
+        radius: f64,
     ) -> Rings {
         let mut spread = target.density * spacing;
         if !light.is_parallel {
             spread /= aim.distance;
         }
-        if let Some([columns, rows]) = lamps_of(light) {
+        if let Some([columns, rows]) = emitting_grid(light) {
             spread *= (f64::from(columns) * f64::from(rows)).sqrt();
         }
         let (step, end) = if light.is_parallel {
@@ -103,20 +120,20 @@ impl Rings {
     }
 }
 
-/// How many lamps of a light send photons along its sides, if they do so by themselves.
-fn lamps_of(light: &Light) -> Option<[u32; 2]> {
+/// The grid size of an area light, if each of its grid lights emits photons.
+fn emitting_grid(light: &Light) -> Option<[u32; 2]> {
     let area = light.area.as_ref().filter(|_| light.photons.from_area);
     area.map(|area| area.sizes)
 }
 
-/// The middle of the box around a target, and half its diagonal.
-fn ball_around(target: &PhotonTarget) -> (DVec3, f64) {
+/// The bounding sphere of a target's box: centre and radius.
+fn bounding_sphere(target: &PhotonTarget) -> (DVec3, f64) {
     let half = 0.5 * target.around.sides;
     (target.around.min + half, half.length())
 }
 
 impl<'w> Tracer<'w> {
-    /// Shoots all photons of the scene.
+    /// Emits and traces all photons of the scene.
     #[must_use]
     pub fn emit_photons(&self) -> Option<PhotonMaps> {
         let photons = self.world.photons.as_ref()?;
@@ -124,19 +141,19 @@ impl<'w> Tracer<'w> {
             return Some(PhotonMaps::new(photons, 0, photons::read(bytes)?));
         }
         let spacing = photons.spacing(|spacing| self.expected(photons, spacing));
-        let mut shot = PhotonTally::new(photons);
+        let mut tally = PhotonTally::new(photons);
         let mut scratch = Scratch::default();
         for (number, target) in self.pairs(photons) {
             if self.stop.is_asked() {
                 break;
             }
-            self.shoot_at(number, target, spacing, &mut shot, &mut scratch);
+            self.emit_at(number, target, spacing, &mut tally, &mut scratch);
         }
-        let maps = [Map::new(shot.on_surfaces), Map::new(shot.in_media)];
-        Some(PhotonMaps::new(photons, shot.count, maps))
+        let maps = [Map::new(tally.on_surfaces), Map::new(tally.in_media)];
+        Some(PhotonMaps::new(photons, tally.count, maps))
     }
 
-    /// The lights and the targets to which they send photons, by their numbers.
+    /// The pairs of lights and targets with photons between them, by index.
     fn pairs(&self, photons: &Photons) -> Vec<(u32, u32)> {
         let lights = (0u32..).take(self.world.lights.len());
         let lights = lights.filter(|&number| {
@@ -153,12 +170,12 @@ impl<'w> Tracer<'w> {
         pairs.collect()
     }
 
-    /// About how many photons come to rest with a spacing.
+    /// The estimated number of stored photons for a spacing.
     fn expected(&self, photons: &Photons, spacing: f64) -> f64 {
         let of_pair = |(light, target): (u32, u32)| {
             let target = &photons.targets[target as usize];
             let own = &self.world.lights.get(light).photons;
-            let (_, radius) = ball_around(target);
+            let (_, radius) = bounding_sphere(target);
             let (refracts, reflects) = (target.role.refracts(own), target.role.reflects(own));
             let ratio = radius / (target.density * spacing);
             let mut count = 0.5 * PI * ratio * ratio;
@@ -173,37 +190,37 @@ impl<'w> Tracer<'w> {
         self.pairs(photons).into_iter().map(of_pair).sum()
     }
 
-    /// Sends photons from a light to a target.
-    fn shoot_at(
+    /// Emits photons from a light to a target.
+    fn emit_at(
         &self,
         number: u32,
         target: u32,
         spacing: f64,
-        shot: &mut PhotonTally<'w>,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) {
         let light = self.world.lights.get(number);
-        let settings = &shot.photons.settings;
-        let (middle, radius) = ball_around(&shot.photons.targets[target as usize]);
+        let settings = &tally.photons.settings;
+        let (middle, radius) = bounding_sphere(&tally.photons.targets[target as usize]);
         let aim = PhotonAim::new(light, light.centre, middle);
-        let of_target = &shot.photons.targets[target as usize];
-        let rings = Rings::new(light, of_target, spacing, (&aim, radius));
+        let of_target = &tally.photons.targets[target as usize];
+        let rings = Rings::new(light, of_target, spacing, &aim, radius);
         if !(rings.step > 0.0 && rings.end.is_finite()) {
             return;
         }
         let (jitter, autostop) = (settings.jitter, settings.autostop);
-        shot.begin(light, target, rings.spread);
+        tally.begin(light, target, rings.spread);
         let inside = self.inside_at(light.centre);
-        // Of parallel light rings have lengths instead of angles.
+        // For parallel light rings have lengths instead of angles.
         let middle_below = if light.is_parallel {
-            MIDDLE * shot.photons.unit
+            MIDDLE * tally.photons.unit
         } else {
             MIDDLE
         };
         let mut has_ever_hit = false;
         let mut off = 0.0;
         while off < rings.end {
-            shot.has_hit = false;
+            tally.has_hit = false;
             let turn = if off < middle_below {
                 TAU
             } else if light.is_parallel {
@@ -211,95 +228,95 @@ impl<'w> Tracer<'w> {
             } else {
                 rings.step / off.sin()
             };
-            let first = -PI + turn * shot.random.next_number() * 0.5;
+            let first = -PI + turn * tally.random.next_number() * 0.5;
             let last = PI - 0.5 * turn + (first + PI);
             let mut around = first;
             while around < last {
-                let around_now = around + turn * (shot.random.next_number() - 0.5) * jitter;
-                let off_now = off + rings.step * (shot.random.next_number() - 0.5) * jitter;
-                self.shoot_one(
-                    light,
-                    (&aim, middle),
-                    (off_now, around_now),
-                    &inside,
-                    shot,
-                    scratch,
-                );
+                let around_now = around + turn * (tally.random.next_number() - 0.5) * jitter;
+                let off_now = off + rings.step * (tally.random.next_number() - 0.5) * jitter;
+                let at = RingPosition {
+                    off: off_now,
+                    around: around_now,
+                };
+                self.emit_one(light, &aim, at, &inside, tally, scratch);
                 around += turn;
             }
-            has_ever_hit |= shot.has_hit;
-            if has_ever_hit && !shot.has_hit && off > autostop * rings.end || self.stop.is_asked() {
+            has_ever_hit |= tally.has_hit;
+            if has_ever_hit && !tally.has_hit && off > autostop * rings.end || self.stop.is_asked()
+            {
                 break;
             }
             off += rings.step;
         }
     }
 
-    /// Sends one photon, or one from each lamp.
-    fn shoot_one(
+    /// Emits one photon, or one from each grid light.
+    fn emit_one(
         &self,
         light: &Light,
-        (aim, middle): (&PhotonAim, DVec3),
-        (off, around): (f64, f64),
-        inside: &Inside,
-        shot: &mut PhotonTally<'w>,
+        aim: &PhotonAim,
+        at: RingPosition,
+        inside: &InteriorStack,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) {
-        let (Some([columns, rows]), Some(area)) = (lamps_of(light), &light.area) else {
-            let ray = aim.ray(light, light.centre, middle, off, around);
-            self.fly_from(light, (ray, aim.distance), 1.0, inside, shot, scratch);
+        let (Some([columns, rows]), Some(area)) = (emitting_grid(light), &light.area) else {
+            let ray = aim.ray(light, at);
+            let share = light.share_of_ray(&ray, aim.distance);
+            self.trace_from(light, ray, share, inside, tally, scratch);
             return;
         };
         let share = 1.0 / (f64::from(columns) * f64::from(rows));
         for u in 0..columns {
             for v in 0..rows {
-                let lamp = area.lamp(&area.axes, f64::from(u), f64::from(v));
-                let from = light.centre + lamp;
-                let aim = PhotonAim::new(light, from, middle);
-                let ray = aim.ray(light, from, middle, off, around);
-                self.fly_from(light, (ray, aim.distance), share, inside, shot, scratch);
+                let offset = area.lamp(&area.axes, f64::from(u), f64::from(v));
+                let from = light.centre + offset;
+                let aim = PhotonAim::new(light, from, aim.middle);
+                let ray = aim.ray(light, at);
+                let share = share * light.share_of_ray(&ray, aim.distance);
+                self.trace_from(light, ray, share, inside, tally, scratch);
             }
         }
     }
 
-    fn fly_from(
+    /// Traces a photon with this share of the light.
+    fn trace_from(
         &self,
         light: &Light,
-        (ray, reach): (Ray, f64),
+        ray: Ray,
         share: f64,
-        inside: &Inside,
-        shot: &mut PhotonTally<'w>,
+        inside: &InteriorStack,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) {
-        shot.count += 1;
-        let share = share * light.share_of_ray(&ray, reach);
+        tally.count += 1;
         if share < LEAST_SHARE {
             return;
         }
         let path = Path {
             ray,
             from: None,
-            seen: RayKind::Shadow,
+            kind: RayKind::Shadow,
             level: 0,
             weight: 1.0,
-            gathered: 0,
-            inside: Inside::from_slice(inside),
+            irradiance_depth: 0,
+            inside: InteriorStack::from_slice(inside),
             wavelength: None,
         };
-        let flight = PhotonPath {
+        let photon = PhotonPath {
             path,
             light: light.color * share,
-            way: 0.0,
-            has_met: false,
+            path_length: 0.0,
+            has_hit_target: false,
         };
-        self.fly(flight, shot, scratch);
+        self.trace_photon(photon, tally, scratch);
     }
 
-    fn inside_at(&self, point: DVec3) -> Inside {
-        if self.minds_interiors {
+    fn inside_at(&self, point: DVec3) -> InteriorStack {
+        if self.needs_interiors {
             self.world.interiors_at(point)
         } else {
-            Inside::new()
+            InteriorStack::new()
         }
     }
 }

@@ -1,4 +1,5 @@
-//! A photon on its way: through what it may pass, off its target and on, and where it comes to rest.
+//! Photon tracing: straight through surfaces that photons pass, off the target and on, until the photon is stored or
+//! absorbed.
 
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
@@ -7,50 +8,59 @@ use crate::render::photons::{Photon, Photons};
 use crate::render::shade::direct::light::{LightSamples, ShadingPoint, ViewPoint};
 use crate::render::shade::interior_stack::{Refraction, bend};
 use crate::render::shade::surface::{Mirror, TextureUse, facing_normal, mirror, mirrored_off};
-use crate::render::shade::{Inside, Path, Tracer, spectrum};
+use crate::render::shade::{InteriorStack, Path, Tracer, spectrum};
 use crate::scene::light::Light;
 use crate::scene::texture::Look;
 use crate::world::{Hit, Query, Scratch, SpawnSurface};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// What all photons of a scene come to.
+/// The photons of a scene, and the state of their emission.
 pub(in crate::render::shade) struct PhotonTally<'p> {
     pub(in crate::render::shade) photons: &'p Photons,
-    /// The light and the target at hand.
+    /// The current light and target.
     pub(in crate::render::shade) light: Option<&'p Light>,
     pub(in crate::render::shade) target: u32,
-    /// The distance of neighbouring photons one unit away; of parallel ones everywhere.
+    /// The spacing of neighbouring photons at unit distance; at any distance for parallel light.
     pub(in crate::render::shade) spread: f64,
     /// The random numbers of directions.
     pub(in crate::render::shade) random: Stream,
-    /// Whether a photon of the ring at hand has met the target.
+    /// A photon of the current ring has hit the target.
     pub(in crate::render::shade) has_hit: bool,
-    /// How many were sent.
+    /// The number of emitted photons.
     pub(in crate::render::shade) count: u64,
     pub(in crate::render::shade) on_surfaces: Vec<Photon>,
     pub(in crate::render::shade) in_media: Vec<Photon>,
 }
 
-/// A photon.
+/// A photon on its path.
 pub(in crate::render::shade) struct PhotonPath {
     pub(in crate::render::shade) path: Path,
     pub(in crate::render::shade) light: Rgb,
-    /// How far it has come.
-    pub(in crate::render::shade) way: f64,
-    /// Whether it has met its target.
-    pub(in crate::render::shade) has_met: bool,
+    /// The length of its path so far.
+    pub(in crate::render::shade) path_length: f64,
+    /// It has hit its target.
+    pub(in crate::render::shade) has_hit_target: bool,
 }
 
-/// What a surface does with a photon.
+/// One texture of a hit, and the photon's light on it.
+struct PhotonHit<'a> {
+    hit: &'a Hit,
+    look: &'a Look<'a>,
+    light: Rgb,
+    refracts: bool,
+    reflects: bool,
+}
+
+/// A photon at a surface.
 struct PhotonInteraction<'a> {
     hit: &'a Hit,
     lit: &'a ShadingPoint<'a>,
-    /// The share of light that its layers let through.
+    /// The transmittance of the layers.
     filter: Rgb,
-    /// The light before them.
+    /// The light before the surface.
     light: Rgb,
-    way: f64,
+    path_length: f64,
 }
 
 impl PhotonInteraction<'_> {
@@ -58,7 +68,7 @@ impl PhotonInteraction<'_> {
         &self,
         dir: DVec3,
         weight: f64,
-        inside: Inside,
+        inside: InteriorStack,
         light: Rgb,
         wavelength: Option<f64>,
     ) -> PhotonPath {
@@ -67,54 +77,55 @@ impl PhotonInteraction<'_> {
             path: Path {
                 ray: Ray::new(self.hit.point, dir),
                 from: Some(self.hit.departure),
-                seen: path.seen,
+                kind: path.kind,
                 level: path.level + 1,
                 weight: path.weight * weight,
-                gathered: 0,
+                irradiance_depth: 0,
                 inside,
                 wavelength,
             },
             light,
-            way: self.way,
-            has_met: true,
+            path_length: self.path_length,
+            has_hit_target: true,
         }
     }
 }
 
 impl<'p> PhotonTally<'p> {
-    /// Starts with a light and a target.
+    /// Starts a pair of a light and a target.
     pub(in crate::render::shade) fn begin(&mut self, light: &'p Light, target: u32, spread: f64) {
         (self.light, self.target, self.spread) = (Some(light), target, spread);
     }
 
-    /// How far neighbouring photons are apart that have come so far, in units of the scene.
-    pub(in crate::render::shade) fn width(&self, way: f64) -> f64 {
+    /// The spacing of neighbouring photons after a path of this length, in units of the scene.
+    pub(in crate::render::shade) fn width(&self, path_length: f64) -> f64 {
         let is_parallel = self.light.is_some_and(|light| light.is_parallel);
-        self.spread * if is_parallel { 1.0 } else { way } / self.photons.unit
+        self.spread * if is_parallel { 1.0 } else { path_length } / self.photons.unit
     }
 
-    /// Keeps a photon on a surface.
-    fn keep(&mut self, point: DVec3, light: Rgb, way: f64, origin: DVec3) {
+    /// Stores a photon on a surface.
+    fn store(&mut self, point: DVec3, light: Rgb, path_length: f64, origin: DVec3) {
         let Some(source) = self.light else { return };
-        let width = self.width(way);
-        let light = light * (width * width) * source.fade.share(way);
-        let [point, origin] = [point, origin].map(|place| self.photons.own(place));
+        let width = self.width(path_length);
+        let light = light * (width * width) * source.fade.share(path_length);
+        let [point, origin] = [point, origin].map(|x| self.photons.scene_point(x));
         self.on_surfaces.push(Photon::new(point, light, origin));
     }
 }
 
 impl<'w> Tracer<'w> {
-    /// Follows a photon, and what comes of it.
-    pub(in crate::render::shade) fn fly(
+    /// Traces a photon and its reflected and refracted descendants.
+    pub(in crate::render::shade) fn trace_photon(
         &self,
-        mut flight: PhotonPath,
-        shot: &mut PhotonTally<'w>,
+        mut photon: PhotonPath,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) {
-        for _ in 0..crate::render::shade::MOST_PASSED {
-            let Some(light) = shot.light else { return };
-            let path = &flight.path;
-            if path.level >= shot.photons.max_trace_level || path.weight < shot.photons.adc_bailout
+        for _ in 0..crate::render::shade::MAX_STRAIGHT {
+            let Some(light) = tally.light else { return };
+            let path = &photon.path;
+            if path.level >= tally.photons.max_trace_level
+                || path.weight < tally.photons.adc_bailout
             {
                 return;
             }
@@ -122,71 +133,88 @@ impl<'w> Tracer<'w> {
                 ray: path.ray,
                 origin_surface: path.from,
                 t_max: f64::INFINITY,
-                kind: path.seen,
+                kind: path.kind,
             };
             let Some(hit) = self.world.nearest(&query, scratch) else {
                 return;
             };
             let surface = &self.world.surfaces[hit.surface as usize];
             let role = surface.photons();
-            self.through_media(&mut flight, hit.t, surface.lights, shot, scratch);
-            flight.way += hit.t;
-            let was_met = flight.has_met;
-            if !was_met {
-                if role.target == Some(shot.target) && !role.is_passed {
-                    flight.has_met = true;
-                    shot.has_hit = true;
+            self.through_media(&mut photon, hit.t, surface.lights, tally, scratch);
+            photon.path_length += hit.t;
+            let had_hit_target = photon.has_hit_target;
+            if !had_hit_target {
+                if role.target == Some(tally.target) && !role.is_passed {
+                    photon.has_hit_target = true;
+                    tally.has_hit = true;
                 } else if role.is_passed {
-                    flight.light *= self.transmission(&hit, &flight.path.ray);
+                    photon.light *= self.transmission(&hit, &photon.path.ray);
                     let interior = surface.interior;
-                    crate::render::shade::interior_stack::cross(&mut flight.path.inside, interior);
-                    flight.path.ray = Ray::new(hit.point, flight.path.ray.dir);
-                    flight.path.from = Some(hit.departure);
+                    crate::render::shade::interior_stack::cross(&mut photon.path.inside, interior);
+                    photon.path.ray = Ray::new(hit.point, photon.path.ray.dir);
+                    photon.path.from = Some(hit.departure);
                     continue;
                 } else {
                     return;
                 }
             }
-            if flight.path.inside.contains(&surface.interior) {
-                flight.light *= self.interior_of(&hit).fade(hit.t);
+            if photon.path.inside.contains(&surface.interior) {
+                photon.light *= self.interior_of(&hit).fade(hit.t);
             }
-            let looks = self.looks(surface, &hit, flight.path.ray.dir, TextureUse::Passed);
-            for look in &looks {
-                let of_look = flight.light * f64::from(look.weight);
-                if was_met && !role.keeps_none {
-                    shot.keep(hit.point, of_look, flight.way, flight.path.ray.origin);
+            let textures = self.textures_at(surface, &hit, photon.path.ray.dir, TextureUse::Passed);
+            for look in &textures {
+                let of_look = photon.light * f64::from(look.weight);
+                if had_hit_target && !role.keeps_none {
+                    tally.store(
+                        hit.point,
+                        of_look,
+                        photon.path_length,
+                        photon.path.ray.origin,
+                    );
                 }
-                let goes_on = (role.refracts(&light.photons), role.reflects(&light.photons));
-                self.meet(&flight, (&hit, look, of_look), goes_on, shot, scratch);
+                let at = PhotonHit {
+                    hit: &hit,
+                    look,
+                    light: of_look,
+                    refracts: role.refracts(&light.photons),
+                    reflects: role.reflects(&light.photons),
+                };
+                self.interact(&photon, &at, tally, scratch);
             }
             return;
         }
     }
 
-    /// What a photon does at a surface.
-    fn meet(
+    /// Reflects and refracts a photon at a surface.
+    fn interact(
         &self,
-        flight: &PhotonPath,
-        (hit, look, light): (&Hit, &Look, Rgb),
-        (refracts, reflects): (bool, bool),
-        shot: &mut PhotonTally<'w>,
+        photon: &PhotonPath,
+        at: &PhotonHit,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) {
-        let path = &flight.path;
-        let departure: SpawnSurface = hit.departure;
+        let &PhotonHit {
+            hit,
+            look,
+            light,
+            refracts,
+            reflects,
+        } = at;
+        let path = &photon.path;
+        let spawn_surface: SpawnSurface = hit.departure;
         let mut lit = ShadingPoint {
             at: ViewPoint::new(hit, path.ray.dir),
-            departure: Some(&departure),
+            spawn_surface: Some(&spawn_surface),
             path,
             known: LightSamples::NONE,
-            arrived: None,
+            shadow_cache: None,
             is_double_illuminated: false,
             lights: &[],
             collects: false,
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
-        let (_, spot) = self.place(hit, path.ray.dir);
+        let (_, spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
         for layer in look.texture.layers() {
@@ -194,8 +222,7 @@ impl<'w> Tracer<'w> {
             top.get_or_insert(lit.at.normal);
             let color = self.color(layer, look.point, &spot);
             if reflects && layer.finish.has_reflection() {
-                let coat = (&*layer.finish, color.rgb);
-                let mirror = mirror(&lit.at, flat, coat, || {
+                let mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, || {
                     let surface = &self.world.surfaces[hit.surface as usize];
                     self.relative_ior(&path.inside, surface.interior)
                 });
@@ -205,81 +232,86 @@ impl<'w> Tracer<'w> {
                 mirrors.push(mirror);
             }
             filter *= color.transmission();
-            if f64::from(filter.grey()) <= shot.photons.adc_bailout {
+            if f64::from(filter.grey()) <= tally.photons.adc_bailout {
                 break;
             }
         }
         lit.at.normal = top.unwrap_or(flat);
-        let meeting = PhotonInteraction {
+        let interaction = PhotonInteraction {
             hit,
             lit: &lit,
             filter,
             light,
-            way: flight.way,
+            path_length: photon.path_length,
         };
         let mut is_total = false;
-        if refracts && f64::from(filter.map(f32::abs).grey()) > shot.photons.adc_bailout {
-            is_total = self.refract(&meeting, shot, scratch);
+        if refracts && f64::from(filter.map(f32::abs).grey()) > tally.photons.adc_bailout {
+            is_total = self.refract(&interaction, tally, scratch);
         }
         if is_total || !reflects {
             return;
         }
         for mirror in &mirrors {
             let weight = mirror.weight * f64::from(mirror.reflectivity.max());
-            let inside = Inside::from_slice(&path.inside);
-            let onward = meeting.onward(
+            let inside = InteriorStack::from_slice(&path.inside);
+            let onward = interaction.onward(
                 mirror.dir,
                 weight,
                 inside,
                 light * mirror.reflectivity,
                 path.wavelength,
             );
-            self.fly(onward, shot, scratch);
+            self.trace_photon(onward, tally, scratch);
         }
     }
 
-    /// Sends a photon through a surface; says whether it is reflected as a whole instead.
+    /// Refracts a photon. Returns true for total internal reflection.
     fn refract(
         &self,
-        meeting: &PhotonInteraction,
-        shot: &mut PhotonTally<'w>,
+        interaction: &PhotonInteraction,
+        tally: &mut PhotonTally<'w>,
         scratch: &mut Scratch,
     ) -> bool {
-        let path = meeting.lit.path;
-        let interior = self.world.surfaces[meeting.hit.surface as usize].interior;
-        let passage = self.passage(&path.inside, interior);
-        let normal = meeting.lit.at.normal;
-        let light = meeting.light * meeting.filter;
-        let weight = f64::from(meeting.filter.max());
-        let mut send = |dir: DVec3, inside: &Inside, light: Rgb, wavelength: Option<f64>| {
-            let inside = Inside::from_slice(inside);
-            let onward = meeting.onward(dir, weight, inside, light, wavelength);
-            self.fly(onward, shot, scratch);
+        let path = interaction.lit.path;
+        let interior = self.world.surfaces[interaction.hit.surface as usize].interior;
+        let crossing = self.crossing(&path.inside, interior);
+        let normal = interaction.lit.at.normal;
+        let light = interaction.light * interaction.filter;
+        let weight = f64::from(interaction.filter.max());
+        let mut send = |dir: DVec3, inside: &InteriorStack, light: Rgb, wavelength: Option<f64>| {
+            let inside = InteriorStack::from_slice(inside);
+            let onward = interaction.onward(dir, weight, inside, light, wavelength);
+            self.trace_photon(onward, tally, scratch);
         };
-        let thrown_back = || {
-            let flat = facing_normal(meeting.hit, path.ray.dir);
+        let total_reflection = || {
+            let flat = facing_normal(interaction.hit, path.ray.dir);
             mirrored_off(path.ray.dir, normal, flat)
         };
-        if path.wavelength.is_none() && passage.splits() {
-            let count = self.interior_of(meeting.hit).dispersion_samples;
+        if path.wavelength.is_none() && crossing.splits() {
+            let count = self.interior_of(interaction.hit).dispersion_samples;
             let share = 1.0 / f64::from(count);
             for number in 0..count {
                 let band = spectrum::band(number, count);
                 let wavelength = Some(band.wavelength);
                 let light = light * band.hue * share;
-                match bend(path.ray.dir, normal, passage.ratio_at(wavelength)) {
-                    Refraction::None => send(path.ray.dir, &passage.inside, light, wavelength),
-                    Refraction::To(dir) => send(dir, &passage.inside, light, wavelength),
-                    Refraction::Total => send(thrown_back(), &path.inside, light, wavelength),
+                match bend(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
+                    Refraction::None => send(path.ray.dir, &crossing.inside, light, wavelength),
+                    Refraction::To(dir) => send(dir, &crossing.inside, light, wavelength),
+                    Refraction::Total => send(total_reflection(), &path.inside, light, wavelength),
                 }
             }
             return false;
         }
-        match bend(path.ray.dir, normal, passage.ratio_at(path.wavelength)) {
-            Refraction::None => send(path.ray.dir, &passage.inside, light, path.wavelength),
-            Refraction::To(dir) => send(dir, &passage.inside, light, path.wavelength),
+        match bend(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
+            Refraction::None => send(path.ray.dir, &crossing.inside, light, path.wavelength),
+            Refraction::To(dir) => send(dir, &crossing.inside, light, path.wavelength),
             Refraction::Total => {
-                send(thrown_back(), &path.inside, meeting.light, path.wavelength);
+                send(
+                    total_reflection(),
+                    &path.inside,
+                    interaction.light,
+                    path.wavelength,
+                );
                 return true;
             }
         }

@@ -1,40 +1,43 @@
-//! Photons in media: where they are left, and the light that they give (facts 2, section 3.5).
+//! Volume photons: deposition in media, and the radiance that they scatter (facts 2, section 3.5).
 
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::color::Rgb;
 use crate::render::photons::Photon;
 use crate::render::shade::Tracer;
-use crate::render::shade::media::{common_sampling, divided, parts_of, vanishing};
+use crate::render::shade::media::{common_sampling, parts_of, subdivided, transmittance_of};
 use crate::scene::interior::{Effect, PreparedMedia};
 use crate::world::{LightList, Scratch};
 use glam::DVec3;
 use std::f64::consts::PI;
 
 impl Tracer<'_> {
-    /// Whether photons lie in media.
+    /// Reports if photons are stored in media.
     #[inline]
-    pub(in crate::render::shade) fn has_cloud(&self) -> bool {
-        self.kept
+    pub(in crate::render::shade) fn has_volume_photons(&self) -> bool {
+        self.photon_maps
             .as_ref()
-            .is_some_and(|kept| !kept.media.is_empty())
+            .is_some_and(|photon_maps| !photon_maps.media.is_empty())
     }
 
-    /// The light that photons around a point give, scattered along a ray.
-    pub(in crate::render::shade) fn cloud_light(
+    /// The light of the photons around a point, scattered along a ray.
+    pub(in crate::render::shade) fn volume_photon_light(
         &self,
         media: &[&PreparedMedia],
-        (point, dir): (DVec3, DVec3),
+        point: DVec3,
+        dir: DVec3,
         effect: &Effect,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let Some(kept) = self.kept.as_deref() else {
+        let Some(photon_maps) = self.photon_maps.as_deref() else {
             return Rgb::BLACK;
         };
         let near = &mut scratch.photons;
-        let place = self.own_place(point);
-        kept.media.gather(&kept.in_media, place, DVec3::ZERO, near);
+        let point_in_scene = self.scene_point(point);
+        photon_maps
+            .media
+            .gather(&photon_maps.in_media, point_in_scene, DVec3::ZERO, near);
         let mut sum = Rgb::BLACK;
-        for (to_light, light) in kept.media.of(near) {
+        for (to_light, light) in photon_maps.media.of(near) {
             let cosine = to_light.dot(dir);
             let phases: f64 = media.iter().map(|media| media.phase(cosine)).sum();
             sum += light * (phases / media.len() as f64);
@@ -43,16 +46,17 @@ impl Tracer<'_> {
         sum * effect.scattering * (1.0 / within)
     }
 
-    /// Takes a photon through the media of the interiors that it is in; once it has met its target, leaves photons there.
+    /// Attenuates a photon in the media of the interiors around it. Once it has hit its target, deposits volume photons
+    /// there.
     pub(in crate::render::shade) fn through_media(
         &self,
-        flight: &mut PhotonPath,
+        photon: &mut PhotonPath,
         length: f64,
         lights: LightList,
-        shot: &mut PhotonTally,
+        tally: &mut PhotonTally,
         scratch: &mut Scratch,
     ) {
-        let inside = &flight.path.inside;
+        let inside = &photon.path.inside;
         if !self.has_media || inside.is_empty() || !self.is_in_air(inside) {
             return;
         }
@@ -60,20 +64,20 @@ impl Tracer<'_> {
         let Some(sampling) = common_sampling(&media) else {
             return;
         };
-        if !shot.photons.fills_media() {
-            flight.light *= self.dimmed_inside(&flight.path.ray, length, inside, scratch);
+        if !tally.photons.fills_media() {
+            photon.light *= self.interior_transmittance(&photon.path.ray, length, inside, scratch);
             return;
         }
-        let beams = self.beams(lights, &flight.path.ray, length);
-        let is_kept = flight.has_met && media.iter().any(|media| media.collects);
-        let ray = flight.path.ray;
-        let (most, factor) = shot.photons.settings.media;
-        let jitter = shot.photons.settings.jitter;
-        let mut swallowed = Rgb::BLACK;
-        for interval in divided(&parts_of(&beams, length), &sampling) {
+        let beams = self.beams(lights, &photon.path.ray, length);
+        let is_stored = photon.has_hit_target && media.iter().any(|media| media.collects);
+        let ray = photon.path.ray;
+        let (most, factor) = tally.photons.settings.media;
+        let jitter = tally.photons.settings.jitter;
+        let mut optical_depth = Rgb::BLACK;
+        for interval in subdivided(&parts_of(&beams, length), &sampling) {
             let long = interval.to - interval.from;
-            let own_length = long / shot.photons.unit;
-            let at_start = shot.width(flight.way);
+            let own_length = long / tally.photons.unit;
+            let at_start = tally.width(photon.path_length);
             let mut factor = factor;
             let wanted = own_length / (at_start * factor);
             let count = if wanted < f64::from(most) {
@@ -94,20 +98,22 @@ impl Tracer<'_> {
                     media.add_effect(point, &mut effect);
                 }
                 sum += effect.extinction;
-                if is_kept && effect.scattering != Rgb::BLACK {
-                    let way = flight.way + along;
-                    let size = factor * shot.width(way).powi(3);
-                    let fading = shot.light.map_or(1.0, |light| light.fade.share(way));
-                    let light = flight.light * (size * fading);
-                    let [point, origin] = [point, ray.origin].map(|at| shot.photons.own(at));
-                    shot.in_media.push(Photon::new(point, light, origin));
+                if is_stored && effect.scattering != Rgb::BLACK {
+                    let path_length = photon.path_length + along;
+                    let size = factor * tally.width(path_length).powi(3);
+                    let fading = tally
+                        .light
+                        .map_or(1.0, |light| light.fade.share(path_length));
+                    let light = photon.light * (size * fading);
+                    let [point, origin] = [point, ray.origin].map(|x| tally.photons.scene_point(x));
+                    tally.in_media.push(Photon::new(point, light, origin));
                 }
                 number += 1.0;
             }
             if count > 0.0 {
-                swallowed += sum * (long / count);
+                optical_depth += sum * (long / count);
             }
         }
-        flight.light *= vanishing(swallowed);
+        photon.light *= transmittance_of(optical_depth);
     }
 }

@@ -1,16 +1,16 @@
-//! Blocks of pixels give what single pixels give, and the short way to a colour gives what the long one gives.
+//! Blocks of pixels match single pixels, and the fast path matches the general path, bit for bit.
 
 use super::*;
 use crate::render::shade::{BLOCK, BlockScratch};
 
-/// Every pixel of a picture by blocks and by itself.
+/// Compares every pixel of a picture, traced in blocks and on its own.
 fn assert_same(text: &str) {
     const SIZE: (u32, u32) = (75, 53);
     let world = world(text, 3.7, false);
     let tracer = Tracer::new(&world, 9);
     let long = Tracer {
-        takes_plain: false,
-        queues: false,
+        uses_fast_path: false,
+        queues_all_surfaces: false,
         ..Tracer::new(&world, 9)
     };
     let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
@@ -107,7 +107,7 @@ fn units_do_not_matter() {
 }
 
 #[test]
-fn from_inside_and_from_far_away() {
+fn camera_inside_and_far_away() {
     assert_same(
         "camera { location <0.2, 0, 0> look_at z angle 170 } light_source { <0, 0.5, 0>, 1 }
         sphere { 0, 2 pigment { rgb 1 } } #for (I, 0, 40) sphere { <sin(I), cos(3 * I), cos(I)>, 0.15 pigment { rgb 1 } } #end",
@@ -118,8 +118,8 @@ fn from_inside_and_from_far_away() {
     );
 }
 
-/// Mirrors, glass and panes among each other, with settings of their own.
-fn shown_in_each_other(settings: &str) -> String {
+/// Mirrors, glass and panes among each other, with extra settings.
+fn mirrors_and_glass(settings: &str) -> String {
     format!(
         "global_settings {{ {settings} }}
         camera {{ location <0.3, 2, -8> look_at 0 angle 55 }} background {{ rgb <0.1, 0.2, 0.3> }}
@@ -149,7 +149,7 @@ fn shown_in_each_other(settings: &str) -> String {
 }
 
 #[test]
-fn rays_that_do_not_start_in_one_point() {
+fn rays_without_a_common_origin() {
     for camera in [
         "orthographic location <2, 3, -9> look_at 0 right 6*x up 5*y",
         "cylinder 1 location <2, 3, -9> look_at 0 angle 60",
@@ -157,7 +157,7 @@ fn rays_that_do_not_start_in_one_point() {
         "fisheye location <2, 3, -9> look_at 0 angle 90",
     ] {
         for settings in ["", "max_trace_level 0", "adc_bailout 0.5"] {
-            let scene = shown_in_each_other(settings);
+            let scene = mirrors_and_glass(settings);
             let own = "location <0.3, 2, -8> look_at 0 angle 55";
             assert_same(&scene.replace(own, camera));
         }
@@ -170,15 +170,15 @@ fn rays_that_do_not_start_in_one_point() {
 }
 
 #[test]
-fn what_surfaces_show_of_each_other() {
-    assert_same(&shown_in_each_other(""));
+fn interreflection_and_transmission() {
+    assert_same(&mirrors_and_glass(""));
     assert_same(
-        &(shown_in_each_other("max_trace_level 9") + "sky_sphere { pigment { gradient y } }"),
+        &(mirrors_and_glass("max_trace_level 9") + "sky_sphere { pigment { gradient y } }"),
     );
 }
 
 #[test]
-fn what_surfaces_show_ends_with_the_levels_and_with_the_weight() {
+fn secondary_rays_end_at_the_trace_level_and_at_the_bailout() {
     for settings in [
         "max_trace_level 1",
         "max_trace_level 2",
@@ -186,24 +186,24 @@ fn what_surfaces_show_ends_with_the_levels_and_with_the_weight() {
         "adc_bailout 0.3 max_trace_level 12",
         "adc_bailout 0 max_trace_level 5",
     ] {
-        assert_same(&shown_in_each_other(settings));
+        assert_same(&mirrors_and_glass(settings));
     }
 }
 
 #[test]
-fn what_is_shown_when_light_splits_or_surfaces_are_grainy() {
+fn secondary_rays_with_dispersion_or_crand() {
     assert_same(
-        &(shown_in_each_other("max_trace_level 4")
+        &(mirrors_and_glass("max_trace_level 4")
             + "sphere { <1, 0, -3>, 0.5 pigment { rgbf 1 } interior { ior 1.5 dispersion 1.1 } }"),
     );
     assert_same(
-        &(shown_in_each_other("max_trace_level 4")
+        &(mirrors_and_glass("max_trace_level 4")
             + "sphere { <1, 0, -3>, 0.5 pigment { rgb 1 } finish { crand 0.4 reflection 0.3 } }"),
     );
 }
 
 #[test]
-fn more_panes_behind_each_other_than_are_kept() {
+fn more_panes_in_a_row_than_the_queue_holds() {
     assert_same(
         "camera { location <0.3, 0.2, -8> look_at 0 angle 40 } light_source { <-8, 9, -9>, 1 }
         global_settings { adc_bailout 0 max_trace_level 6 }
@@ -216,7 +216,7 @@ fn more_panes_behind_each_other_than_are_kept() {
 }
 
 #[test]
-fn from_inside_of_glass() {
+fn camera_inside_glass() {
     assert_same(
         "camera { location <0.1, 0, 0> look_at z angle 100 } light_source { <3, 5, -4>, 1 }
         sphere { 0, 2 pigment { rgbf 0.9 } finish { reflection { 0.1, 0.5 } } interior { ior 1.5 } }
@@ -225,7 +225,7 @@ fn from_inside_of_glass() {
 }
 
 #[test]
-fn parts_of_combinations_with_boxes_of_their_own() {
+fn csg_parts_with_bounds_of_their_own() {
     assert_same(
         "camera { location <0.3, 4, -14> look_at y angle 50 }
         light_source { <-8, 9, -9>, 1 } light_source { <6, 12, -5>, 0.5 }
@@ -249,7 +249,7 @@ fn parts_of_combinations_with_boxes_of_their_own() {
 }
 
 #[test]
-fn what_takes_no_light_asks_for_none() {
+fn unlit_surfaces_trace_no_shadow_rays() {
     let world = world(
         "camera { location -5*z look_at 0 angle 50 } light_source { <-8, 9, -9>, 1 }
         sphere { 0, 1 pigment { rgb 1 } finish { ambient 1 diffuse 0 } } plane { -z, -9 finish { emission 1 diffuse 0 } }",

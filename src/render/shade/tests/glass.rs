@@ -1,4 +1,4 @@
-//! Layers, what shines through, bent light and fading light, as POV-Ray 3.7.0.10 shows them.
+//! Layers, transparency, refraction and attenuation, as POV-Ray 3.7.0.10 shows them.
 
 use super::{shows, shows_in_36};
 
@@ -29,7 +29,7 @@ fn layers_let_lower_layers_through() {
 }
 
 #[test]
-fn light_shines_through() {
+fn surfaces_transmit_light() {
     shows(
         0.3,
         0.2,
@@ -67,7 +67,7 @@ fn before_version_3_7_filter_takes_the_brightest_channel_from_the_surface() {
 }
 
 #[test]
-fn light_bends() {
+fn light_refracts() {
     shows(
         0.3,
         0.2,
@@ -207,7 +207,7 @@ fn light_fades_in_interiors() {
 }
 
 #[test]
-fn the_inside_may_look_different() {
+fn interior_texture_covers_the_inside() {
     shows(
         0.3,
         0.2,

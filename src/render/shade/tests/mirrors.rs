@@ -155,7 +155,7 @@ fn a_metallic_mirror_takes_the_colour_of_the_pigment() {
 }
 
 #[test]
-fn conserved_energy_is_missing_behind() {
+fn conserve_energy_darkens_transmission() {
     shows(
         0.3,
         0.2,

@@ -1,7 +1,7 @@
 //! Single points of small scenes against POV-Ray 3.7.0.10, as it writes them with `+FN16 File_Gamma=1.0`.
 //!
-//! Each scene stands as POV-Ray read it, but for the head that [`HEAD`] and [`view`] put before it. The picture has
-//! one pixel, whose ray runs along z. The whole way from text to light is taken.
+//! Each scene is the text that POV-Ray read, without the header that [`HEAD`] and [`view`] add. The picture has one
+//! pixel, whose ray runs along z. The tests run the whole pipeline from text to light.
 
 mod blocks;
 mod glass;
@@ -16,7 +16,7 @@ use crate::base::source::Sources;
 use crate::lang;
 use crate::world::{Scratch, World, compile};
 
-/// What POV-Ray reads before each scene, with the version of the test.
+/// The text before each scene, besides the version of the test.
 const HEAD: &str = "global_settings { assumed_gamma 1 }";
 /// Two steps of the sixteen bits.
 const TOLERANCE: f64 = 2.0 / 65_535.0;
@@ -45,9 +45,9 @@ fn world(text: &str, version: f64, has_alpha: bool) -> World {
     )
 }
 
-/// The sample of the only ray of a scene, for quality 9 if no other is given.
-fn sample(at: (f64, f64), text: &str, has_alpha: bool, quality: u8, version: f64) -> Sample {
-    let world = world(&(view(at.0, at.1) + text), version, has_alpha);
+/// The sample of the only ray of a scene.
+fn sample(x: f64, y: f64, text: &str, has_alpha: bool, quality: u8, version: f64) -> Sample {
+    let world = world(&(view(x, y) + text), version, has_alpha);
     Tracer::new(&world, quality).pixel(0.0, 0.0, 1, 1, &mut Scratch::default())
 }
 
@@ -65,31 +65,31 @@ fn assert_close(text: &str, found: Rgb, expected: [f64; 3]) {
 
 /// The scene seen from `<x, y, -5>` along z has this colour in POV-Ray.
 fn shows(x: f64, y: f64, text: &str, expected: [f64; 3]) {
-    assert_close(text, sample((x, y), text, false, 9, 3.7).rgb, expected);
+    assert_close(text, sample(x, y, text, false, 9, 3.7).rgb, expected);
 }
 
 /// The same with `#version 3.6;` before it.
 fn shows_in_36(x: f64, y: f64, text: &str, expected: [f64; 3]) {
-    assert_close(text, sample((x, y), text, false, 9, 3.6).rgb, expected);
+    assert_close(text, sample(x, y, text, false, 9, 3.6).rgb, expected);
 }
 
 /// The same with `#version 3.1;` before it.
 fn shows_in_31(x: f64, y: f64, text: &str, expected: [f64; 3]) {
-    assert_close(text, sample((x, y), text, false, 9, 3.1).rgb, expected);
+    assert_close(text, sample(x, y, text, false, 9, 3.1).rgb, expected);
 }
 
 /// The same with `+Q` and a quality.
 fn shows_at_quality(quality: u8, text: &str, expected: [f64; 3]) {
     assert_close(
         text,
-        sample((0.0, 0.0), text, false, quality, 3.7).rgb,
+        sample(0.0, 0.0, text, false, quality, 3.7).rgb,
         expected,
     );
 }
 
 /// The same with `+UA`: red, green, blue, not multiplied by alpha, and alpha.
 fn shows_with_alpha(version: f64, text: &str, expected: [f64; 4]) {
-    let sample = sample((0.0, 0.0), text, true, 9, version);
+    let sample = sample(0.0, 0.0, text, true, 9, version);
     let alpha = f64::from(1.0 - sample.transmit);
     assert!(
         (alpha - expected[3]).abs() <= TOLERANCE,
@@ -111,7 +111,7 @@ fn a_thousand_panes_do_not_use_up_the_stack() {
         )
     };
     let text: String = (0..1000).map(pane).collect();
-    let seen = sample((0.0, 0.0), &text, false, 9, 3.7);
+    let seen = sample(0.0, 0.0, &text, false, 9, 3.7);
     assert_eq!((seen.rgb, seen.transmit), (Rgb::BLACK, 1.0));
 }
 
@@ -121,7 +121,7 @@ fn two_mirrors_end_at_the_trace_level() {
         plane { <0, 0, -1>, 0 pigment { rgb 1 } finish { ambient 0.125 diffuse 0 reflection 1 } }
         plane { <0, 0, -1>, 6 pigment { rgb 1 } finish { ambient 0.125 diffuse 0 reflection 1 } }";
     // The camera stands between them, at z = -5.
-    let seen = sample((0.0, 0.0), text, false, 9, 3.7);
+    let seen = sample(0.0, 0.0, text, false, 9, 3.7);
     assert_eq!(seen.rgb, Rgb::splat(5.0 * 0.125));
 }
 

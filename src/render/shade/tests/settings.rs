@@ -1,4 +1,5 @@
-//! Settings, quality, background, alpha, versions, patterns, and a scene of all of it, as POV-Ray 3.7.0.10 shows them.
+//! Settings, quality, background, alpha, versions, patterns, and a scene that combines them, as POV-Ray 3.7.0.10 shows
+//! them.
 
 use super::{shows, shows_at_quality, shows_in_31, shows_in_36, shows_with_alpha};
 
@@ -147,7 +148,7 @@ fn patterns_colour_surfaces() {
 }
 
 #[test]
-fn the_background_shows_where_nothing_is() {
+fn the_background_shows_where_rays_miss() {
     shows(
         0.3,
         0.2,
@@ -499,7 +500,7 @@ fn versions_up_to_3_1_do_not_filter_in_upper_layers() {
 }
 
 #[test]
-fn a_scene_of_all_of_it() {
+fn a_scene_with_everything() {
     shows(
         -1.7,
         -0.7,
