@@ -4,25 +4,25 @@
 //!  text ──lang──▶ Scene ──world──▶ World ──render──▶ Film ──output──▶ files
 //! ```
 //!
-//! [`scene`] is what a file says, as plain data, which a program can also build without any file. [`lang`] reads a file into
-//! it, [`world`] lowers it to what rays need and answers them, [`render`] turns rays into pixels and [`output`] encodes
-//! these. Neither the front end nor the back end knows the other; this file alone joins them. [`base`] lies below all,
-//! [`app`] (the programs) above.
+//! [`scene`] is the content of a file as plain data, which a program can also build without any file. [`lang`] reads a
+//! file into it, [`world`] lowers it to a form for ray queries and answers them, [`render`] turns rays into pixels and
+//! [`output`] encodes these. Neither the front end nor the back end uses the other; this file alone joins them.
+//! [`base`] lies below all, [`app`] (the programs) above.
 //!
-//! Elements (shapes, patterns, textures, lights, cameras, interiors, atmosphere, functions) are one file each in [`scene`],
-//! with their mathematics, what they read through [`base::args::Args`], and what they answer to rays.
+//! Elements (shapes, patterns, textures, lights, cameras, interiors, atmosphere, functions) are one file each in
+//! [`scene`], with their mathematics, their parameters (read through [`base::args::Args`]) and their ray queries.
 //!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
-//!   two of them; readers of elements never see a directive. Long lists of plain numbers need no tokens: all threads read
-//!   them from the text, and the results are taken in the order of the file.
+//!   two of them; readers of elements never see a directive. Long lists of plain numbers need no tokens: all threads
+//!   read them from the text, and the results are taken in the order of the file.
 //! * An object keeps its transforms as the list of steps that the file writes. Lowering folds them: first into the
-//!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, kept as the product of the
-//!   elementary inverses. The forward matrix is gone then.
+//!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, stored as the product of
+//!   the elementary inverses. The forward matrix is not stored.
 //! * Shapes report spans on the whole line of a ray. CSG sorts and counts them; it tests no point for being inside.
 //! * A ray that leaves a surface carries which root it left ([`world::SpawnSurface`]), not a smallest distance.
-//! * Camera rays of a block of pixels are traced, lit and shaded in packets: eight rays in single precision find out which
-//!   items may be hit, four in double precision hit them. One ray at a time gives the same bits.
+//! * Camera rays of a block of pixels are traced, lit and shaded in packets: packets of 8 in single precision select
+//!   the candidates, packets of 4 in double precision intersect them. Single rays give the same bits.
 //! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order of traversal.
 
 #[cfg(feature = "cli")]
@@ -40,7 +40,7 @@ use base::options::{
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
 use glam::DVec3;
-use lang::{Heard, Lexicon, Texts};
+use lang::{ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
 use render::{Checkpoint, CheckpointStatus};
 use scene::{Object, Scene};
@@ -48,33 +48,33 @@ use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use world::World;
 
-/// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
-/// reserved, not used, until a scene nests that deep.
+/// The stack for reading and lowering, which recurse once for each level of nesting in the scene. It is reserved, not
+/// committed, until a scene nests that deep.
 const STACK_BYTES: usize = 1 << 30;
 
-/// The stack of a thread that draws, which recurses once for each bend and mirror that is not followed in waves. An
-/// unoptimised build takes some megabytes for the kernels of combinations.
+/// The stack of a render thread, which recurses once for each refraction and reflection outside of the wavefront. An
+/// unoptimised build takes some megabytes for the CSG kernels.
 const DRAWING_STACK_BYTES: usize = 1 << 24;
 
-/// What fewer objects have left free in memory is not worth giving back.
+/// Up to this number of objects, the memory that lowering frees is too little to trim the heap.
 const SMALL_SCENE: usize = 200;
 
-/// Scenes with so many objects are compiled in a thread of their own.
+/// Scenes with this many objects are lowered in a thread of their own.
 const LARGE_SCENE: usize = 4096;
-/// So many objects are let go together.
+/// Objects are dropped in batches of this size.
 const BATCH: usize = 256;
-/// So many batches may wait for that.
-const WAITING: usize = 2;
-/// The room of so many batches is worth giving back.
-const BATCHES: usize = 8;
+/// Batches that may wait to be dropped.
+const QUEUED_BATCHES: usize = 2;
+/// The heap is trimmed once in this many batches.
+const TRIM_INTERVAL: usize = 8;
 
-/// Worlds with fewer primitives are let go at once.
+/// Worlds with fewer primitives are dropped at once.
 const LARGE_WORLD: usize = 10_000;
 
 /// Below this quality there is neither radiosity nor photons (facts 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
-/// Reads, compiles and renders a scene. `listen` hears what the scene says and what is found in it, as soon as it is.
+/// Reads, lowers and renders a scene. `listen` receives the messages of the scene and its findings as they occur.
 ///
 /// # Errors
 /// When the scene cannot be read.
@@ -85,41 +85,41 @@ pub fn draw(
     listen: &EventHandler<'_>,
 ) -> Result<Picture, Failure> {
     match render.threads {
-        None => draw_with(input, (read, render), listen, None, None),
+        None => draw_with(input, read, render, listen, None, None),
         Some(threads) => {
             let pool = pool(threads, listen)?;
-            draw_with(input, (read, render), listen, Some(&pool), None)
+            draw_with(input, read, render, listen, Some(&pool), None)
         }
     }
 }
 
-/// Draws one scene several times, one after the other or side by side, with other options each time: the frames of an
-/// animation. Its files are read and cut into tokens once.
+/// Renders one scene several times, in sequence or in parallel, with other options each time: the frames of an
+/// animation. Its files are read and tokenized once.
 #[derive(Debug, Default)]
 pub struct RenderSession {
     pool: Option<Arc<rayon::ThreadPool>>,
-    /// Nothing is kept of a scene that is drawn once.
-    kept: Option<Mutex<Option<Arc<Kept>>>>,
+    /// The cache of the scene; `None` for a scene that is rendered once.
+    cache: Option<Mutex<Option<Arc<SceneCache>>>>,
 }
 
 impl RenderSession {
-    /// A series that draws with the threads of `pool`, or with one for each core. `RenderOptions::threads` does not
-    /// count in it.
+    /// A session that renders with the threads of `pool`, or with one for each core. It ignores
+    /// `RenderOptions::threads`.
     #[must_use]
     pub fn new(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
         RenderSession {
             pool,
-            kept: Some(Mutex::default()),
+            cache: Some(Mutex::default()),
         }
     }
 
-    /// The same for a single picture, of whose reading nothing is kept.
+    /// A session for a single image, without a cache.
     #[must_use]
     pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
-        RenderSession { pool, kept: None }
+        RenderSession { pool, cache: None }
     }
 
-    /// As [`draw`]. The input is the same for the whole series.
+    /// As [`draw`]. The input is the same for the whole session.
     ///
     /// # Errors
     /// When the scene cannot be read.
@@ -131,22 +131,22 @@ impl RenderSession {
         listen: &EventHandler<'_>,
     ) -> Result<Picture, Failure> {
         let pool = self.pool.as_deref();
-        draw_with(input, (read, render), listen, pool, self.kept.as_ref())
+        draw_with(input, read, render, listen, pool, self.cache.as_ref())
     }
 }
 
-/// What a reading leaves to the next of the same scene.
+/// The sources and tokens of a scene, cached for its next reading.
 #[derive(Debug)]
-struct Kept {
+struct SceneCache {
     scene: FileId,
     sources: Sources,
-    lexicon: Lexicon,
+    token_cache: TokenCache,
 }
 
-/// Upper limit of the number of threads: beyond the number of cores they only take memory.
+/// Limit on the number of threads: beyond the number of cores they only take memory.
 const MOST_THREADS: usize = 1024;
 
-/// Threads to draw with, 1,024 at the most.
+/// A pool of render threads, 1,024 at the most.
 ///
 /// # Errors
 /// When the system gives none.
@@ -160,14 +160,15 @@ pub fn pool(threads: usize, listen: &EventHandler<'_>) -> Result<rayon::ThreadPo
 
 fn draw_with(
     input: &Input,
-    (read, render): (&ReadOptions, &RenderOptions),
+    read: &ReadOptions,
+    render: &RenderOptions,
     listen: &EventHandler<'_>,
     pool: Option<&rayon::ThreadPool>,
-    kept: Option<&Mutex<Option<Arc<Kept>>>>,
+    cache: Option<&Mutex<Option<Arc<SceneCache>>>>,
 ) -> Result<Picture, Failure> {
     let mut watch = StageTimer::start();
     let ((world, working), print) = with_deep_stack(listen, || {
-        let (scene, print) = read_scene(input, read, render, listen, kept)?;
+        let (scene, print) = read_scene(input, read, render, listen, cache)?;
         watch.lap("read");
         let prepared = prepared(scene, render);
         watch.lap("compile");
@@ -210,7 +211,7 @@ fn draw_with(
     })
 }
 
-/// The unfinished picture of an earlier run, and the one that is about to be drawn.
+/// The checkpoint of this render, with the pixels of an earlier run.
 fn unfinished(
     read: &ReadOptions,
     render: &RenderOptions,
@@ -241,7 +242,7 @@ fn unfinished(
         ..
     } = render;
     let size = (render.width, render.height);
-    // All that decides about the pixels, but for the number of threads.
+    // All options that affect the pixels; the number of threads does not.
     let all = format!(
         "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {random_order:?} {sampling:?} \
          {declares:?} {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
@@ -249,8 +250,8 @@ fn unfinished(
     );
     let mut hasher = rustc_hash::FxHasher::default();
     all.hash(&mut hasher);
-    let (unfinished, found) = Checkpoint::open(keep, hasher.finish(), size);
-    match found {
+    let (unfinished, status) = Checkpoint::open(keep, hasher.finish(), size);
+    match status {
         CheckpointStatus::Nothing => {}
         CheckpointStatus::Other => listen(Event::StartsAnew),
         CheckpointStatus::Pixels(pixels) => listen(Event::GoesOn(pixels)),
@@ -258,20 +259,20 @@ fn unfinished(
     Some(unfinished)
 }
 
-/// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
-/// that ends then need not wait.
+/// Drops a world in a background thread: freeing a large one takes longer than writing its image, and a program that
+/// then ends need not wait.
 fn drop_in_background(world: World) {
     if (world.shown() as usize) < LARGE_WORLD {
         return;
     }
-    // Without a thread it goes here and now.
+    // Without a thread it is dropped here.
     let _ = std::thread::Builder::new()
         .name("forgetter".to_owned())
         .spawn(move || drop(world));
 }
 
-/// Reads a scene, draws nothing, and changes no file. All that can be wrong in a scene is found by reading: compiling
-/// cannot fail.
+/// Reads a scene without rendering it and without changing any file. All faults of a scene are detected by reading:
+/// lowering cannot fail.
 ///
 /// # Errors
 /// When the scene could not be drawn.
@@ -286,7 +287,7 @@ pub fn check(input: &Input, read: &ReadOptions, listen: &EventHandler<'_>) -> Re
     })
 }
 
-/// Does something on a stack that is deep enough for scenes that nest deep.
+/// Runs `work` on a stack that is deep enough for deeply nested scenes.
 fn with_deep_stack<T: Send>(
     listen: &EventHandler<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
@@ -302,13 +303,13 @@ fn with_deep_stack<T: Send>(
     })
 }
 
-/// A thread of this name with such a stack.
+/// A thread with such a stack.
 fn deep(name: &str) -> std::thread::Builder {
     let thread = std::thread::Builder::new();
     thread.name(name.to_owned()).stack_size(STACK_BYTES)
 }
 
-/// A failure that has nothing to do with the scene.
+/// A failure that is not caused by the scene.
 fn failure(message: String, listen: &EventHandler<'_>) -> Failure {
     let error = Message::new(&Diagnostic::error(None, message), &Sources::default());
     listen(Event::Found(&error));
@@ -317,13 +318,13 @@ fn failure(message: String, listen: &EventHandler<'_>) -> Failure {
     }
 }
 
-/// True if drawing a scene writes a file beside the picture.
+/// True if rendering a scene writes a file beside the image.
 fn saves(scene: &Scene) -> bool {
     let photons = scene.globals.photons.as_ref();
     photons.is_some_and(|photons| photons.save_file.is_some())
 }
 
-/// Writes photons into the file that the scene names for them.
+/// Writes the photon map to the file that the scene names for it.
 fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>) {
     let settings = world.photons.as_ref().map(|photons| &photons.settings);
     let path = settings.and_then(|settings| settings.save_file.as_ref());
@@ -338,7 +339,7 @@ fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>)
     }
 }
 
-/// The drawing wing as the reading wing sees it.
+/// Answers `trace` and `inside` for the reader.
 #[derive(Default)]
 struct OwnObjects(world::ProbeModel);
 
@@ -366,15 +367,15 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<base::color:
         }
         world
     } else {
-        compiled_apart(scene, render)
+        compiled_in_a_thread(scene, render)
     };
     (world, working)
 }
 
-/// Compiles a scene in a thread of its own, and lets go of its objects here. An allocator gives each thread memory from
-/// a room of that thread, and what it lets go of: so what stays does not lie scattered over the room of what does not.
-fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
-    let (sender, objects) = mpsc::sync_channel(WAITING);
+/// Lowers a scene in a thread of its own, and drops its objects in this one. glibc's allocator has an arena for each
+/// thread: the world goes into the other thread's arena, so it does not fragment the one whose objects are dropped.
+fn compiled_in_a_thread(scene: Scene, render: &RenderOptions) -> World {
+    let (sender, objects) = mpsc::sync_channel(QUEUED_BATCHES);
     let work = Mutex::new(Some((scene, sender)));
     let compile = || {
         let (scene, sender) = work.lock().unwrap_or_else(PoisonError::into_inner).take()?;
@@ -382,7 +383,7 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         let world = world::compile_apart(scene, render, &mut |object| {
             batch.push(object);
             if batch.len() == BATCH {
-                // Nobody is there to take them only where there is no other thread.
+                // Sending fails only where there is no second thread.
                 let _ = sender.send(std::mem::replace(&mut batch, Vec::with_capacity(BATCH)));
             }
         });
@@ -392,7 +393,7 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         let compiler = deep("compiler").spawn_scoped(scope, compile).ok()?;
         for (batches, objects) in (1..).zip(objects) {
             drop::<Vec<Arc<Object>>>(objects);
-            if batches % BATCHES == 0 {
+            if batches % TRIM_INTERVAL == 0 {
                 base::memory::trim_heap();
             }
         }
@@ -405,25 +406,25 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         .expect("the scene is compiled here if it was not there")
 }
 
-/// Reads a scene; what drawing cannot do yet is an error if it would be seen at the quality asked for. With it comes what
-/// tells its texts from others, if an unfinished picture is to be kept.
+/// Reads a scene; an unsupported feature is an error if it has an effect at the requested quality. Also returns the
+/// fingerprint of its texts, if there will be a checkpoint.
 fn read_scene(
     input: &Input,
     options: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
-    kept: Option<&Mutex<Option<Arc<Kept>>>>,
+    cache: Option<&Mutex<Option<Arc<SceneCache>>>>,
 ) -> Result<(Scene, u64), Failure> {
-    let earlier = kept.and_then(|kept| lock(kept).clone());
-    let mut lexicon = kept.map(|_| Lexicon::default());
+    let earlier = cache.and_then(|cache| lock(cache).clone());
+    let mut token_cache = cache.map(|_| TokenCache::default());
     let mut sources = Sources::new(options.library_paths.clone());
     if let Some(earlier) = &earlier {
         sources = earlier.sources.clone();
-        lexicon = Some(earlier.lexicon.clone());
+        token_cache = Some(earlier.token_cache.clone());
     }
     let mut print = 0;
     let mut errors = Vec::new();
-    let mut found = |finding: &Diagnostic, sources: &Sources| {
+    let mut report = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
         listen(Event::Found(&message));
         if message.severity == Severity::Error {
@@ -439,20 +440,20 @@ fn read_scene(
     };
     let scene = match file {
         Ok(file) => {
-            let mut hear = |heard: Heard<'_>| match heard {
-                Heard::Said(text) => listen(Event::Said(text)),
-                Heard::Found(finding, sources) => found(finding, sources),
+            let mut forward = |event: ReadEvent<'_>| match event {
+                ReadEvent::Said(text) => listen(Event::Said(text)),
+                ReadEvent::Finding(finding, sources) => report(finding, sources),
             };
             let mut probe = OwnObjects::default();
             let texts = Texts {
                 scene: file,
                 sources: &mut sources,
-                lexicon: lexicon.as_mut(),
+                token_cache: token_cache.as_mut(),
             };
-            let reading = lang::evaluate_with(texts, options, &mut probe, &mut hear);
+            let reading = lang::evaluate_with(texts, options, &mut probe, &mut forward);
             if render.quality >= QUALITY_OF_RADIOSITY {
                 for undrawn in &reading.undrawn {
-                    found(undrawn, &sources);
+                    report(undrawn, &sources);
                 }
             }
             listen(Event::Read {
@@ -462,13 +463,15 @@ fn read_scene(
             if render.keep.is_some() {
                 print = sources.fingerprint();
             }
-            if let (Some(kept), Some(lexicon), true) = (kept, lexicon, reading.has_learnt) {
-                keep(kept, earlier.as_ref(), file, sources, lexicon);
+            if let (Some(cache), Some(token_cache), true) =
+                (cache, token_cache, reading.has_new_tokens)
+            {
+                update_cache(cache, earlier.as_ref(), file, sources, token_cache);
             }
             reading.scene
         }
         Err(error) => {
-            found(&error, &sources);
+            report(&error, &sources);
             None
         }
     };
@@ -479,20 +482,20 @@ fn read_scene(
     }
 }
 
-/// Keeps what a reading has learnt, unless another has done so since it began.
-fn keep(
-    kept: &Mutex<Option<Arc<Kept>>>,
-    earlier: Option<&Arc<Kept>>,
+/// Stores the tokens of a reading, unless another has done so since it began.
+fn update_cache(
+    cache: &Mutex<Option<Arc<SceneCache>>>,
+    earlier: Option<&Arc<SceneCache>>,
     scene: FileId,
     sources: Sources,
-    lexicon: Lexicon,
+    token_cache: TokenCache,
 ) {
-    let mut kept = lock(kept);
-    if kept.as_ref().map(Arc::as_ptr) == earlier.map(Arc::as_ptr) {
-        *kept = Some(Arc::new(Kept {
+    let mut cache = lock(cache);
+    if cache.as_ref().map(Arc::as_ptr) == earlier.map(Arc::as_ptr) {
+        *cache = Some(Arc::new(SceneCache {
             scene,
             sources: sources.for_another_run(),
-            lexicon,
+            token_cache,
         }));
     }
 }

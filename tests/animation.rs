@@ -1,4 +1,4 @@
-//! Animations: the frames, their clocks, their names and what becomes of a faulty one, as POV-Ray has them.
+//! Animations: frames, clocks, names, and the end at a faulty frame, compared with POV-Ray.
 
 mod support;
 
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 const TIME_LIMIT: Duration = Duration::from_secs(120);
 
-/// Tells of each frame in a line that begins with `@`.
+/// Reports each frame in a line that begins with `@`.
 const TELLING: &str = "// Tells what it is told of its frame.
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -23,7 +23,7 @@ light_source { <-3, 5, -8>, rgb 1 }
 sphere { clock*x, 1 pigment { rgb <0.9, 0.5, 0.2> } }
 ";
 
-/// A folder with files of the given names and texts.
+/// A folder with these files, given as names and texts.
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, text) in files {
@@ -32,7 +32,7 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     folder
 }
 
-/// Whether a renderer that ran in a folder was content, and the lines of a scene's own there.
+/// Runs a renderer in a folder; returns whether it succeeded, and the lines that the scene wrote there.
 fn run(renderer: &OsStr, folder: &Path, arguments: &[&str]) -> (bool, Vec<String>) {
     let mut command = Command::new(renderer);
     command.current_dir(folder).args(arguments);
@@ -56,7 +56,7 @@ fn pictures(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn frames_are_named_and_told_as_in_povray() {
+fn frames_are_named_and_reported_as_in_povray() {
     for arguments in [
         "+KFF3",
         "+KFF10 +SF9 +EF11",
@@ -70,8 +70,8 @@ fn frames_are_named_and_told_as_in_povray() {
         let usual = ["+Is.pov", "+W4", "+H3", "-D", "-A"];
         let arguments: Vec<&str> = usual.into_iter().chain(arguments.split(' ')).collect();
         let expected = run("povray".as_ref(), theirs.path(), &arguments);
-        let found = run(&support::renderer(), ours.path(), &arguments);
-        assert_eq!(found, expected, "{arguments:?}");
+        let actual = run(&support::renderer(), ours.path(), &arguments);
+        assert_eq!(actual, expected, "{arguments:?}");
         assert_eq!(
             pictures(ours.path()),
             pictures(theirs.path()),
@@ -111,9 +111,9 @@ fn the_arm_moves_as_in_povray() {
     for name in names {
         let open = |folder: &Path| image::open(folder.join(&name)).expect("a picture");
         let (expected, actual) = (open(theirs.path()), open(ours.path()));
-        let found = compare(&expected, &actual).expect("one size");
-        let verdict = Limits::DEFAULT.verdict(&found);
-        assert_eq!(verdict, Verdict::Within, "{name}: {found}");
+        let comparison = compare(&expected, &actual).expect("one size");
+        let verdict = Limits::DEFAULT.verdict(&comparison);
+        assert_eq!(verdict, Verdict::Within, "{name}: {comparison}");
         assert_ne!(last.as_ref(), Some(&actual), "{name}: the arm stands still");
         last = Some(actual);
     }
@@ -125,22 +125,22 @@ fn a_faulty_frame_ends_the_animation_as_in_povray() {
     let arguments = ["+Is.pov", "+W4", "+H3", "-D", "-A", "+KFF9"];
     let (theirs, ours) = (folder(&[("s.pov", &text)]), folder(&[("s.pov", &text)]));
     let expected = run("povray".as_ref(), theirs.path(), &arguments);
-    let found = run(&support::renderer(), ours.path(), &arguments);
+    let actual = run(&support::renderer(), ours.path(), &arguments);
     assert!(!expected.0);
-    assert_eq!(found, expected);
+    assert_eq!(actual, expected);
     assert_eq!(pictures(ours.path()), ["s1.png", "s2.png"]);
     assert_eq!(pictures(theirs.path()), ["s1.png", "s2.png"]);
 }
 
 #[test]
-fn frames_side_by_side_are_those_of_one_at_a_time() {
+fn parallel_frames_equal_sequential_frames() {
     let include = "#declare Ball = sphere { clock*x, 0.8 pigment { bozo } }\n";
     let text = format!("{TELLING}#include \"ball.inc\"\nobject {{ Ball translate y }}\n");
     let files = [("s.pov", text.as_str()), ("ball.inc", include)];
     let (together, alone) = (folder(&files), folder(&files));
     let arguments = ["+Is.pov", "+W64", "+H48", "+A", "+KFF12"];
     let side_by_side = [&arguments[..], &["+WT4"]].concat();
-    let (is_done, told) = run(&support::renderer(), together.path(), &side_by_side);
+    let (is_done, lines) = run(&support::renderer(), together.path(), &side_by_side);
     assert!(is_done);
     let mut each = Vec::new();
     for number in 1..=12 {
@@ -148,7 +148,7 @@ fn frames_side_by_side_are_those_of_one_at_a_time() {
         let part = [&arguments[..], &[&part[0], &part[1], "+WT1"]].concat();
         each.extend(run(&support::renderer(), alone.path(), &part).1);
     }
-    assert_eq!(told, each);
+    assert_eq!(lines, each);
     let names = pictures(together.path());
     assert_eq!(names.len(), 13, "12 pictures and the include file");
     for name in names {
@@ -157,7 +157,7 @@ fn frames_side_by_side_are_those_of_one_at_a_time() {
     }
 }
 
-/// A scene may hand something on to its next frame by a file, from any frame on.
+/// A scene may pass data on to its next frame by a file, from any frame on.
 #[test]
 fn a_frame_reads_what_the_one_before_it_wrote() {
     let text = format!(
@@ -170,9 +170,9 @@ fn a_frame_reads_what_the_one_before_it_wrote() {
     );
     let ours = folder(&[("s.pov", &text)]);
     let arguments = ["+Is.pov", "+W4", "+H3", "+KFF9", "+WT4"];
-    let (is_done, told) = run(&support::renderer(), ours.path(), &arguments);
+    let (is_done, lines) = run(&support::renderer(), ours.path(), &arguments);
     assert!(is_done);
-    let counted: Vec<&str> = told
+    let counted: Vec<&str> = lines
         .iter()
         .filter_map(|line| line.strip_prefix("@ N "))
         .collect();
@@ -183,7 +183,7 @@ fn a_frame_reads_what_the_one_before_it_wrote() {
             .trim(),
         "6"
     );
-    let numbers = told.iter().filter(|line| line.contains(" 1")).count();
-    assert!(numbers >= 9, "each frame is told once: {told:?}");
+    let numbers = lines.iter().filter(|line| line.contains(" 1")).count();
+    assert!(numbers >= 9, "each frame is told once: {lines:?}");
     assert_eq!(pictures(ours.path()).len(), 10);
 }

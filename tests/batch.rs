@@ -1,4 +1,4 @@
-//! `povr batch`: what it draws, what it leaves alone, and what becomes of it when it is killed or a scene is bad.
+//! `povr batch`: the pictures it draws and skips, and its recovery after kills and faulty scenes.
 
 #![cfg(unix)]
 
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// How often a run is killed.
+/// Number of times a run is killed.
 const KILLS: usize = 50;
 const SCENES: usize = 200;
 
@@ -24,9 +24,9 @@ global_settings { assumed_gamma 1 }
 camera { location <0, 2, -7> look_at 0 angle 45 }
 light_source { <-4, 6, -8>, rgb 1 }
 ";
-const BALL: &str = "sphere { 0, 1.5 pigment { rgb <0.9, 0.5, 0.2> } finish { phong 0.5 } }\n";
+const SPHERE: &str = "sphere { 0, 1.5 pigment { rgb <0.9, 0.5, 0.2> } finish { phong 0.5 } }\n";
 
-/// A folder with files of the given names and texts.
+/// A folder with these files, given as names and texts.
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, text) in files {
@@ -38,10 +38,10 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
 }
 
 fn scene(more: &str) -> String {
-    format!("// A small scene.\n{HEAD}{BALL}{more}")
+    format!("// A small scene.\n{HEAD}{SPHERE}{more}")
 }
 
-/// What a run came to: its exit code, the lines of its log, and what it said.
+/// The result of a run: its exit code, the lines of its log, and its standard error.
 struct Ran {
     code: Option<i32>,
     log: Vec<Value>,
@@ -114,9 +114,9 @@ fn batch(scenes: &Path, out: &Path, more: &[&str]) -> Ran {
     ))
 }
 
-/// All files below a folder with what they hold, by their paths there.
+/// All files below a folder with their contents, by their paths there.
 fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut found = BTreeMap::new();
+    let mut contents = BTreeMap::new();
     let mut open = vec![folder.to_owned()];
     while let Some(next) = open.pop() {
         for entry in fs::read_dir(next).into_iter().flatten().flatten() {
@@ -125,11 +125,11 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
                 open.push(path);
             } else if let Ok(bytes) = fs::read(&path) {
                 let below = path.strip_prefix(folder).expect("it lies below");
-                found.insert(below.to_owned(), bytes);
+                contents.insert(below.to_owned(), bytes);
             }
         }
     }
-    found
+    contents
 }
 
 /// The pictures among files.
@@ -139,7 +139,7 @@ fn pictures(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     files
 }
 
-/// Numbers from 0 to 1 that are the same in each run.
+/// Reproducible numbers from 0 to 1.
 fn numbers(count: usize) -> Vec<f64> {
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
@@ -157,12 +157,12 @@ fn numbers(count: usize) -> Vec<f64> {
 /// Small scenes in ten folders, most of which take some hundredths of a second at most.
 fn many_scenes(count: usize) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let places = numbers(3 * 4 * count);
-    for (number, places) in places.chunks(12).enumerate() {
+    let coordinates = numbers(3 * 4 * count);
+    for (number, coordinates) in coordinates.chunks(12).enumerate() {
         let group = folder.path().join(format!("g{}", number % 10));
         fs::create_dir_all(&group).expect("a folder");
         let mut text = format!("// Scene {number} of many.\n{HEAD}#include \"colors.inc\"\n");
-        for p in places.chunks(3) {
+        for p in coordinates.chunks(3) {
             let (x, y, z) = (4.0 * p[0] - 2.0, 2.0 * p[1] - 1.0, 3.0 * p[2]);
             text += &format!(
                 "sphere {{ <{x}, {y}, {z}>, 0.6 pigment {{ Red }} finish {{ reflection 0.2 }} }}\n"
@@ -174,7 +174,7 @@ fn many_scenes(count: usize) -> tempfile::TempDir {
 }
 
 #[test]
-fn a_run_killed_at_many_moments_ends_with_the_files_of_an_unbroken_one() {
+fn a_run_killed_many_times_ends_with_the_files_of_an_uninterrupted_one() {
     let scenes = many_scenes(SCENES);
     let (whole, broken) = (folder(&[]), folder(&[]));
     let started = Instant::now();
@@ -190,7 +190,7 @@ fn a_run_killed_at_many_moments_ends_with_the_files_of_an_unbroken_one() {
             .stderr(Stdio::null())
             .spawn()
             .expect("povr starts");
-        // Together about as long as the whole run takes, beside what starting takes.
+        // Together about as long as the whole run takes, in addition to the start-up time.
         let start = Duration::from_millis(10);
         std::thread::sleep(start + took.mul_f64(2.0 * share / KILLS as f64));
         run.kill().expect("it can be killed");
@@ -219,7 +219,7 @@ fn a_run_killed_at_many_moments_ends_with_the_files_of_an_unbroken_one() {
 }
 
 #[test]
-fn the_tree_of_the_pictures_is_that_of_the_scenes() {
+fn pictures_have_the_folder_tree_of_the_scenes() {
     let scenes = folder(&[
         ("a.pov", &scene("")),
         ("in/b.pov", &scene("")),
@@ -249,7 +249,7 @@ fn the_tree_of_the_pictures_is_that_of_the_scenes() {
 }
 
 #[test]
-fn pictures_are_those_of_single_calls_with_the_ini_files_beside_the_scenes() {
+fn pictures_equal_those_of_single_runs_with_the_ini_files_beside_the_scenes() {
     let scenes = folder(&[
         ("a.pov", &scene("#include \"own.inc\"\n")),
         (
@@ -278,14 +278,14 @@ fn pictures_are_those_of_single_calls_with_the_ini_files_beside_the_scenes() {
         run.arg(format!("+O{}/{stem}", single.path().display()));
         assert!(run.status().expect("povr starts").success());
     }
-    let found = pictures(out.path());
-    assert_eq!(found.len(), 13);
-    assert!(found.contains_key(Path::new("film07.png")));
-    assert_eq!(found, pictures(single.path()));
+    let actual = pictures(out.path());
+    assert_eq!(actual.len(), 13);
+    assert!(actual.contains_key(Path::new("film07.png")));
+    assert_eq!(actual, pictures(single.path()));
 }
 
 #[test]
-fn what_is_up_to_date_is_told_by_content() {
+fn up_to_date_pictures_are_detected_by_content() {
     let scenes = folder(&[
         ("a.pov", &scene("#include \"near.inc\"\n")),
         (
@@ -306,7 +306,7 @@ fn what_is_up_to_date_is_told_by_content() {
     assert!(drawn(&[]).is_empty());
     fs::write(path("near.inc"), "box { 1, 2 pigment { rgb x } }\n").unwrap();
     assert_eq!(drawn(&[]), ["a"]);
-    // A file that comes before the one that was found.
+    // A file that is searched before the one that was found.
     fs::write(path("colors.inc"), "#declare Red = rgb <0.5, 0, 0>;\n").unwrap();
     assert_eq!(drawn(&[]), ["b"]);
     fs::write(out.path().join("c.png"), "cut off").unwrap();
@@ -322,7 +322,7 @@ fn what_is_up_to_date_is_told_by_content() {
 }
 
 #[test]
-fn parts_are_the_whole_and_slurm_names_them() {
+fn the_parts_cover_the_whole_and_follow_slurm() {
     let scenes = many_scenes(20);
     let (whole, parts) = (folder(&[]), folder(&[]));
     batch(scenes.path(), whole.path(), &[]);
@@ -340,7 +340,7 @@ fn parts_are_the_whole_and_slurm_names_them() {
     assert!(third.stderr.contains("part 3 of 3"), "{}", third.stderr);
     assert_eq!(count + third.drawn().len(), 20);
     assert_eq!(pictures(parts.path()), pictures(whole.path()));
-    // What the parts have drawn is up to date for all.
+    // Pictures drawn by the parts are up to date for all.
     assert!(batch(scenes.path(), parts.path(), &[]).drawn().is_empty());
 }
 
@@ -374,7 +374,7 @@ fn two_runs_do_not_work_on_the_same_part() {
     );
 }
 
-/// Scenes that would fill the machine, never end, or are wrong, and one that is right behind each.
+/// Scenes that would exhaust the machine, never end, or are faulty, each followed by a correct one.
 #[test]
 fn a_bad_scene_ends_alone() {
     let endless = "#declare A = 1; #while (A > 0) #declare A = A + 1; #declare B = sin(A); #end\n";
@@ -414,7 +414,7 @@ object { U }\n")),
         names,
         right.map(|name| PathBuf::from(format!("{name}.png")))
     );
-    // On a fast machine all the tokens that loops may read are read before the time is over.
+    // A fast machine may use up the token limit of loops before the time limit.
     let endless = ran.why("c_endless.pov");
     assert!(
         endless.contains("do not come to an end") || endless.contains("it took longer than 4s"),
@@ -440,7 +440,7 @@ object { U }\n")),
         );
         assert!(ran.stderr.contains(scene), "{scene} is reported at the end");
     }
-    // What failed is tried again, what was drawn is not.
+    // Failed scenes are tried again, drawn ones are not.
     let again = batch(
         scenes.path(),
         out.path(),
@@ -449,7 +449,7 @@ object { U }\n")),
     assert_eq!((again.code, again.drawn().len()), (Some(1), 0));
 }
 
-/// Scenes that write files of one name would disturb each other.
+/// Scenes that write files of the same name would disturb each other.
 #[test]
 fn scenes_that_write_files_are_drawn_alone() {
     let writing = |number: usize| {
@@ -478,9 +478,9 @@ fn scenes_that_write_files_are_drawn_alone() {
     );
 }
 
-/// Frames that hand files on to each other are drawn in their order, and not in parts.
+/// Frames that pass files on to each other are drawn in their order, and not in parts.
 #[test]
-fn frames_that_hand_files_on_are_drawn_in_their_order() {
+fn frames_that_pass_files_on_are_drawn_in_order() {
     let counting = scene(
         "#declare N = 0;
 #if (file_exists(\"count.txt\")) #fopen In \"count.txt\" read #read (In, N) #fclose In #end
@@ -520,7 +520,7 @@ fn a_full_disk_ends_scenes_and_leaves_the_rest() {
         .map(|(n, t)| (n.as_str(), t.as_str()))
         .collect();
     let (scenes, disk) = (folder(&files), folder(&[]));
-    // The most room for one file; as root a disk of that size can be had, which is nearer to the truth.
+    // A limit on the size of a file; root can mount a disk of that size instead, which is closer to a full disk.
     let mounted = Command::new("mount")
         .args(["-t", "tmpfs", "-o", "size=96k", "tmpfs", text(disk.path())])
         .stderr(Stdio::null())
@@ -559,8 +559,8 @@ fn a_full_disk_ends_scenes_and_leaves_the_rest() {
         ran(Command::new("sh").args(["-c", &line]))
     };
     assert_eq!(ended.code, Some(1), "{}", ended.stderr);
-    let told = ended.stderr.contains("hint: make room and run it again");
-    assert!(told, "{}", ended.stderr);
+    let has_hint = ended.stderr.contains("hint: make room and run it again");
+    assert!(has_hint, "{}", ended.stderr);
 }
 
 #[test]
@@ -581,7 +581,7 @@ fn a_folder_that_cannot_be_written_to_ends_its_scenes() {
     open(out.path(), 0o777);
     open(&locked, 0o555);
     let mut run = command(&[text(scenes.path()), "-o", text(out.path())]);
-    // The user root is kept out of nothing.
+    // No permission keeps root out.
     if Command::new("id")
         .arg("-u")
         .output()

@@ -1,4 +1,4 @@
-//! `povr check` and the forms of messages, as a user of the program sees them.
+//! `povr check` and the formats of messages, as a user of the program sees them.
 
 use std::fs;
 use std::io::Write;
@@ -9,14 +9,14 @@ const RIGHT: &str =
     "camera { location -5*z look_at 0 }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 }\n";
 const FAULTY: &str = "sphere { 0, 1 pigmnet { rgb 1 } }\nbox { -1, 1 rotaet y }\n";
 
-/// What the program wrote on its two streams, and its exit code.
+/// The two output streams of the program, and its exit code.
 struct Ended {
     out: String,
     err: String,
     code: Option<i32>,
 }
 
-/// A folder with a right and a faulty scene, one in a folder inside, and one that needs a library.
+/// A folder with a correct and a faulty scene, one in a subfolder, and one that needs a library.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for name in ["inner", "library"] {
@@ -52,7 +52,7 @@ fn povr(folder: &Path, arguments: &[&str], input: &str) -> Ended {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // Who does not read it has gone already.
+    // A program that does not read its input may have ended already.
     let _ = child
         .stdin
         .take()
@@ -68,7 +68,7 @@ fn povr(folder: &Path, arguments: &[&str], input: &str) -> Ended {
 }
 
 #[test]
-fn a_right_scene_is_told_so_and_leaves_no_picture() {
+fn a_correct_scene_is_reported_and_leaves_no_picture() {
     let folder = folder();
     let ended = povr(folder.path(), &["check", "right.pov"], "");
     assert_eq!(
@@ -206,7 +206,7 @@ fn switches_and_ini_files_count_and_standard_input_is_a_scene() {
 }
 
 #[test]
-fn a_missing_scene_is_an_error_and_a_bad_option_a_refusal() {
+fn a_missing_scene_is_an_error_and_a_bad_option_a_usage_error() {
     let folder = folder();
     let ended = povr(folder.path(), &["check", "none.pov", "right.pov"], "");
     assert_eq!(ended.code, Some(1));
@@ -238,7 +238,7 @@ fn help_names_the_command_and_the_command_has_help() {
 }
 
 #[test]
-fn drawing_tells_in_the_form_that_is_asked_for_and_in_the_order_of_the_scene() {
+fn drawing_reports_in_the_requested_form_and_in_the_order_of_the_scene() {
     let folder = folder();
     let scene = "inner/doubtful.pov";
     let ended = povr(folder.path(), &[scene, "+W8", "+H6", "-F"], "");
@@ -253,7 +253,7 @@ fn drawing_tells_in_the_form_that_is_asked_for_and_in_the_order_of_the_scene() {
     assert_eq!((ended.err.lines().count(), ended.out.as_str()), (2, ""));
 }
 
-/// Bodies of `bevel.inc` that cannot be, and what is said about each.
+/// Impossible bodies of `bevel.inc`, and the reason reported for each.
 const BEVELS: [(&str, &str); 9] = [
     (
         "Bevel_box(0*x, <1, 1, 1>, 0)",
@@ -294,7 +294,7 @@ const BEVELS: [(&str, &str); 9] = [
 ];
 
 #[test]
-fn a_bevelled_body_that_cannot_be_is_told_with_its_place() {
+fn an_impossible_bevelled_body_is_reported_with_its_position() {
     let folder = folder();
     let include = Path::new(env!("CARGO_MANIFEST_DIR")).join("pov_scenes/include");
     let library = format!("+L{}", include.display());
@@ -303,8 +303,8 @@ fn a_bevelled_body_that_cannot_be_is_told_with_its_place() {
         fs::write(folder.path().join("bevelled.pov"), scene).expect("a scene");
         let ended = povr(folder.path(), &["check", &library, "bevelled.pov"], "");
         assert_eq!(ended.code, Some(1), "{body}: {}", ended.err);
-        let told = ended.out + &ended.err;
-        assert!(told.contains(reason), "{body}: {told}");
-        assert!(told.contains("bevelled.pov:2:"), "{body}: {told}");
+        let output = ended.out + &ended.err;
+        assert!(output.contains(reason), "{body}: {output}");
+        assert!(output.contains("bevelled.pov:2:"), "{body}: {output}");
     }
 }

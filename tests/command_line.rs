@@ -1,6 +1,6 @@
-//! The command line as POV-Ray takes it: each row runs both programs in a folder of its own and compares the exit code,
-//! the files that are there afterwards and the pictures in them, whether anything came to standard output, and the lines
-//! of `#debug` that begin with `= ` where the scene is drawn.
+//! The command line compared with POV-Ray's: each row runs both programs in a folder of its own and compares the exit
+//! code, the new files and the pictures in them, whether there was any standard output, and, where the scene is drawn,
+//! the lines of `#debug` that begin with `= `.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,10 +8,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// POV-Ray spends most of its wall time asleep, so more rows run at once than there are processors.
+/// POV-Ray spends most of its wall time asleep, so more rows run in parallel than there are processors.
 const AT_ONCE: usize = 6;
 
-/// Files besides the scene that rows use.
+/// Files beside the scene that rows use.
 const FILES: [(&str, &str); 9] = [
     (
         "s.pov",
@@ -40,18 +40,17 @@ const FILES: [(&str, &str); 9] = [
     ("empty.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n"),
 ];
 
-/// What a program does.
+/// The effects of a run.
 #[derive(Debug, PartialEq)]
 struct Done {
     code: Option<i32>,
-    /// Files that were not there before; of pictures that both programs can be asked about, their pixels, and what a scene
-    /// writes.
+    /// New files; with the pixels of lossless pictures, and the text written by the scene.
     files: BTreeMap<String, Option<Vec<u8>>>,
     has_output: bool,
     values: Vec<String>,
 }
 
-/// The arguments of a row: divided by bars if there is one, otherwise by spaces.
+/// The arguments of a row: split at bars if there is one, otherwise at spaces.
 fn arguments(line: &str) -> Vec<&str> {
     match line.contains('|') {
         true => line.split('|').collect(),
@@ -74,10 +73,10 @@ fn run(program: &str, line: &str) -> Done {
         .unwrap_or_else(|error| {
             panic!("{program} cannot be run ({error}); tools/test installs it")
         });
-    let told = String::from_utf8_lossy(&output.stderr);
-    // A faulty scene is read on to find all of its faults, and says more.
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    // A faulty scene is read on to detect all of its faults, and writes more.
     let is_whole = output.status.success();
-    let values = told
+    let values = stderr
         .lines()
         .filter(|line| is_whole && line.starts_with("= "));
     Done {
@@ -88,12 +87,12 @@ fn run(program: &str, line: &str) -> Done {
     }
 }
 
-/// The files that were not there before.
+/// The new files.
 fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
     let entries = fs::read_dir(folder).expect("the folder is there").flatten();
     let files = entries.filter(|entry| entry.path().is_file());
     let names = files.map(|entry| entry.file_name().to_string_lossy().into_owned());
-    // What is kept of an unfinished drawing is each program's own.
+    // Each program has its own format for the state of an unfinished picture.
     let names = names.filter(|name| !name.ends_with("-state"));
     let fresh = names.filter(|name| FILES.iter().all(|(known, _)| known != name));
     fresh
@@ -122,10 +121,10 @@ fn agree(rows: &[&str]) {
             threads.spawn(|| {
                 while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let expected = run("povray", row);
-                    let found = run(env!("CARGO_BIN_EXE_povr"), row);
+                    let actual = run(env!("CARGO_BIN_EXE_povr"), row);
                     assert!(
-                        found == expected,
-                        "{row}\npovr {found:?}\nPOV-Ray {expected:?}"
+                        actual == expected,
+                        "{row}\npovr {actual:?}\nPOV-Ray {expected:?}"
                     );
                 }
             });
@@ -228,7 +227,7 @@ fn messages_can_be_left_out() {
 }
 
 #[test]
-fn what_is_said_goes_to_files() {
+fn messages_go_to_files() {
     agree(&[
         "+Is.pov +W12 +H9 -D +GDd.txt +GWw.txt +GRr.txt +GSs.txt +GFf.txt +GAa.txt",
         "+Is.pov +W12 +H9 -D -GDd.txt -GA",

@@ -1,5 +1,4 @@
-//! `povr compare`: two pictures by `idiff`'s thresholds and exit codes; scenes beside POV-Ray; the report as a browser
-//! shows it.
+//! `povr compare`: two pictures by `idiff`'s thresholds and exit codes; scenes beside POV-Ray; the report in a browser.
 
 #![allow(
     clippy::print_stdout,
@@ -114,12 +113,12 @@ fn pictures_of_unlike_kinds_are_compared() {
     assert!(first["max"].as_f64().expect("a number") <= 2.0, "{said}");
 }
 
-/// A folder with a scene that is equal, one that is random, and one that nobody can read.
+/// A folder with a scene that is equal, one that is random, and one that neither program can read.
 fn scenes(folder: &Path) {
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a scene");
     write("equal.pov", &HEAD.replace("LAMPS", ""));
-    let lamps = "area_light 2*x, 2*z, 5, 5 jitter adaptive 1";
-    write("random.pov", &HEAD.replace("LAMPS", lamps));
+    let area_light = "area_light 2*x, 2*z, 5, 5 jitter adaptive 1";
+    write("random.pov", &HEAD.replace("LAMPS", area_light));
     write("faulty.pov", "sphere { 0 1 ");
     fs::create_dir_all(folder.join("deep/include")).expect("a folder");
     write("deep/include/part.pov", "no scene of its own");
@@ -137,7 +136,7 @@ fn scenes_are_compared_with_povray() {
         .lines()
         .map(|line| serde_json::from_str(line).expect("an object"))
         .collect();
-    let found: Vec<_> = lines[..4]
+    let actual: Vec<_> = lines[..4]
         .iter()
         .map(|line| {
             (
@@ -147,7 +146,7 @@ fn scenes_are_compared_with_povray() {
         })
         .collect();
     assert_eq!(
-        found,
+        actual,
         [
             ("random", "warning"),
             ("deep/again", "pass"),
@@ -161,11 +160,11 @@ fn scenes_are_compared_with_povray() {
     assert!(why.starts_with("random: drawn again"), "{why}");
     assert_eq!(lines[4]["scenes"], 4);
     assert_eq!(ended.status.code(), Some(1));
-    // What was kept is not drawn again; a scene that runs out of time stops nothing.
-    let kept = fs::read_dir(here.join("kept")).expect("the folder").count();
+    // Stored pictures are not drawn again; a scene that runs out of time stops nothing.
+    let stored = fs::read_dir(here.join("kept")).expect("the folder").count();
     assert!(
-        kept >= 2 * 4,
-        "three pictures and one in another order: {kept}"
+        stored >= 2 * 4,
+        "three pictures and one in another order: {stored}"
     );
     let hasty = povr(here, &[".", "--keep", "other", "--timeout", "1ms"]);
     let text = String::from_utf8_lossy(&hasty.stdout).into_owned();
@@ -173,7 +172,7 @@ fn scenes_are_compared_with_povray() {
     assert_eq!(hasty.status.code(), Some(4));
 }
 
-/// Appended to a copy of the page: what it looks and works like goes into attributes of the body.
+/// Appended to a copy of the page: writes its appearance and behaviour into attributes of the body.
 const PROBE: &str = "<script>addEventListener('load', () => setTimeout(async () => {
   const told = document.body.dataset;
   const names = () => [...document.querySelectorAll('.scenes tbody tr')].filter(row => !row.hidden).map(row => row.dataset.name).join();
@@ -209,7 +208,7 @@ fn a_browser_shows_sorts_and_filters_the_report() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     scenes(here);
-    // By thresholds of one's own, what is random fails.
+    // By stricter thresholds the random scene fails.
     let strict = [
         ".",
         "--html",

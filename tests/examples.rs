@@ -1,7 +1,7 @@
-//! The example scenes of Debian's `povray-examples` are read: whatever is refused is a word that drawing does not have
-//! yet, or something that POV-Ray refuses too.
+//! Reads the example scenes of Debian's `povray-examples`: a scene may fail only for an unsupported word, or where
+//! POV-Ray fails as well.
 //!
-//! How many scenes lack which word is written to `target/tmp/examples.txt`.
+//! The number of scenes that lack each word is written to `target/tmp/examples.txt`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 const EXAMPLES: &str = "/usr/share/doc/povray/examples";
 
-/// Scenes that POV-Ray does not read either: they lack a file, or ask for the number of a frame.
+/// Scenes that POV-Ray does not read either: they lack a file, or need a frame number.
 const REFUSED: &[&str] = &[
     "advanced/cliche/cliche.pov",
     "incdemo/sort.pov",
@@ -49,20 +49,20 @@ fn copy(from: &Path, to: &Path) {
 }
 
 fn scenes(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
+    let mut paths = Vec::new();
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
         if path.is_dir() {
-            found.append(&mut scenes(&path));
+            paths.append(&mut scenes(&path));
         } else if path.extension().is_some_and(|extension| extension == "pov") {
-            found.push(path);
+            paths.push(path);
         }
     }
-    found.sort();
-    found
+    paths.sort();
+    paths
 }
 
-/// What is wrong with a scene: missing words, and other messages.
+/// The faults of a scene: unsupported words, and other messages.
 #[derive(Default)]
 struct Verdict {
     missing: Vec<String>,

@@ -1,5 +1,5 @@
-//! User functions, internal functions and splines give the values that POV-Ray gives: every line below runs through
-//! both programs, which write it by `#debug`.
+//! User functions, internal functions and splines have POV-Ray's values: every line below runs through both programs,
+//! which write it by `#debug`.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -8,7 +8,7 @@ use std::process::Command;
 /// Statements that run before every group.
 const BEFORE: &str = "#version 3.7; global_settings { assumed_gamma 1 }\n";
 
-/// Runs a scene that writes lines by `#debug` and gives those lines.
+/// Runs a scene that writes lines by `#debug` and returns those lines.
 fn lines(program: &str, scene: &str, name: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("functions");
     std::fs::create_dir_all(&folder).expect("the folder for test files can be made");
@@ -22,7 +22,7 @@ fn lines(program: &str, scene: &str, name: &str) -> Vec<String> {
             panic!("{program} cannot be run ({error}); tools/test installs what is missing")
         });
     let text = String::from_utf8_lossy(&output.stderr);
-    let found: Vec<String> = text
+    let written: Vec<String> = text
         .lines()
         .filter(|line| line.starts_with("= "))
         .map(|line| line.trim_end().to_owned())
@@ -31,10 +31,10 @@ fn lines(program: &str, scene: &str, name: &str) -> Vec<String> {
         output.status.success(),
         "{program} failed on {name}:\n{text}"
     );
-    found
+    written
 }
 
-/// What both programs write for a scene.
+/// The lines that both programs write for a scene.
 fn both(name: &str, body: &str, count: usize) -> (Vec<String>, Vec<String>) {
     let scene = format!("{BEFORE}{body}\n");
     let expected = lines("povray", &scene, name);
@@ -116,7 +116,7 @@ fn operators_agree_to_the_last_bit() {
     );
 }
 
-/// POV-Ray combines neighbouring numbers before it computes, by rules of its own.
+/// POV-Ray combines neighbouring numbers before it evaluates, by rules of its own.
 #[test]
 fn written_numbers_are_combined_as_pov_ray_combines_them() {
     same_bodies(
@@ -311,7 +311,7 @@ const INTERNAL: [(u16, &[f64]); 78] = [
     (78, &[3.0]),
 ];
 
-/// In twelve digits, but for the last one: long sums may be taken in another order.
+/// In twelve digits, without the last one: long sums may be taken in another order.
 #[test]
 fn internal_functions_agree() {
     const POINTS: [&str; 6] = [
@@ -414,16 +414,16 @@ const KINDS: [&str; 5] = [
     "cubic_spline",
     "natural_spline",
 ];
-const PLACES: [&str; 14] = [
+const PARAMETERS: [&str; 14] = [
     "-1", "0", ".25", ".37", "1", "1.234", "2", "2.7", "3", "3.5", "4", "4.9", "5", "7",
 ];
 
 fn spline_values(name: &str, declaration: &str) -> String {
     let mut scene = declaration.to_owned();
-    for place in PLACES {
+    for t in PARAMETERS {
         let _ = write!(
             scene,
-            "\n#debug concat(\"= \", vstr(3, {name}({place}), \",\", 0, 12), \"\\n\")"
+            "\n#debug concat(\"= \", vstr(3, {name}({t}), \",\", 0, 12), \"\\n\")"
         );
     }
     scene + "\n"
@@ -447,7 +447,7 @@ fn splines_of_every_kind_agree() {
             let declaration = format!("#declare S{k} = spline {{ {kind} {points} }}");
             scene += &spline_values(&format!("S{k}"), &declaration);
         }
-        same(&format!("splines{i}"), &scene, all.len() * PLACES.len());
+        same(&format!("splines{i}"), &scene, all.len() * PARAMETERS.len());
     }
 }
 
@@ -464,12 +464,12 @@ fn splines_extend_each_other_and_change_their_kind() {
     ] {
         scene += &spline_values("T", &format!("#declare T = spline {{ {declaration} }}"));
     }
-    let mut count = 6 * PLACES.len();
+    let mut count = 6 * PARAMETERS.len();
     for kind in &KINDS[1..] {
-        for place in ["0.5", "1.7", "4.2"] {
+        for t in ["0.5", "1.7", "4.2"] {
             let _ = writeln!(
                 scene,
-                "#debug concat(\"= \", vstr(3, S({place}, {kind}), \",\", 0, 12), \"\\n\")"
+                "#debug concat(\"= \", vstr(3, S({t}, {kind}), \",\", 0, 12), \"\\n\")"
             );
             count += 1;
         }

@@ -1,8 +1,8 @@
-//! Sampling until the error is small: the true error is what was asked for, or less, on scenes that hide things from
-//! samples: wires thinner than a pixel, chequers to the horizon, tiny highlights, glass, specks.
+//! Adaptive sampling to an error target: the true error is the requested one or less on scenes that are hard to sample:
+//! wires thinner than a pixel, chequers to the horizon, tiny highlights, glass, specks.
 //!
-//! The truth is a grid of 24 by 24 samples in each pixel that knows nothing of estimates: the scene drawn 24 times as
-//! large, one ray a pixel.
+//! The reference is a grid of 24 by 24 samples in each pixel, independent of error estimates: the scene drawn 24 times
+//! as large, one ray a pixel.
 
 #![allow(
     clippy::print_stdout,
@@ -22,18 +22,18 @@ use povr::base::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, 
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (64, 48);
-/// Samples on a side of a pixel of the truth.
+/// Samples on a side of a pixel of the reference.
 const GRID: u32 = 24;
-/// What is asked for, in steps of 1/255.
+/// Requested errors, in steps of 1/255.
 const TARGETS: [f64; 2] = [3.0, 1.0];
-/// The share of pictures that may miss it.
+/// Fraction of the pictures that may miss the target.
 const MAY_MISS: f64 = 0.05;
 
-/// Scenes that nothing was tuned on, by their numbers (see `support/riddles.rs`); the kinds that take longest are left to
+/// Hard scenes by their numbers (see `support/riddles.rs`), on which nothing was tuned; the slowest kinds are left to
 /// `examples/honesty`.
 const RIDDLES: std::ops::Range<u32> = 40..42;
 const DEAR: [&str; 6] = ["glass", "mirrors", "panes", "soft", "fine", "ripples"];
-/// What is asked for of them.
+/// Requested errors for these.
 const RIDDLE_TARGETS: [f64; 2] = [2.0, 1.0];
 const RIDDLE_SIZE: (u32, u32) = (riddles::ROWS * 4 / 3, riddles::ROWS);
 
@@ -61,7 +61,7 @@ fn converged(input: &Input, size: (u32, u32), error: f64) -> Linear {
     Linear::of_film(&picture.film, picture.working)
 }
 
-/// The means of squares of pixels. What is brighter than white counts as it is, and is white when the mean has been taken.
+/// The means of squares of pixels. Values above white count in full, and the mean is clamped to white.
 fn truth(input: &Input, (width, height): (u32, u32)) -> Linear {
     let large = drawn(input, (width * GRID, height * GRID), Sampling::Centres);
     let mut film = Film::whole(width, height);
@@ -84,7 +84,7 @@ fn truth(input: &Input, (width, height): (u32, u32)) -> Linear {
 }
 
 #[test]
-fn the_true_error_is_what_was_asked_for_or_less() {
+fn the_true_error_is_the_requested_one_or_less() {
     let folder = Path::new(support::SCENES).join("error");
     let scenes = support::scenes(&folder).expect("the scenes are there");
     assert!(scenes.len() >= 12, "too few scenes: {}", scenes.len());
@@ -94,17 +94,17 @@ fn the_true_error_is_what_was_asked_for_or_less() {
         let input = Input::File(scene.clone());
         let truth = truth(&input, SIZE);
         for error in TARGETS {
-            let found = truth.errors(&converged(&input, SIZE, error));
+            let errors = truth.errors(&converged(&input, SIZE, error));
             pictures += 1;
             let line = format!(
                 "{} at {error}: {:.3} on the average, {:.3} at 99.9 %, {:.3} at most",
                 scene.file_stem().unwrap_or_default().display(),
-                found.rmse * 255.0,
-                found.p999 * 255.0,
-                found.max * 255.0
+                errors.rmse * 255.0,
+                errors.p999 * 255.0,
+                errors.max * 255.0
             );
             println!("{line}");
-            if found.rmse * 255.0 > error {
+            if errors.rmse * 255.0 > error {
                 misses.push(line);
             }
         }
@@ -114,7 +114,7 @@ fn the_true_error_is_what_was_asked_for_or_less() {
 }
 
 #[test]
-fn riddles_are_no_worse_than_was_asked_for() {
+fn hard_scenes_are_no_worse_than_requested() {
     let mut misses = Vec::new();
     let mut pictures = 0u32;
     for riddle in RIDDLES.flat_map(riddles::riddles) {
@@ -127,11 +127,11 @@ fn riddles_are_no_worse_than_was_asked_for() {
         };
         let truth = truth(&input, RIDDLE_SIZE);
         for error in RIDDLE_TARGETS {
-            let found = truth.errors(&converged(&input, RIDDLE_SIZE, error));
+            let errors = truth.errors(&converged(&input, RIDDLE_SIZE, error));
             pictures += 1;
-            let line = format!("{} at {error}: {:.3}", riddle.name, found.rmse * 255.0);
+            let line = format!("{} at {error}: {:.3}", riddle.name, errors.rmse * 255.0);
             println!("{line}");
-            if found.rmse * 255.0 > error {
+            if errors.rmse * 255.0 > error {
                 misses.push(line);
             }
         }

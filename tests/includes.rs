@@ -1,8 +1,8 @@
-//! The include files of Debian's packages are read: those that POV-Ray reads by themselves, and the others behind the
+//! Reads the include files of Debian's packages: alone where POV-Ray can read them alone, and the others after the
 //! file that they need.
 //!
-//! What is not built yet is listed with the word that is missing, and must fail for just that: the list shrinks with
-//! each word that is built.
+//! Files with an unsupported word are listed with that word, and must fail for just that: the list shrinks with each
+//! word that is supported.
 
 use povr::base::options::{Event, Input, ReadOptions};
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ const BEHIND: &[(&str, &str)] = &[
     ("stones2.inc", "colors.inc"),
 ];
 
-/// Files of examples that POV-Ray does not read by themselves either: they use what their scenes declare.
+/// Files of examples that POV-Ray cannot read alone either: they use what their scenes declare.
 const PARTS: &[&str] = &[
     "axisbox.inc",
     "chess.inc",
@@ -50,7 +50,7 @@ const PARTS: &[&str] = &[
     "vase2.inc",
 ];
 
-/// Reads a scene that includes these files and ends; the first error, if there is one.
+/// Reads a scene that includes these files and ends; returns the first error.
 fn first_error(names: &[&str], folders: &[&Path]) -> Option<String> {
     let includes: String = names
         .iter()
@@ -72,28 +72,28 @@ fn first_error(names: &[&str], folders: &[&Path]) -> Option<String> {
 
 /// The include files below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
+    let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
         if path.is_dir() {
-            found.append(&mut files(&path));
+            paths.append(&mut files(&path));
         } else if path
             .extension()
             .is_some_and(|extension| extension == "inc" || extension == "map")
         {
-            found.push(path);
+            paths.push(path);
         }
     }
-    found.sort();
-    found
+    paths.sort();
+    paths
 }
 
-/// What is wrong with the result of reading a file.
+/// A failure to read a file, with its name.
 fn complaint(name: &str, error: Option<String>) -> Option<String> {
     error.map(|error| format!("{name}: {error}"))
 }
 
-/// Reads all the files, several at a time, and tells what is wrong with each.
+/// Reads all the files, several in parallel, and reports the failures.
 fn check(files: &[PathBuf], read: impl Fn(&Path) -> Option<String> + Sync) {
     let complaints = Mutex::new(Vec::new());
     let next = std::sync::atomic::AtomicUsize::new(0);

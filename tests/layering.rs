@@ -18,15 +18,15 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// Uses against the order of the top-level modules. The world and the scratch of its queries own the caches of
-/// radiosity and photons, and the settings of photons know the limits of their files.
+/// Exceptions to this order. The scratch of a query still owns the caches of radiosity and photons, and the settings of
+/// photons contain the limits of their files.
 const EXCEPTIONS: &[(&str, &str)] = &[
     ("lang", "render::photons"),
     ("world", "render::radiosity"),
     ("world", "render::photons"),
 ];
 
-/// The modules by layer, lowest first. Modules of one layer do not use each other, but for [`SIBLINGS`]; files of one
+/// The modules by layer, lowest first. Modules of one layer do not use each other, except for [`SIBLINGS`]; files of one
 /// module may.
 const LAYERS: &[&[&str]] = &[
     &[
@@ -72,28 +72,28 @@ const LAYERS: &[&[&str]] = &[
     &["app::cli"],
 ];
 
-/// Elements that are made of others: who uses whom in the same layer.
+/// Uses within a layer: elements that are composed of others.
 const SIBLINGS: &[(&str, &str)] = &[
-    // A texture is made of patterns, and a material holds an interior beside its texture.
+    // A texture is composed of patterns, and a material holds an interior beside its texture.
     ("scene::texture", "scene::pattern"),
     ("scene::texture", "scene::interior"),
-    // A function may be a pattern, and a function may call patterns and pigments, which it knows as fields.
+    // A function may be a pattern, and a function may call patterns and pigments, as scalar or vector fields.
     ("scene::pattern", "scene::function"),
     ("scene::texture", "scene::function"),
     // The sky is painted with pigments.
     ("scene::atmosphere", "scene::texture"),
-    // The media of the air are those of interiors.
+    // Atmospheric media are those of interiors.
     ("scene::atmosphere", "scene::interior"),
     // The colours of a rainbow are a map.
     ("scene::atmosphere", "scene::pattern"),
     // The bokeh of a camera is painted with a pigment.
     ("scene::camera", "scene::texture"),
     ("scene::camera", "scene::pattern"),
-    // A camera may look out of the triangles of meshes.
+    // A mesh camera shoots rays from the triangles of meshes.
     ("scene::camera", "scene::shape"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("scene::interior", "scene::texture"),
-    // A density is chosen by a pattern, out of a map.
+    // A pattern selects a density from a map.
     ("scene::interior", "scene::pattern"),
     // The triangles of a mesh have textures of their own.
     ("scene::shape", "scene::texture"),
@@ -110,16 +110,16 @@ fn layer_of(path: &str) -> Option<(usize, &'static str)> {
     held.max_by_key(|(_, module)| module.len())
 }
 
-/// All source files below a folder, but tests, which may use everything.
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+/// All source files below a folder except tests, which may use everything.
+fn files(folder: &Path, sources: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the sources are readable") {
         let path = entry.expect("the sources are readable").path();
         if path.is_dir() {
             if path.file_name().is_none_or(|name| name != "tests") {
-                files(&path, found);
+                files(&path, sources);
             }
         } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
+            sources.push(path);
         }
     }
 }
@@ -182,11 +182,11 @@ fn is_allowed(module: &str, used: &str) -> bool {
 #[test]
 fn a_module_uses_only_lower_layers() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut found = Vec::new();
-    files(&root, &mut found);
-    assert!(found.len() > 400, "the sources are found");
+    let mut sources = Vec::new();
+    files(&root, &mut sources);
+    assert!(sources.len() > 400, "the sources are found");
     let mut faults = BTreeMap::new();
-    for path in &found {
+    for path in &sources {
         let inside = path
             .strip_prefix(&root)
             .expect("the file lies in the sources");

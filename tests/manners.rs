@@ -1,5 +1,5 @@
-//! The program's words while it draws: to people on a terminal, to programs through a pipe, to those that call it by
-//! the name `povray`, and when it is interrupted.
+//! Output of the program while it draws: on a terminal, through a pipe, under the name `povray`, and when it is
+//! interrupted.
 
 #![cfg(unix)]
 
@@ -14,14 +14,14 @@ camera { location -4*z look_at 0 } light_source { <5, 5, -5>, 1 }
 sphere { 0, 1 pigment { rgb 1 } }
 ";
 
-/// Three mistakes that have nothing to do with each other.
+/// Three independent mistakes.
 const WRONG: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 sphere { 0, 1 pigmnet { rgb 1 } }
 light_sorce { 0, 1 }
 box { 0, 1 pigment { rgb Rod } }
 ";
 
-/// Some seconds of work and more at 2000x1500.
+/// Some seconds of work, more at 2000x1500.
 const SLOW: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 40 }
 light_source { <-4, 6, -8>, rgb 1 area_light 2*x, 2*z, 17, 17 adaptive 4 }
@@ -72,7 +72,7 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// Counts how often a text is found.
+/// Counts the occurrences of a text.
 fn count(text: &str, part: &str) -> usize {
     text.matches(part).count()
 }
@@ -91,7 +91,7 @@ fn people_see_an_error_once_with_its_lines_and_in_colour() {
 }
 
 #[test]
-fn a_console_switch_asks_for_the_form_of_povray() {
+fn a_console_switch_selects_povrays_format() {
     let folder = folder();
     for switch in ["+GD", "-GW", "-GA", "--message-format povray"] {
         let (said, _) = on_a_terminal(folder.path(), &format!("wrong.pov +W8 +H6 {switch}"));
@@ -129,14 +129,14 @@ fn programs_get_one_line_for_each_error() {
 }
 
 #[test]
-fn a_picture_that_is_ready_has_a_line_on_a_terminal_alone() {
+fn a_finished_picture_is_reported_only_on_a_terminal() {
     let folder = folder();
     let line = |said: &str| {
         let mut lines = said
             .lines()
             .map(|line| line.rsplit(['\r', 'K']).next().unwrap_or(line));
-        let found = lines.find(|line| line.starts_with("s.png  8x6  ") && line.ends_with(" s"));
-        found.is_some()
+        let ready = lines.find(|line| line.starts_with("s.png  8x6  ") && line.ends_with(" s"));
+        ready.is_some()
     };
     let (said, code) = on_a_terminal(folder.path(), "s.pov +W8 +H6");
     assert_eq!(code, Some(0), "{said}");
@@ -185,8 +185,8 @@ fn help_is_a_command_too() {
     }
 }
 
-/// The lines of a program on standard error that others wait for, as POV-Ray 3.7 writes them. That of the progress is put
-/// last: another thread of POV-Ray writes it, now and then before the title of the stage.
+/// The lines on standard error that other programs wait for, as POV-Ray 3.7 writes them. The progress line is put last:
+/// another thread of POV-Ray writes it, now and then before the title of the stage.
 fn signs(said: &str) -> Vec<String> {
     const ALL_DONE: &str = "Rendered 48 of 48 pixels (100%)";
     let lines = said.split(['\r', '\n']).map(str::trim_end);
@@ -210,7 +210,7 @@ fn signs(said: &str) -> Vec<String> {
 }
 
 #[test]
-fn called_povray_it_says_what_povray_says() {
+fn under_the_name_povray_it_prints_povrays_messages() {
     let folder = folder();
     let own = folder.path().join("povray").display().to_string();
     for arguments in [
@@ -220,11 +220,15 @@ fn called_povray_it_says_what_povray_says() {
         "+Iwrong.pov +W8 +H6 -D",
         "+Iwrong.pov +W8 +H6 -D -GA",
     ] {
-        let found = through_a_pipe(folder.path(), &own, arguments);
+        let actual = through_a_pipe(folder.path(), &own, arguments);
         let expected = through_a_pipe(folder.path(), "povray", arguments);
-        assert_eq!(found.status.code(), expected.status.code(), "{arguments}");
-        assert_eq!(signs(&said(&found)), signs(&said(&expected)), "{arguments}");
-        assert!(found.stdout.is_empty());
+        assert_eq!(actual.status.code(), expected.status.code(), "{arguments}");
+        assert_eq!(
+            signs(&said(&actual)),
+            signs(&said(&expected)),
+            "{arguments}"
+        );
+        assert!(actual.stdout.is_empty());
     }
     let said = said(&through_a_pipe(folder.path(), &own, "+Is.pov +W8 +H6 -D"));
     let banner = "Persistence of Vision(tm) Ray Tracer Version 3.7.";
@@ -238,7 +242,7 @@ fn called_povray_it_says_what_povray_says() {
 }
 
 #[test]
-fn called_povray_it_has_its_version_and_no_commands() {
+fn under_the_name_povray_it_has_povrays_version_and_no_commands() {
     let folder = folder();
     let own = folder.path().join("povray").display().to_string();
     for argument in ["--version", "-version"] {
@@ -252,9 +256,9 @@ fn called_povray_it_has_its_version_and_no_commands() {
     assert_eq!(output.status.code(), Some(1));
 }
 
-/// Starts a drawing, sends a signal once something is kept of it, and tells how it ended.
-fn interrupted(folder: &Path, program: &str, kept: &str, signal: &str) -> Output {
-    let state = folder.join(kept);
+/// Starts a drawing, sends a signal once some of its state is stored, and returns its result.
+fn interrupted(folder: &Path, program: &str, state_name: &str, signal: &str) -> Output {
+    let state = folder.join(state_name);
     let child = Command::new(program)
         .args(["slow.pov", "+W2000", "+H1500", "+A0.1", "+R3", "-D"])
         .current_dir(folder)
@@ -277,7 +281,7 @@ fn interrupted(folder: &Path, program: &str, kept: &str, signal: &str) -> Output
 }
 
 #[test]
-fn an_interrupted_drawing_ends_as_that_of_povray_and_can_be_gone_on_with() {
+fn an_interrupted_drawing_ends_like_povrays_and_can_be_resumed() {
     for signal in ["-INT", "-TERM"] {
         let folder = folder();
         let theirs = interrupted(folder.path(), "povray", "slow.pov-state", signal);
@@ -301,7 +305,7 @@ fn an_interrupted_drawing_ends_as_that_of_povray_and_can_be_gone_on_with() {
 #[test]
 fn an_interrupted_reading_ends_with_the_same_code() {
     let folder = folder();
-    // Seconds of work even where it is optimised.
+    // Seconds of work even in an optimised build.
     let long = "#declare I = 0; #while (I < 1e8) #declare I = I + 1; \
         #declare S = concat(\"a\", str(I, 0, 3)); #declare V = vnormalize(<I, sin(I), strlen(S)>); #end";
     fs::write(folder.path().join("long.pov"), long).expect("a scene");

@@ -1,4 +1,4 @@
-//! What an object keeps after compile: its inverse matrix or less, never the forward one.
+//! Memory of lowered objects: the inverse matrix or less, never the forward one.
 
 use povr::base::options::{ReadOptions, RenderOptions};
 use povr::base::source::Sources;
@@ -8,7 +8,7 @@ use povr::world::{Leaf, World, compile};
 /// The bytes of a matrix of three rows and four columns.
 const MATRIX: usize = 12 * size_of::<f64>();
 
-/// A scene ready for tracing.
+/// A scene lowered for ray queries.
 fn world(scene: &str) -> World {
     let mut sources = Sources::new(Vec::new());
     let file = sources.add_text("memory.pov", scene);
@@ -19,12 +19,12 @@ fn world(scene: &str) -> World {
     compile(scene, &RenderOptions::default())
 }
 
-/// The primitives of a scene as they are kept for tracing.
+/// The primitives of a lowered scene.
 fn leaves(scene: &str) -> Vec<Leaf> {
     world(scene).leaves().to_vec()
 }
 
-/// The one primitive of a scene.
+/// The only primitive of a scene.
 fn leaf(scene: &str) -> Leaf {
     let leaves = leaves(scene);
     assert_eq!(leaves.len(), 1, "{scene}");
@@ -32,7 +32,7 @@ fn leaf(scene: &str) -> Leaf {
 }
 
 #[test]
-fn an_object_that_can_take_its_transforms_in_keeps_no_matrix() {
+fn an_object_that_absorbs_its_transforms_stores_no_matrix() {
     for scene in [
         "sphere { <1, 2, 3>, 1 translate x rotate 30*z scale 2 translate -y }",
         "box { -1, 1 translate x scale <1, 2, 3> translate -y }",
@@ -49,7 +49,7 @@ fn an_object_that_can_take_its_transforms_in_keeps_no_matrix() {
 }
 
 #[test]
-fn an_object_that_cannot_keeps_one_inverse_matrix() {
+fn any_other_object_stores_one_inverse_matrix() {
     for scene in [
         "sphere { 0, 1 scale <1, 2, 1> rotate 30*z }",
         "box { -1, 1 rotate 30*z translate x }",
@@ -64,7 +64,7 @@ fn an_object_that_cannot_keeps_one_inverse_matrix() {
 }
 
 #[test]
-fn the_matrix_kept_is_the_inverse() {
+fn the_stored_matrix_is_the_inverse() {
     let leaf = leaf("box { -1, 1 rotate 90*z translate <5, 0, 0> }");
     let inverse = leaf
         .object_from_world
@@ -99,7 +99,7 @@ fn copies_of_a_large_union_share_its_parts() {
     assert_eq!(world.shown(), 100_000);
     assert_eq!((plan.shared, plan.instances), (1, 1000));
     assert_eq!(plan.primitives.get("sphere"), Some(&100));
-    // The inverse matrix, what it shows, and where its numbers begin.
+    // The inverse matrix, the shared model, and the start of its numbers.
     assert_eq!(plan.instance_bytes, MATRIX + 2 * size_of::<usize>());
     assert_eq!(plan.surfaces, 1);
 }
@@ -118,7 +118,7 @@ fn copies_of_copies_share_at_each_level() {
 }
 
 #[test]
-fn few_copies_are_taken_apart() {
+fn a_small_number_of_copies_is_flattened() {
     let world = world(&COPIES.replace("1000", "10"));
     assert_eq!(world.leaves().len(), 1000);
     assert_eq!(world.plan().instances, 0);
@@ -126,7 +126,7 @@ fn few_copies_are_taken_apart() {
 
 #[test]
 #[cfg(target_pointer_width = "64")]
-fn a_surface_is_small_for_there_may_be_a_million() {
+fn a_surface_is_small() {
     assert!(size_of::<povr::world::Surface>() <= 112);
     assert!(size_of::<Leaf>() <= 112);
 }

@@ -1,6 +1,6 @@
-//! The page of `povr curve` as a browser shows it: Debian's Chromium, without a window.
+//! The page of `povr curve` in a browser: Debian's Chromium, headless.
 //!
-//! Where there is no Chromium the test says so and passes; `tools/test` installs it.
+//! Without Chromium the test reports that and passes; `tools/test` installs it.
 
 #![allow(
     clippy::print_stdout,
@@ -19,7 +19,8 @@ const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 camera { location -5*z look_at 0 angle 40 } light_source { <-4, 6, -8>, rgb 0.8 }
 background { rgb 0.3 } torus { 1, 0.2 rotate 60*x pigment { rgb <0.7, 0.4, 0.2> } }";
 
-/// Appended to a copy of the page: what it looks like goes into attributes of the body, which a dump of the document shows.
+/// Appended to a copy of the page: writes its appearance into attributes of the body, which a dump of the document
+/// shows.
 const PROBE: &str = "<script>addEventListener('load', () => {
   const told = document.body.dataset, images = [...document.images];
   told.images = images.length;

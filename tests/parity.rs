@@ -1,13 +1,13 @@
-//! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures are to be the same.
+//! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures must agree.
 //!
 //! A scene's first line is a comment that says what it shows. Further comments may state a size, switches and limits
-//! (`povr::app::compare::Case`); without limits `Limits::DEFAULT` holds, and single pixels (never more than `Limits::DEFAULT`
-//! allows) may be off by more if they are explained: POV-Ray loses surfaces nearer than a fixed distance to the one a ray
-//! leaves, and with `--pov-distances` povr does so too and must then be within `Limits::DEFAULT`. Noise is no excuse here:
-//! a scene that is random says so with limits of its own.
-//! POV-Ray's pictures are kept in `target/parity/reference/` under a hash of all that goes into them, so that only new
-//! and changed scenes cost its start-up time. A failure leaves expected | difference | actual in `target/parity/failed/`.
-//! Run one folder with `cargo test --test parity shape/`; `povr compare pov_scenes` does the same for people.
+//! (`povr::app::compare::Case`); without limits `Limits::DEFAULT` holds. Single pixels (never more than
+//! `Limits::DEFAULT` allows) may differ by more if that is explained: POV-Ray drops surfaces nearer than a fixed
+//! distance to the one that a ray leaves, and with `--pov-distances` povr does so too and must then be within
+//! `Limits::DEFAULT`. Noise is no excuse here: a scene that is random states limits of its own. POV-Ray's pictures are
+//! cached in `target/parity/reference/` under a hash of all their inputs, so that only new and changed scenes cost its
+//! start-up time. A failure leaves expected | difference | actual in `target/parity/failed/`. Run one folder with
+//! `cargo test --test parity shape/`; `povr compare pov_scenes` is the command for users.
 
 mod support;
 
@@ -24,9 +24,9 @@ use std::time::Duration;
 
 /// POV-Ray needs a second for the slowest scene; a machine under load may need much more.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
-/// The size of pictures whose scenes ask for none.
+/// The size of pictures whose scenes set none.
 const SIZE: (u32, u32) = (160, 120);
-/// POV-Ray spends most of its wall time asleep, so more tests run at once than there are processors.
+/// POV-Ray spends most of its wall time asleep, so more tests run in parallel than there are processors.
 const TESTS_PER_PROCESSOR: usize = 4;
 
 /// Remarks on scenes that pass, printed after the last test.
@@ -91,7 +91,7 @@ fn trials(path: &Path, remarks: &Remarks) -> Vec<Trial> {
     cases.into_iter().map(trial).collect()
 }
 
-/// Draws a scene twice and compares. Gives a remark if the scene passes but is worth a look.
+/// Draws a scene twice and compares. Returns a remark if the scene passes but deserves attention.
 fn check(case: &Case) -> Result<Option<String>, Failed> {
     let first = case.text.lines().next().unwrap_or_default();
     if first
@@ -126,13 +126,13 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
     if let Some(broken) = broken {
         return Err(format!("{broken} for `{limits}`\n{found}{}", save()).into());
     }
-    // An old sheet would tell of a failure that is over.
+    // An old sheet would show a failure that is fixed.
     let _ = fs::remove_file(&sheet);
     let is_idle = case.limits.is_some() && Limits::DEFAULT.verdict(&found) == Verdict::Within;
     Ok(is_idle.then(|| format!("no longer needs its limits `{limits}`; {found}")))
 }
 
-/// The two renderers, or why there is nothing to compare with.
+/// The two renderers, or the reason why there is none to compare with.
 static BENCH: LazyLock<Result<Bench, String>> = LazyLock::new(|| {
     let povray = Renderer::povray().map_err(|error| {
         format!("`povray` does not run ({error}); `tools/test` installs it and then runs this test")

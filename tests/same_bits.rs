@@ -106,7 +106,7 @@ fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
     }
 }
 
-/// Shadow rays of an area light that meet opaque cones and a pane of glass in any order.
+/// Shadow rays of an area light that hit opaque cones and a pane of glass in any order.
 const PANE: &str = include_str!("../pov_scenes/light/area_behind_glass.pov");
 
 #[test]
@@ -130,7 +130,7 @@ fn opaque_shadows_behind_glass_do_not_depend_on_the_pixels_before() {
 }
 
 #[test]
-fn a_part_is_drawn_as_it_is_in_the_whole() {
+fn a_part_is_drawn_as_in_the_whole_picture() {
     let povray = |method| {
         Sampling::PovRay(Antialias {
             method,
@@ -170,7 +170,7 @@ fn a_part_is_drawn_as_it_is_in_the_whole() {
     }
 }
 
-/// Lamps that are moved at random, grain, and fog of a kind that is sampled at random.
+/// Jittered area lights, grain, and randomly sampled fog.
 const CHANCE: &str = "#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 40 }
@@ -240,8 +240,8 @@ fn random_numbers_of_large_pictures_are_the_same_for_any_number_of_threads_and_a
     }
 }
 
-/// A room whose light goes from wall to wall, with samples that are made while it is drawn.
-const ROOM: &str = "#version 3.7;
+/// A closed interior lit by diffuse interreflection, with radiosity samples taken during the render as well.
+const INTERIOR: &str = "#version 3.7;
 global_settings { assumed_gamma 1 radiosity { count 30 error_bound 0.6 minimum_reuse 0.004 ALWAYS } }
 camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb 0.8 }
@@ -253,13 +253,13 @@ cylinder { <1.5, 0, 1>, <1.5, 2, 1>, 0.8 pigment { rgb <0.3, 0.4, 1> } finish { 
 fn any_number_of_threads_gathers_the_same_light() {
     let antialias = Sampling::PovRay(Antialias::default());
     for (scene, sampling) in [
-        (ROOM.replace("ALWAYS", ""), Sampling::Centres),
+        (INTERIOR.replace("ALWAYS", ""), Sampling::Centres),
         (
-            ROOM.replace("ALWAYS", "always_sample on"),
+            INTERIOR.replace("ALWAYS", "always_sample on"),
             Sampling::Centres,
         ),
-        (ROOM.replace("ALWAYS", "always_sample on"), antialias),
-        (ROOM.replace("ALWAYS", ""), CONVERGING),
+        (INTERIOR.replace("ALWAYS", "always_sample on"), antialias),
+        (INTERIOR.replace("ALWAYS", ""), CONVERGING),
     ] {
         let with = |threads| {
             let options = RenderOptions {
@@ -275,7 +275,7 @@ fn any_number_of_threads_gathers_the_same_light() {
     }
 }
 
-/// A ball of glass with a caustic on the floor and in the box around it.
+/// A glass sphere with a caustic on the floor and in the box around it.
 const CAUSTIC: &str = "#version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.1 media 20 } }
 camera { location <0, 4, -6> look_at <0, 0.4, 0> }
@@ -300,7 +300,7 @@ fn any_number_of_threads_sees_the_same_photons() {
     assert_eq!(one, with(5));
 }
 
-/// Every length of the scene times a power of two.
+/// Scales every length of the scene by a power of two.
 fn scaled(factor: f64) -> String {
     format!(
         "#version 3.7;
@@ -336,7 +336,7 @@ fn a_scene_scaled_by_a_power_of_two_keeps_its_picture() {
 }
 
 #[test]
-fn a_picture_without_time_is_a_whole_picture_all_the_same() {
+fn a_picture_without_time_is_still_complete() {
     let in_time = |milliseconds| RenderOptions {
         sampling: Sampling::Converging(Adaptive {
             error: 0.5,
@@ -377,8 +377,8 @@ fn a_picture_without_time_is_a_whole_picture_all_the_same() {
 }
 
 #[test]
-fn a_cutter_flush_with_a_face_cuts_as_one_that_stands_out() {
-    let place = ["", "rotate <10, 20, 30>", "scale <1, .7, 1.3>"];
+fn a_cutter_flush_with_a_face_cuts_like_a_protruding_one() {
+    let transform = ["", "rotate <10, 20, 30>", "scale <1, .7, 1.3>"];
     let of_boxes = [
         "box { -1, 1 } box { <-.5, -.5, -.5>, <.5, TOP, .5> }",
         "box { -1, 1 } box { <-.5, -TOP, -.5>, <.5, TOP, .5> }",
@@ -387,8 +387,8 @@ fn a_cutter_flush_with_a_face_cuts_as_one_that_stands_out() {
     ];
     let all = of_boxes
         .iter()
-        .flat_map(|parts| place.map(|place| (parts, place)));
-    for (parts, place) in all {
+        .flat_map(|parts| transform.map(|transform| (parts, transform)));
+    for (parts, transform) in all {
         let with = |top: &str| {
             let scene = "#version 3.7; global_settings { assumed_gamma 1 }
                 camera { location <1.5, 3, -5> look_at 0 angle 40 }
@@ -396,11 +396,11 @@ fn a_cutter_flush_with_a_face_cuts_as_one_that_stands_out() {
                 difference { PARTS pigment { rgb <1, .5, .2> } PLACE }";
             let parts = parts.replace("TOP", top);
             drawn(
-                &scene.replace("PARTS", &parts).replace("PLACE", place),
+                &scene.replace("PARTS", &parts).replace("PLACE", transform),
                 &options(),
             )
         };
-        // Each pixel of the pit, its shadows too.
-        assert_eq!(with("1"), with("1.5"), "{parts} {place}");
+        // Every pixel of the pit and its shadows.
+        assert_eq!(with("1"), with("1.5"), "{parts} {transform}");
     }
 }

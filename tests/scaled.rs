@@ -1,5 +1,5 @@
-//! Every scene of `pov_scenes/`, drawn in a unit of length larger or smaller by a power of two, gives the same picture to
-//! the last bit: no length in povr is compared with a length that the scene has not given.
+//! Every scene of `pov_scenes/`, drawn in a unit of length larger or smaller by a power of two, gives the same picture
+//! bit for bit: povr compares no length with a constant that the scene has not set.
 
 mod support;
 
@@ -18,11 +18,11 @@ use std::sync::Arc;
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
 
-/// The powers every scene is drawn with; one more comes from its name.
+/// The powers for every scene; one more derives from its name.
 const POWERS: [i32; 2] = [-60, 60];
 
-/// Scenes that say lengths in a way that no transform reaches, with the reason. Drawn at 160x120 in a unit four times as
-/// large, each of them changes in the same pixels by POV-Ray and by povr, which stay equal byte for byte.
+/// Scenes with lengths that no transform reaches, with the reason. Drawn at 160x120 in a unit four times as large, each
+/// of them changes in the same pixels in POV-Ray and in povr, which stay equal byte for byte.
 const EXCEPT: &[(&str, &str)] = &[
     (
         "radiosity/",
@@ -73,7 +73,7 @@ fn trial(path: PathBuf) -> Trial {
 }
 
 fn check(path: &Path, name: &str) -> Result<(), Failed> {
-    // Scenes for messages and for switches need not have a picture.
+    // Scenes for messages and for switches may have no picture.
     let Some(scene) = read(path) else {
         return Ok(());
     };
@@ -109,7 +109,7 @@ fn drawn(scene: Scene) -> Film {
     povr::render::render(&world, &options, None, &|_| {}).film
 }
 
-/// The objects of the scene, for scenes that shoot rays while they are read.
+/// Objects of the scene, for scenes that trace rays while they are read.
 #[derive(Default)]
 struct OwnObjects(povr::world::ProbeModel);
 
@@ -138,7 +138,7 @@ fn read(path: &Path) -> Option<Scene> {
     let texts = Texts {
         scene: file,
         sources: &mut sources,
-        lexicon: None,
+        token_cache: None,
     };
     povr::lang::evaluate_with(texts, &options, &mut probe, &mut |_| {}).scene
 }

@@ -1,5 +1,5 @@
-//! `povr sheet`: the whole set of files for a shape, every shape under all transforms, and a shape of one's own, each as
-//! POV-Ray draws them.
+//! `povr sheet`: the whole set of files for a shape, every shape under all transforms, and a user's shape, each as
+//! POV-Ray draws it.
 
 use povr::app::compare as process;
 
@@ -18,7 +18,7 @@ fn scratch() -> PathBuf {
     folder
 }
 
-/// Makes a sheet in an empty folder; what it said is the message where it fails.
+/// Makes a sheet in an empty folder; its output is the message if that fails.
 fn sheet(folder: &str, arguments: &[&str]) -> PathBuf {
     let folder = scratch().join(folder);
     let _ = fs::remove_dir_all(&folder);
@@ -38,7 +38,7 @@ fn files(folder: &Path, ending: &str) -> usize {
             entry
                 .path()
                 .extension()
-                .is_some_and(|found| found == ending)
+                .is_some_and(|actual| actual == ending)
         })
         .count()
 }
@@ -63,7 +63,7 @@ fn every_shape_agrees_with_pov_ray_under_all_transforms() {
 }
 
 #[test]
-fn an_object_of_ones_own_comes_from_a_file() {
+fn a_users_object_comes_from_a_file() {
     let own = scratch().join("own.inc");
     let text = "#declare Pin = union { sphere { y, 0.4 } cone { -y, 0, y, 0.3 } }\n";
     fs::write(&own, text).expect("a file");

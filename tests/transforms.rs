@@ -1,4 +1,4 @@
-//! What lecture notes on transforms teach, as facts: of hits, of normals, and of surfaces whose own numbers are moved.
+//! Facts about transforms from lecture notes: hits, normals, and surfaces with transformed coefficients.
 
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 use povr::base::math::{Ray, Transform};
@@ -6,7 +6,7 @@ use povr::base::options::{ReadOptions, RenderOptions};
 use povr::base::source::Sources;
 use povr::world::{Leaf, compile};
 
-/// The one primitive of a scene.
+/// The only primitive of a scene.
 fn leaf(scene: &str) -> Leaf {
     let mut sources = Sources::new(Vec::new());
     let file = sources.add_text("transforms.pov", scene);
@@ -19,7 +19,7 @@ fn leaf(scene: &str) -> Leaf {
     leaves[0].clone()
 }
 
-/// Where a ray first meets a primitive.
+/// The first hit of a ray on a primitive.
 fn hit(leaf: &Leaf, ray: &Ray) -> f64 {
     leaf.nearest(ray, 0.0, f64::INFINITY).expect("a hit").t
 }
@@ -37,7 +37,7 @@ fn the_distance_of_a_hit_is_the_same_in_both_spaces() {
     let moved = leaf(&format!("sphere {{ 0, 1 {MOVES} }}"));
     let back = moves().object_from_world;
     for aim in [0.0, 0.3, -0.4] {
-        // Not of length 1, here or there.
+        // Not of length 1 in either space.
         let ray = Ray::new(DVec3::new(1.0, 2.0, -7.0), DVec3::new(0.1 * aim, 0.05, 3.0));
         let t = hit(&moved, &ray);
         let in_object = Ray::new(
@@ -69,22 +69,22 @@ fn the_normal_of_a_scaled_circle_goes_by_the_inverse_transpose() {
     assert!(as_direction.dot(tangent).abs() > 1.0);
     let moved = leaf("sphere { 0, 1 scale <2, 1, 1> }");
     let point = DVec3::new(2.0_f64.sqrt(), 0.5_f64.sqrt(), 0.0);
-    let (found, _) = moved.normals(point, 0);
-    assert!((found - DVec3::new(1.0, 2.0, 0.0).normalize()).length() < 1e-12);
+    let (actual, _) = moved.normals(point, 0);
+    assert!((actual - DVec3::new(1.0, 2.0, 0.0).normalize()).length() < 1e-12);
 }
 
-/// The coefficients of a plane as a row, moved: `S M^-1`.
+/// The coefficients of a plane as a row, transformed: `S M^-1`.
 fn moved_plane(plane: DVec4, back: &DAffine3) -> DVec4 {
     DMat4::from(*back).transpose() * plane
 }
 
-/// The matrix of a quadric, moved: `M^-T S M^-1`.
+/// The matrix of a quadric, transformed: `M^-T S M^-1`.
 fn moved_quadric(matrix: DMat4, back: &DAffine3) -> DMat4 {
     let back = DMat4::from(*back);
     back.transpose() * matrix * back
 }
 
-/// The first place where a ray meets a quadric: the roots of `a t^2 + 2 b t + c`.
+/// The first hit of a ray on a quadric: the roots of `a t^2 + 2 b t + c`.
 fn quadric_hit(matrix: &DMat4, ray: &Ray) -> Option<f64> {
     let (point, dir) = (ray.origin.extend(1.0), ray.dir.extend(0.0));
     let a = dir.dot(*matrix * dir);
@@ -112,12 +112,12 @@ fn a_moved_plane_is_the_plane_of_moved_coefficients() {
 }
 
 /// `x^2 + y^2 + z^2 - 1` as a matrix.
-const BALL: DMat4 = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0));
+const UNIT_SPHERE: DMat4 = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0));
 
 #[test]
 fn a_moved_quadric_is_the_quadric_of_moved_coefficients() {
     let moved = leaf(&format!("quadric {{ 1, 0, 0, -1 {MOVES} }}"));
-    let matrix = moved_quadric(BALL, &moves().object_from_world);
+    let matrix = moved_quadric(UNIT_SPHERE, &moves().object_from_world);
     let ray = Ray::new(DVec3::new(1.2, 2.3, -7.0), DVec3::new(0.0, 0.05, 1.0));
     let t = quadric_hit(&matrix, &ray).expect("a hit");
     assert!((hit(&moved, &ray) - t).abs() < 1e-11 * t);
@@ -125,13 +125,13 @@ fn a_moved_quadric_is_the_quadric_of_moved_coefficients() {
     assert!((normal - quadric_normal(&matrix, ray.at(t))).length() < 1e-9);
 }
 
-/// Why rays are moved and not coefficients: of a ball at the distance D the coefficients lose the square of D. Measured:
-/// at 1000.3 they err by 5.4e-11, at 1000300.7 by 5.6e-5; the moved ray is exact at both.
+/// The reason to transform rays and not coefficients: for a sphere at distance D the coefficients lose the square of D.
+/// Measured: at 1000.3 they err by 5.4e-11, at 1000300.7 by 5.6e-5; the transformed ray is exact at both.
 #[test]
 fn coefficients_lose_the_square_of_a_translation() {
     let error = |distance: f64| {
         let back = DAffine3::from_mat3_translation(DMat3::IDENTITY, -distance * DVec3::X);
-        let matrix = moved_quadric(BALL, &back);
+        let matrix = moved_quadric(UNIT_SPHERE, &back);
         let moved = leaf(&format!("quadric {{ 1, 0, 0, -1 translate {distance}*x }}"));
         let (mut by_numbers, mut by_ray) = (0.0_f64, 0.0_f64);
         for step in 1..32 {
@@ -142,8 +142,8 @@ fn coefficients_lose_the_square_of_a_translation() {
             // Exact: both numbers are near each other.
             let aside = ray.origin.x - distance;
             let exact = 4.0 - (1.0 - aside * aside - 0.0625).sqrt();
-            let found = quadric_hit(&matrix, &ray).unwrap_or(4.0);
-            by_numbers = by_numbers.max((found - exact).abs());
+            let t = quadric_hit(&matrix, &ray).unwrap_or(4.0);
+            by_numbers = by_numbers.max((t - exact).abs());
             by_ray = by_ray.max((hit(&moved, &ray) - exact).abs());
         }
         (by_numbers, by_ray)

@@ -1,4 +1,4 @@
-//! `povr watch`: real changes of real files, what is printed, and the page.
+//! `povr watch`: real changes of real files, the output, and the page.
 
 #![cfg(unix)]
 
@@ -17,7 +17,7 @@ const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 40 } light_source { <-4, 6, -8>, rgb 1 }
 sphere { 0, 1 pigment { Look } }";
 
-/// `povr watch`, ended when it is dropped, and what it says.
+/// A running `povr watch`, killed on drop, and its output.
 struct Watching {
     child: Child,
     said: Receiver<String>,
@@ -51,7 +51,7 @@ impl Watching {
         Watching { child, said }
     }
 
-    /// All lines up to the first that holds a text.
+    /// All lines up to the first that contains a text.
     fn until(&self, text: &str) -> Vec<String> {
         let start = Instant::now();
         let mut lines = Vec::new();
@@ -67,7 +67,7 @@ impl Watching {
         }
     }
 
-    /// Waits for a drawing and gives the colour in the middle.
+    /// Waits for a drawing; returns the colour in the middle.
     fn drawn(&self, folder: &Path) -> [u8; 3] {
         self.until("povr: drawn in ");
         let picture = image::open(folder.join("s.png"))
@@ -81,13 +81,13 @@ fn write(folder: &Path, name: &str, text: &str) {
     fs::write(folder.join(name), text).expect("a file");
 }
 
-/// As many editors do: a new file takes the place of the old.
+/// Replaces a file by a new one, as many editors do.
 fn replace(folder: &Path, name: &str, text: &str) {
     write(folder, "new~", text);
     fs::rename(folder.join("new~"), folder.join(name)).expect("it is replaced");
 }
 
-fn looks(color: &str) -> String {
+fn look(color: &str) -> String {
     format!("#declare Look = pigment {{ rgb {color} }}")
 }
 
@@ -96,15 +96,15 @@ fn every_change_of_every_file_is_drawn() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     write(here, "s.pov", SCENE);
-    write(here, "look.inc", &looks("<1, 0, 0>"));
+    write(here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &[]);
     let [r, g, b] = watching.drawn(here);
     assert!(r > 100 && g == 0 && b == 0);
     // Written in place, and replaced.
-    write(here, "look.inc", &looks("<0, 1, 0>"));
+    write(here, "look.inc", &look("<0, 1, 0>"));
     let [r, g, _] = watching.drawn(here);
     assert!(g > 100 && r == 0);
-    replace(here, "look.inc", &looks("<0, 0, 1>"));
+    replace(here, "look.inc", &look("<0, 0, 1>"));
     let [r, _, b] = watching.drawn(here);
     assert!(b > 100 && r == 0);
     replace(
@@ -116,7 +116,7 @@ fn every_change_of_every_file_is_drawn() {
     watching.until("povr: drawn in ");
     // An error is printed as it is, and the picture stays.
     let before = fs::read(here.join("s.png")).expect("a picture");
-    write(here, "look.inc", &looks("<0, 0, 1>").replace("rgb", "rbg"));
+    write(here, "look.inc", &look("<0, 0, 1>").replace("rgb", "rbg"));
     let said = watching
         .until("povr: not drawn; the last picture stays")
         .join("\n");
@@ -126,35 +126,35 @@ fn every_change_of_every_file_is_drawn() {
     );
     assert!(said.contains("rbg"), "{said}");
     assert!(fs::read(here.join("s.png")).expect("a picture") == before);
-    // A file that is missing is waited for.
+    // A missing file is watched for.
     fs::remove_file(here.join("look.inc")).expect("it is there");
     watching.until("povr: not drawn");
-    write(here, "look.inc", &looks("<1, 1, 0>"));
+    write(here, "look.inc", &look("<1, 1, 0>"));
     let [r, g, b] = watching.drawn(here);
     assert!(r > 20 && g > 20 && b == 0);
 }
 
 #[test]
-fn a_file_that_comes_before_another_is_seen() {
+fn a_file_that_shadows_another_is_detected() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     fs::create_dir(here.join("library")).expect("a folder");
     write(here, "s.pov", SCENE);
-    write(here, "library/look.inc", &looks("<1, 0, 0>"));
+    write(here, "library/look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &["+Llibrary"]);
     assert!(watching.drawn(here)[0] > 100);
-    // Beside the scene a file is found first.
-    write(here, "look.inc", &looks("<0, 1, 0>"));
+    // The folder of the scene comes first in the search.
+    write(here, "look.inc", &look("<0, 1, 0>"));
     let [r, g, _] = watching.drawn(here);
     assert!(g > 100 && r == 0);
-    // What nobody asked for is nobody's business.
+    // Changes of files that the scene does not use have no effect.
     write(here, "other.inc", "");
     std::thread::sleep(Duration::from_millis(1200));
     assert!(watching.said.try_recv().is_err());
 }
 
 #[test]
-fn a_change_ends_a_drawing_that_is_under_way() {
+fn a_change_ends_a_drawing_in_progress() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     let slow = SCENE.replace(
@@ -162,7 +162,7 @@ fn a_change_ends_a_drawing_that_is_under_way() {
         "rgb 1 area_light 3*x, 3*z, 65, 65 jitter adaptive 6 }",
     );
     write(here, "s.pov", &slow);
-    write(here, "look.inc", &looks("<1, 0, 0>"));
+    write(here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &["+W800", "+H600", "+A0.0", "+R9"]);
     std::thread::sleep(Duration::from_millis(1500));
     write(
@@ -179,15 +179,15 @@ fn a_change_ends_a_drawing_that_is_under_way() {
     );
 }
 
-/// The answer of the page to a request.
-fn asked(address: &str, path: &str, host: &str) -> (String, Vec<u8>) {
+/// The response of the page server to a request.
+fn fetched(address: &str, path: &str, host: &str) -> (String, Vec<u8>) {
     let mut stream = TcpStream::connect(address).expect("the page is there");
     write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n").expect("it is asked");
     let mut bytes = Vec::new();
     stream.read_to_end(&mut bytes).expect("it answers");
     let end = bytes
         .windows(4)
-        .position(|four| four == b"\r\n\r\n")
+        .position(|window| window == b"\r\n\r\n")
         .expect("a head");
     let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
     (head, bytes[end + 4..].to_vec())
@@ -198,7 +198,7 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     write(here, "s.pov", SCENE);
-    write(here, "look.inc", &looks("<1, 0, 0>"));
+    write(here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &["--serve"]);
     let said = watching.until("povr: http://127.0.0.1:").join("\n");
     let address = said
@@ -208,10 +208,10 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
         .trim_matches('/')
         .to_owned();
     watching.drawn(here);
-    let (head, page) = asked(&address, "/", &address);
+    let (head, page) = fetched(&address, "/", &address);
     assert!(head.starts_with("HTTP/1.1 200 OK"), "{head}");
     assert!(String::from_utf8_lossy(&page).contains("<title>s.pov</title>"));
-    let (_, png) = asked(&address, "/picture.png?1", &address);
+    let (_, png) = fetched(&address, "/picture.png?1", &address);
     let picture = image::load_from_memory(&png).expect("a picture");
     assert_eq!(
         picture.to_rgb8(),
@@ -219,22 +219,22 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
             .expect("a picture")
             .to_rgb8()
     );
-    // Another page that has this address under a name of its own gets nothing.
-    let (head, _) = asked(&address, "/picture.png", "evil.example:80");
+    // A page of another host name that resolves to this address is rejected.
+    let (head, _) = fetched(&address, "/picture.png", "evil.example:80");
     assert!(head.starts_with("HTTP/1.1 403"), "{head}");
-    let (head, _) = asked(&address, "/../s.pov", &address);
+    let (head, _) = fetched(&address, "/../s.pov", &address);
     assert!(head.starts_with("HTTP/1.1 404"), "{head}");
-    // The stream tells of the error; the picture is still there.
+    // The event stream reports the error; the picture is still served.
     let mut stream = TcpStream::connect(&address).expect("the page is there");
     write!(stream, "GET /events HTTP/1.1\r\nHost: {address}\r\n\r\n").expect("it is asked");
     write(here, "look.inc", "#declare Look = ");
-    let mut told = BufReader::new(stream).lines().map_while(Result::ok);
-    let error = told
+    let mut events = BufReader::new(stream).lines().map_while(Result::ok);
+    let error = events
         .find(|line| line.contains("which is a camera"))
         .expect("the error is told");
     assert!(
         error.starts_with("data: {") && error.contains("\"width\":64"),
         "{error}"
     );
-    assert_eq!(asked(&address, "/picture.png", &address).1, png);
+    assert_eq!(fetched(&address, "/picture.png", &address).1, png);
 }

@@ -1,4 +1,4 @@
-//! Files that scenes write: where they may, when they are there, and what a reading depends on.
+//! Output files of scenes: where they may be, when they are visible; and the dependencies of a reading.
 
 use povr::base::options::ReadOptions;
 use povr::base::source::{Severity, Sources};
@@ -47,18 +47,18 @@ fn a_file_is_whole_at_the_end_even_if_it_is_not_closed() {
 }
 
 #[test]
-fn a_scene_that_fails_leaves_what_was_there() {
+fn a_failing_scene_leaves_old_files_unchanged() {
     let folder = folder();
     fs::write(folder.path().join("a.txt"), "old").expect("files can be written");
     let scene = "#fopen F \"@/a.txt\" write #write(F, \"new\") #error \"stop\"";
     assert!(read(scene, folder.path()).scene.is_none());
-    let kept = fs::read_to_string(folder.path().join("a.txt"));
-    assert_eq!(kept.expect("the file is there"), "old");
+    let content = fs::read_to_string(folder.path().join("a.txt"));
+    assert_eq!(content.expect("the file is there"), "old");
     assert_eq!(names(folder.path()).len(), 1);
 }
 
 #[test]
-fn a_file_is_seen_as_soon_as_the_scene_looks() {
+fn a_file_is_visible_once_the_scene_accesses_it() {
     let folder = folder();
     let scene = "#fopen F \"@/a.inc\" write #write(F, \"#declare A = 3;\")
         #include \"@/a.inc\"
@@ -101,7 +101,7 @@ fn nothing_is_written_outside_of_the_allowed_folders() {
 
 #[cfg(unix)]
 #[test]
-fn links_lead_nowhere_else() {
+fn links_do_not_escape_the_allowed_folders() {
     let (inner, outer) = (folder(), folder());
     let link = |from: &Path, name: &str| {
         std::os::unix::fs::symlink(from, inner.path().join(name)).expect("links can be made");
@@ -135,7 +135,7 @@ fn too_many_open_files_are_refused() {
 }
 
 #[test]
-fn what_was_read_or_asked_for_is_told() {
+fn dependencies_are_the_files_read_or_looked_for() {
     let folder = folder();
     let path = |name: &str| folder.path().join(name);
     for (name, text) in [

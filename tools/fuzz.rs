@@ -1,9 +1,9 @@
 //! Reads broken scenes until something goes wrong: `cargo run -p povr-tools --bin fuzz -- NUMBER [SEED] [--draw]`
 //!
-//! The scenes are those of `pov_scenes/`, damaged in all the ways of `tests/malformed/broken.rs`. Each is read, its
-//! findings are told as messages, and a scene that is still right is compiled; `--draw` draws it too, very small. A
-//! panic, more than ten seconds or more than a gibibyte is a failure, and the scene is kept in `target/fuzz/`. The
-//! same SEED and number are the same scene. Exit code 1 after a failure.
+//! The scenes are those of `pov_scenes/`, damaged by all the methods of `tests/malformed/broken.rs`. Each is read, its
+//! findings are formatted as messages, and a scene that is still valid is lowered; `--draw` draws it too, very small. A
+//! panic, more than ten seconds or more than a gibibyte is a failure, and the scene is stored in `target/fuzz/`. The
+//! same SEED and number give the same scene. Exit code 1 after a failure.
 
 #![allow(clippy::print_stdout, reason = "the output is the purpose")]
 
@@ -27,20 +27,20 @@ use std::sync::Mutex;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Loops of the good scenes come to an end within so many tokens.
+/// Token limit of loops and macros; the loops of the valid scenes end before.
 const PATIENCE: u64 = 100_000;
-/// Findings of each scene that are told as messages.
-const TOLD: usize = 3;
-/// Compiling more objects than this is not what is tested.
+/// Findings of each scene that are formatted as messages.
+const MESSAGES: usize = 3;
+/// Larger scenes are not lowered: that is not what is tested.
 const MOST_OBJECTS: usize = 1_000;
 const TIME_LIMIT: Duration = Duration::from_secs(10);
 const MEMORY_LIMIT: u64 = 1 << 30;
-/// The stack that `povr` reads on.
+/// The stack on which `povr` reads.
 const STACK_BYTES: usize = 256 << 20;
-/// Where failing scenes are kept.
-const KEPT: &str = "target/fuzz";
+/// Folder of failing scenes.
+const FAILURES: &str = "target/fuzz";
 
-/// The scene at work, for the thread that watches the time.
+/// The scene being read, for the thread that watches the time.
 struct Work {
     name: String,
     text: Vec<u8>,
@@ -131,7 +131,7 @@ fn run(count: u64, seed: u64, draws: bool, good: &[Vec<u8>], work: &Mutex<Option
     exit(i32::from(failures > 0));
 }
 
-/// Reads a scene and does all that may be done with it; whether it is right.
+/// Reads a scene and processes it as far as allowed; true if it is valid.
 fn read(text: &[u8], draws: bool) -> bool {
     let options = ReadOptions {
         patience: PATIENCE,
@@ -141,7 +141,7 @@ fn read(text: &[u8], draws: bool) -> bool {
     let mut sources = Sources::new(vec![folder]);
     let file = sources.add_text("broken.pov", text);
     let reading = evaluate(file, &mut sources, &options);
-    for finding in reading.findings.iter().take(TOLD) {
+    for finding in reading.findings.iter().take(MESSAGES) {
         assert!(!Message::new(finding, &sources).excerpt.is_empty());
     }
     let is_error = |severity| severity == Severity::Error;
@@ -194,15 +194,15 @@ fn set(work: &Mutex<Option<Work>>, to: Option<Work>) {
 }
 
 fn keep(name: &str, text: &[u8], what: &str) {
-    let path = Path::new(KEPT).join(format!("{name}.pov"));
-    let kept = fs::create_dir_all(KEPT).and_then(|()| fs::write(&path, text));
-    match kept {
+    let path = Path::new(FAILURES).join(format!("{name}.pov"));
+    let saved = fs::create_dir_all(FAILURES).and_then(|()| fs::write(&path, text));
+    match saved {
         Ok(()) => println!("{} {what}", path.display()),
         Err(error) => println!("{name} {what}, and could not be kept: {error}"),
     }
 }
 
-/// The memory of this process in bytes; 0 where the system does not tell.
+/// The memory of this process in bytes; 0 where the system does not report it.
 fn resident() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

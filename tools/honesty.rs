@@ -1,9 +1,9 @@
-//! How far pictures that are sampled until an error holds are from the truth, on scenes made from numbers.
+//! True errors of adaptive sampling to an error target, on generated scenes.
 //!
-//! `honesty FIRST..END [TARGET...]` draws the riddles of these numbers (see `tests/support/riddles.rs`) for each target,
-//! in steps of 1/255, and prints the true error, the estimated one, and the samples a pixel. The truth is two regular
-//! grids in each pixel that know nothing of estimates; how far they differ is told too. Truths are kept in
-//! `target/honesty`.
+//! `honesty FIRST..END [TARGET...]` draws the hard scenes of these numbers (see `tests/support/riddles.rs`) for each
+//! target, in steps of 1/255, and prints the true error, the estimated one, and the samples a pixel. The reference is
+//! the mean of two regular grids in each pixel, independent of estimates; their difference is printed as well.
+//! References are cached in `target/honesty`.
 
 #![allow(
     clippy::print_stdout,
@@ -22,7 +22,7 @@ use riddles::{ROWS, Riddle, riddles};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (ROWS * 4 / 3, ROWS);
-/// Samples on a side of a pixel of both truths.
+/// Samples on a side of a pixel of both grids.
 const GRIDS: [u32; 2] = [32, 25];
 const STEPS: f64 = 255.0;
 
@@ -44,7 +44,7 @@ fn main() {
     let mut samples = vec![0.0; targets.len()];
     let mut count = 0u32;
     for riddle in numbers.flat_map(riddles) {
-        // What cannot be drawn yet does not count.
+        // Scenes with unsupported features are left out.
         if drawn(&riddle, (4, 3), Sampling::Centres).is_none() {
             println!("{:14} cannot be drawn", riddle.name);
             continue;
@@ -55,8 +55,8 @@ fn main() {
         for (number, &error) in targets.iter().enumerate() {
             let sampling = Sampling::Converging(Adaptive { error, time: None });
             let picture = drawn(&riddle, SIZE, sampling).expect("it was drawn before");
-            let found = truth.errors(&Linear::of_film(&picture.film, picture.working));
-            let rmse = found.rmse * STEPS;
+            let errors = truth.errors(&Linear::of_film(&picture.film, picture.working));
+            let rmse = errors.rmse * STEPS;
             missed[number] += u32::from(rmse > error);
             samples[number] += picture.statistics.samples_a_pixel;
             line += &format!(
@@ -66,7 +66,7 @@ fn main() {
                     .statistics
                     .reached
                     .map_or(0.0, |reached| reached.rms),
-                found.p999 * STEPS,
+                errors.p999 * STEPS,
                 picture.statistics.samples_a_pixel,
             );
         }
@@ -80,7 +80,7 @@ fn main() {
     }
 }
 
-/// The picture of a riddle, if it can be drawn.
+/// The picture of a scene, if it can be drawn.
 fn drawn(riddle: &Riddle, (width, height): (u32, u32), sampling: Sampling) -> Option<Picture> {
     let read = ReadOptions {
         width,
@@ -103,14 +103,14 @@ fn drawn(riddle: &Riddle, (width, height): (u32, u32), sampling: Sampling) -> Op
     povr::draw(&input, &read, &render, &|_| {}).ok()
 }
 
-/// The truth, and the root mean square by which both grids differ.
+/// The reference, and the root mean square difference of both grids.
 fn truth(riddle: &Riddle) -> (Linear, f64) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/honesty");
     std::fs::create_dir_all(&folder).expect("a folder");
     let [fine, coarse] = GRIDS.map(|grid| {
         let file = folder.join(format!("{}-{ROWS}-{grid}.f32", riddle.name));
-        let kept = std::fs::read(&file).unwrap_or_default();
-        let (text, pixels) = kept.split_at(riddle.text.len().min(kept.len()));
+        let cached = std::fs::read(&file).unwrap_or_default();
+        let (text, pixels) = cached.split_at(riddle.text.len().min(cached.len()));
         if text == riddle.text.as_bytes() {
             let values: Vec<f32> = pixels
                 .chunks_exact(4)
@@ -140,8 +140,8 @@ fn truth(riddle: &Riddle) -> (Linear, f64) {
     (both, apart)
 }
 
-/// The means of the samples on a regular grid in each pixel. What is brighter than white counts as it is, and is white
-/// when the mean has been taken.
+/// The means of the samples on a regular grid in each pixel. Values above white count in full, and the mean is clamped
+/// to white.
 fn on_a_grid(riddle: &Riddle, grid: u32) -> Linear {
     let size = (SIZE.0 * grid, SIZE.1 * grid);
     let large = drawn(riddle, size, Sampling::Centres).expect("it was drawn before");

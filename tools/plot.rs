@@ -1,4 +1,4 @@
-//! `plot FILE.json FOLDER`: plots by logarithms and one page with all of them, from
+//! `plot FILE.json FOLDER`: logarithmic plots and one page with all of them, from
 //! `[{"name", "title", "x", "y", "series": [{"name", "points": [[x, y], ...]}], "notes": [text, ...]}, ...]`.
 
 #![allow(
@@ -128,7 +128,7 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     least / 1.5..most * 1.5
 }
 
-/// A number as people write it.
+/// A number in short notation.
 fn short(value: f64) -> String {
     if (0.001..10_000.0).contains(&value) {
         // Ticks are made by multiplication and carry its rounding.

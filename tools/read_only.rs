@@ -21,7 +21,7 @@ fn main() -> ExitCode {
     }
     eprint!("{}", reading.messages);
     let is_read = reading.scene.is_some();
-    // POV-Ray's time of parsing does not hold the freeing of the scene either.
+    // POV-Ray's time of parsing does not include freeing the scene either.
     std::mem::forget(reading);
     ExitCode::from(u8::from(!is_read))
 }

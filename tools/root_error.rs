@@ -1,5 +1,5 @@
-//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus, sphere and quadric and
-//! for other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
+//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus, sphere and
+//! quadric and for alternative methods, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
 
 #![allow(
     clippy::print_stdout,
@@ -27,7 +27,7 @@ use plotters::prelude::*;
 use povr::scene::shape::Root;
 use rays::families::{Family, Question, SPHERES, TORI};
 use rays::quadrics::{OnQuadric, QUADRICS};
-use rays::{Asked, Digits};
+use rays::{Digits, ExactRoots};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -36,8 +36,8 @@ use std::time::Instant;
 
 /// Fills in the roots of a ray, in any order.
 type Solve<Q> = fn(&Q, &mut Vec<f64>);
-/// A way to the roots, with its name.
-type Way<Q> = (&'static str, Solve<Q>);
+/// A root finder, with its name.
+type Method<Q> = (&'static str, Solve<Q>);
 
 /// Rays of each family.
 const RAYS: usize = 10_000;
@@ -50,7 +50,7 @@ const OF_REPORT: usize = 31;
 const SIZE: (u32, u32) = (640, 460);
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
-/// How one way does on one family.
+/// The result of one method on one family.
 struct Score {
     bad: usize,
     /// The backward error of each ray's worst root, in roundings, in rising order; rays without roots have none.
@@ -110,7 +110,7 @@ fn roots_of<Q>(question: &Q, out: &mut Vec<f64>, ask: fn(&Q, &mut Vec<Root>)) {
 fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     let mut page = String::new();
-    fn all<Q: Asked>(own: Solve<Q>, others: &[Way<Q>]) -> Vec<Way<Q>> {
+    fn all<Q: ExactRoots>(own: Solve<Q>, others: &[Method<Q>]) -> Vec<Method<Q>> {
         let others = others.iter().copied();
         [("povr", own)].into_iter().chain(others).collect()
     }
@@ -123,11 +123,11 @@ fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::write(folder.join("root_error.html"), page)
 }
 
-fn section<Q: Asked + Sync>(
+fn section<Q: ExactRoots + Sync>(
     page: &mut String,
     shape: &str,
     families: &[Family<Q>],
-    ways: &[Way<Q>],
+    methods: &[Method<Q>],
     rays: usize,
 ) {
     let scores: Vec<Vec<Score>> = families
@@ -135,15 +135,15 @@ fn section<Q: Asked + Sync>(
         .map(|family| {
             let questions = family.rays(rays);
             let exact = on_all_processors(&questions, |_, question| question.roots(Digits::Enough));
-            let scores: Vec<Score> = ways
+            let scores: Vec<Score> = methods
                 .iter()
-                .map(|way| score(&questions, &exact, way.1))
+                .map(|method| score(&questions, &exact, method.1))
                 .collect();
-            let told: Vec<String> = scores
+            let summaries: Vec<String> = scores
                 .iter()
                 .map(|score| format!("{}/{:.1}/{:.0}", score.bad, score.worst, score.nanoseconds))
                 .collect();
-            println!("{shape}, {}: {}", family.name, told.join("  "));
+            println!("{shape}, {}: {}", family.name, summaries.join("  "));
             scores
         })
         .collect();
@@ -154,12 +154,12 @@ fn section<Q: Asked + Sync>(
          than 64, or if a root is missing or too many that no shift of the surface by so little explains. Times are the least of {TIMINGS}, on a machine with other work.</p>",
         families.len()
     );
-    overview(page, ways, &scores, rays);
+    overview(page, methods, &scores, rays);
     *page += "<div class=\"plots\">\n";
-    *page += &plot(shape, ways, &scores, rays)
+    *page += &plot(shape, methods, &scores, rays)
         .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
     *page += "</div>\n";
-    for (name, told) in [
+    for (name, cell) in [
         (
             format!("bad rays of {rays}, by family"),
             (|score: &Score| score.bad.to_string()) as fn(&Score) -> String,
@@ -173,7 +173,7 @@ fn section<Q: Asked + Sync>(
         }),
     ] {
         let _ = writeln!(page, "<details><summary>The {shape}: {name}</summary>");
-        table(page, families, ways, &scores, told);
+        table(page, families, methods, &scores, cell);
         *page += "</details>\n";
     }
     let first = if shape == "torus" {
@@ -181,7 +181,7 @@ fn section<Q: Asked + Sync>(
     } else {
         families.len()
     };
-    for (name, number) in ways.iter().map(|way| way.0).zip(0..) {
+    for (name, number) in methods.iter().map(|method| method.0).zip(0..) {
         let bad = |of: &[Vec<Score>]| of.iter().map(|scores| scores[number].bad).sum::<usize>();
         println!(
             "{shape}, {name}: {} bad of {} in the families of the report, {} of {} in others",
@@ -193,13 +193,13 @@ fn section<Q: Asked + Sync>(
     }
 }
 
-/// A line for each way: all families together.
-fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: usize) {
+/// A row for each method: all families together.
+fn overview<Q>(page: &mut String, methods: &[Method<Q>], scores: &[Vec<Score>], rays: usize) {
     *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\" rowspan=\"2\">way</th>\
         <th colspan=\"3\">backward error, roundings</th><th rowspan=\"2\">bad rays</th>\
         <th rowspan=\"2\">families with bad rays</th><th rowspan=\"2\">ns a ray, median family</th></tr>\
         <tr><th>median</th><th>99.9 %</th><th>largest</th></tr></thead><tbody>\n";
-    for (number, (name, _)) in ways.iter().enumerate() {
+    for (number, (name, _)) in methods.iter().enumerate() {
         let own = || scores.iter().map(|scores| &scores[number]);
         let bad: usize = own().map(|score| score.bad).sum();
         let touched = own().filter(|score| score.bad > 0).count();
@@ -207,7 +207,7 @@ fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: 
         errors.sort_by(f64::total_cmp);
         let at = |part: usize, of: usize| {
             let error = errors.get((errors.len() * part / of).min(errors.len().max(1) - 1));
-            told(error.copied().unwrap_or(0.0))
+            short(error.copied().unwrap_or(0.0))
         };
         let mut times: Vec<f64> = own().map(|score| score.nanoseconds).collect();
         times.sort_by(f64::total_cmp);
@@ -226,8 +226,8 @@ fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: 
     *page += "</tbody></table></div>\n";
 }
 
-/// An error in few letters.
-fn told(error: f64) -> String {
+/// An error in short notation.
+fn short(error: f64) -> String {
     if error.is_infinite() {
         "∞".to_owned()
     } else if error < 1e4 {
@@ -240,26 +240,26 @@ fn told(error: f64) -> String {
 fn table<Q>(
     page: &mut String,
     families: &[Family<Q>],
-    ways: &[Way<Q>],
+    methods: &[Method<Q>],
     scores: &[Vec<Score>],
-    told: impl Fn(&Score) -> String,
+    cell: impl Fn(&Score) -> String,
 ) {
     *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\">family</th>";
-    for (name, _) in ways {
+    for (name, _) in methods {
         let _ = write!(page, "<th>{name}</th>");
     }
     *page += "</tr></thead><tbody>\n";
     for (family, scores) in families.iter().zip(scores) {
         let _ = write!(page, "<tr><td class=\"text\">{}</td>", family.name);
         for score in scores {
-            let _ = write!(page, "<td>{}</td>", told(score));
+            let _ = write!(page, "<td>{}</td>", cell(score));
         }
         *page += "</tr>\n";
     }
     *page += "</tbody></table></div>\n";
 }
 
-fn score<Q: Asked + Sync>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
+fn score<Q: ExactRoots + Sync>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
     let mut roots = Vec::with_capacity(8);
     let mut seconds = 0.0;
     for some in questions.chunks(TIMED) {
@@ -298,7 +298,7 @@ fn score<Q: Asked + Sync>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> 
     }
 }
 
-/// Something of each of these, in their order.
+/// Applies `work` to each item on all processors, in their order.
 fn on_all_processors<T: Sync, R: Send>(all: &[T], work: impl Fn(usize, &T) -> R + Sync) -> Vec<R> {
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     let share = all.len().div_ceil(workers).max(1);
@@ -327,10 +327,10 @@ fn count(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
-/// Bad rays of a million over nanoseconds, a dot for each family and way; none is drawn as a tenth.
+/// Bad rays of a million over nanoseconds, a dot for each family and method; none is drawn as a tenth.
 fn plot<Q>(
     shape: &str,
-    ways: &[Way<Q>],
+    methods: &[Method<Q>],
     scores: &[Vec<Score>],
     rays: usize,
 ) -> Result<String, Box<dyn std::error::Error>> {
@@ -393,7 +393,7 @@ fn plot<Q>(
                     )
                 })
             };
-            for (number, (name, _)) in ways.iter().enumerate() {
+            for (number, (name, _)) in methods.iter().enumerate() {
                 let color = Palette99::pick(number).to_rgba();
                 chart
                     .draw_series(dots(number))?
@@ -416,13 +416,13 @@ fn plot<Q>(
     Ok(text)
 }
 
-/// A number of nanoseconds, if it begins with 1, 2 or 5; there is no room for all.
+/// A number of nanoseconds, if it begins with 1, 2 or 5; not all of them fit.
 fn label(v: f64) -> String {
     let leading = v / 10f64.powf((v.log10() + 1e-9).floor());
-    let is_told = [1.0, 2.0, 5.0]
+    let is_labelled = [1.0, 2.0, 5.0]
         .iter()
-        .any(|told| (leading - told).abs() < 1e-6);
-    if is_told {
+        .any(|first| (leading - first).abs() < 1e-6);
+    if is_labelled {
         format!("{v:.0}")
     } else {
         String::new()

@@ -1,5 +1,5 @@
-//! `stability FOLDER [--no-povray] [WORD...]`: the whole catalogue of `tests/stability/`, povr and POV-Ray side by side,
-//! with a page of tables, pictures and plots.
+//! `stability FOLDER [--no-povray] [WORD...]`: the whole catalogue of `tests/stability/`, povr and POV-Ray side by
+//! side, with a page of tables, pictures and plots.
 
 #![allow(
     clippy::print_stdout,
@@ -42,15 +42,15 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A case and how both did.
+/// A case and the results of both renderers.
 pub(crate) struct Answered {
     pub(crate) case: Case,
     pub(crate) povr: Outcome,
-    /// `None` where POV-Ray was not asked.
+    /// `None` where POV-Ray was not run.
     pub(crate) pov_ray: Option<Outcome>,
 }
 
-/// What the command line says.
+/// The command line.
 struct Wishes {
     folder: PathBuf,
     asks_pov_ray: bool,
@@ -118,7 +118,7 @@ fn run(wishes: &Wishes) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Does something with each of these on all processors; the results keep the order.
+/// Applies `work` to each item on all processors; the results keep the order.
 pub(crate) fn in_order<T: Send, R: Send>(
     all: Vec<T>,
     work: impl Fn(usize, T) -> R + Sync,
@@ -151,9 +151,9 @@ pub(crate) fn in_order<T: Send, R: Send>(
 
 fn answer(case: Case, scratch: Option<&Path>) -> Answered {
     let povr = case.outcome(&|text, size| draw::by_povr(text, size));
-    let is_asked = case.no_pov_ray.is_none() && !matches!(case.asks, Asks::Rays(_));
+    let uses_pov_ray = case.no_pov_ray.is_none() && !matches!(case.asks, Asks::Rays(_));
     let pov_ray = scratch
-        .filter(|_| is_asked)
+        .filter(|_| uses_pov_ray)
         .map(|folder| case.outcome(&|text, size| draw::by_pov_ray(text, size, folder)));
     Answered {
         case,

@@ -1,7 +1,7 @@
-//! How fast texts become tokens: `cargo run --release -p povr-tools --bin tokenize_speed -- FILE...`
+//! Speed of the lexer: `cargo run --release -p povr-tools --bin tokenize_speed -- FILE...`
 //!
-//! Without files it makes three texts: spheres with textures, the lists of a mesh, and a program of macros and loops.
-//! Times are processor time where the system tells it, the best of five; read them as ±20 %.
+//! Without files it generates three texts: spheres with textures, the lists of a mesh, and a program of macros and
+//! loops. Times are processor time where the system reports it, the best of five; their accuracy is ±20 %.
 
 #![allow(clippy::print_stdout, reason = "the output is the purpose")]
 
@@ -49,7 +49,7 @@ fn report(name: &str, texts: &[Arc<String>]) {
     println!("{name}: {bytes} bytes, {count} tokens, {best:.1?}, {rate:.0} MB/s");
 }
 
-/// Processor time of this thread; wall time where the system does not tell it.
+/// Processor time of this thread; wall time where the system does not report it.
 struct Clock {
     wall: Instant,
     processor: Option<Duration>,

@@ -1,6 +1,6 @@
-//! How much reading a scene may take: tokens read again by loops and macros, and memory.
+//! Limits on reading: tokens read again by loops and macros, and memory.
 //!
-//! Memory is not counted but looked at, from time to time, in what the system tells of the process. Where it tells
+//! Memory is not counted but measured from time to time, from what the system reports of the process. Where it reports
 //! nothing, only the limits on counts hold.
 
 use super::cursor::Start;
@@ -14,49 +14,50 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-/// What a run may take, and what it has taken.
+/// Limits of a run, and how much of them is used up.
 #[derive(Debug)]
 pub(super) struct Budget {
-    /// Tokens read again so far.
-    again: u64,
+    /// Number of tokens read again so far.
+    reread: u64,
     objects: u64,
-    /// Shapes and lights of the scene as they are prepared for rays.
+    /// Primitives of the scene once it is compiled.
     leaves: u64,
-    /// The same, each as often as it is drawn.
+    /// The same, each counted as often as it is drawn.
     shown: u64,
     shared: Shared,
-    /// Bytes taken since memory was last looked at.
-    unseen: u64,
+    /// Bytes taken since memory was last measured.
+    unmeasured: u64,
     memory: Memory,
 }
 
 impl Budget {
-    /// All that the machine has now, or a part of it.
+    /// The memory that is available now, but at most `part` bytes.
     pub(super) fn new(part: Option<u64>) -> Self {
         Budget {
-            again: 0,
+            reread: 0,
             objects: 0,
             leaves: 0,
             shown: 0,
             shared: Shared::default(),
-            unseen: 0,
+            unmeasured: 0,
             memory: Memory::now(part),
         }
     }
 
-    /// Whether there is memory for the tokens of a text.
-    pub(super) fn has_room_for(&self, text: &str) -> bool {
+    /// True if there is memory for the tokens of a text.
+    pub(super) fn has_memory_for(&self, text: &str) -> bool {
         let bytes = text.len() as u64 * limits::FILE_BYTES;
         bytes < limits::MEMORY_STEP || self.memory.allows(bytes, self.leaves)
     }
 }
 
-/// The parts that several objects share, as far as they were counted, by address; holding them keeps that taken.
+/// Parts that several objects share, as far as they were counted, by address. They are held so that no address is
+/// reused.
 #[derive(Debug, Default)]
 struct Shared(FxHashMap<usize, Children>);
 
 impl Shared {
-    /// How many shapes and copies must be prepared for an object beyond what was counted before.
+    /// Number of shapes and copies to prepare for an object beyond those already counted.
     fn stored(&mut self, object: &Object) -> u64 {
         let Some(children) = object.plain_union() else {
             return u64::from(object.size().leaves);
@@ -74,16 +75,16 @@ impl Shared {
     }
 }
 
-/// What the process may still take, in bytes; `u64::MAX` where nothing is known.
+/// Memory that the process may still take, in bytes; `u64::MAX` where it is not known.
 #[derive(Debug)]
 struct Memory {
-    /// What it had at the start.
+    /// Memory of the process at the start.
     start: Taken,
-    /// What it may add to that.
-    room: Taken,
+    /// Memory it may take on top of that.
+    headroom: Taken,
 }
 
-/// Memory of the process, as its two limits count it.
+/// Memory of the process, by the measures of its two limits.
 #[derive(Clone, Copy, Debug, Default)]
 struct Taken {
     address_space: u64,
@@ -96,28 +97,31 @@ impl Memory {
         let most = address_space_limit().unwrap_or(u64::MAX);
         Memory {
             start,
-            room: Taken {
+            headroom: Taken {
                 address_space: most.saturating_sub(start.address_space),
                 resident: available().min(part.unwrap_or(u64::MAX)),
             },
         }
     }
 
-    /// Whether what was taken so far, and then `more` bytes, and then compiling the scene, fit in.
+    /// True if `more` bytes, and then the compiled scene, fit beside the memory taken so far.
     fn allows(&self, more: u64, leaves: u64) -> bool {
         let Some(now) = Taken::now() else {
             return true;
         };
         let compiled = leaves.saturating_mul(limits::LEAF_BYTES);
-        let fits = |start: u64, now: u64, room: u64| {
+        let fits = |start: u64, now: u64, headroom: u64| {
             let read = now.saturating_sub(start).saturating_add(more);
-            // Textures and matrices are made anew for rays; about half of what is read.
+            // Textures and matrices are built again for rendering, about half of what is read.
             let all = (read + read / 2).saturating_add(compiled);
-            all <= room - room / 8
+            all <= headroom - headroom / 8
         };
-        let (start, room) = (self.start, self.room);
-        fits(start.address_space, now.address_space, room.address_space)
-            && fits(start.resident, now.resident, room.resident)
+        let (start, headroom) = (self.start, self.headroom);
+        fits(
+            start.address_space,
+            now.address_space,
+            headroom.address_space,
+        ) && fits(start.resident, now.resident, headroom.resident)
     }
 }
 
@@ -131,7 +135,7 @@ impl Taken {
     }
 }
 
-/// What `ulimit -v` set, in bytes.
+/// The limit set by `ulimit -v`, in bytes.
 fn address_space_limit() -> Option<u64> {
     let limits = fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits
@@ -140,13 +144,13 @@ fn address_space_limit() -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// What the machine has, or the group of processes that this one is in, as a job of a cluster is.
+/// Free memory of the machine, or of the control group of this process (a cluster job).
 fn available() -> u64 {
     let of_machine = field("/proc/meminfo", "MemAvailable:").unwrap_or(u64::MAX);
     of_machine.min(left_to_group().unwrap_or(u64::MAX))
 }
 
-/// What is left of the least limit of the control groups (version 2) that hold this process.
+/// Memory left below the tightest limit of the control groups (version 2) of this process.
 fn left_to_group() -> Option<u64> {
     let groups = fs::read_to_string("/proc/self/cgroup").ok()?;
     let name = groups.lines().find_map(|line| line.strip_prefix("0::/"))?;
@@ -155,7 +159,7 @@ fn left_to_group() -> Option<u64> {
         text.trim().parse().ok()
     };
     let left = |folder: &Path| {
-        // What only caches files is given back when it is wanted.
+        // Page cache is reclaimed when memory is needed, so only anonymous memory counts.
         let held = fs::read_to_string(folder.join("memory.stat")).ok()?;
         let held = held.lines().find_map(|line| line.strip_prefix("anon "))?;
         Some(number(folder, "memory.max")?.saturating_sub(held.parse().ok()?))
@@ -177,24 +181,24 @@ fn kibibytes(text: &str, name: &str) -> Option<u64> {
 
 impl Reader<'_> {
     /// Counts tokens that a loop or a macro makes the reader read again.
-    pub(super) fn count_again(&mut self, tokens: usize, at: Start) -> Parse<()> {
+    pub(super) fn count_reread(&mut self, tokens: usize, at: Start) -> Parse<()> {
         let budget = &mut self.budget;
-        // What goes round costs something beside its tokens.
-        budget.again += tokens as u64 + 8;
+        // A round costs something beside its tokens.
+        budget.reread += tokens as u64 + 8;
         if self.options.stop.is_asked() {
             return Err(self.stopped(at));
         }
         let budget = &self.budget;
-        if budget.again <= self.options.patience {
+        if budget.reread <= self.options.patience {
             return self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at));
         }
         let most = self.options.patience
             + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects
             + limits::TOKENS_FOR_BYTE * self.files.written();
-        if budget.again > most {
+        if budget.reread > most {
             let message = format!(
                 "the loops and macros of this scene do not come to an end: {} tokens were read in them",
-                budget.again
+                budget.reread
             );
             let error = Diagnostic::error(self.span_of(at), message)
                 .with_hint("Look for a condition that stays true, or for too many rounds.");
@@ -218,31 +222,31 @@ impl Reader<'_> {
         self.count_objects(1)
     }
 
-    /// Counts so many objects.
+    /// Counts this many objects.
     pub(super) fn count_objects(&mut self, count: u64) -> Parse<()> {
         self.budget.objects += count;
         self.take_memory_at(count * limits::OBJECT_BYTES, Self::taken_span)
     }
 
-    /// Counts what an object of the scene itself comes to.
+    /// Counts the primitives of a top-level object.
     pub(super) fn count_leaves(&mut self, object: &Object) -> Parse<()> {
         self.count_object()?;
         let leaves = self.budget.shared.stored(object);
         self.count_shapes(leaves, u64::from(object.size().leaves))
     }
 
-    /// The same for an object that is one shape.
+    /// The same for an object that is a single shape.
     pub(super) fn count_leaf(&mut self) -> Parse<()> {
-        self.count_leaves_alone(1)
+        self.count_single_shapes(1)
     }
 
-    /// The same for so many objects that are one shape each.
-    pub(super) fn count_leaves_alone(&mut self, count: u64) -> Parse<()> {
+    /// The same for `count` objects that are a single shape each.
+    pub(super) fn count_single_shapes(&mut self, count: u64) -> Parse<()> {
         self.count_objects(count)?;
         self.count_shapes(count, count)
     }
 
-    /// Counts shapes that are to be prepared, and such that are shown.
+    /// Counts shapes to be prepared, and shapes as often as they are drawn.
     fn count_shapes(&mut self, leaves: u64, shown: u64) -> Parse<()> {
         self.budget.leaves += leaves;
         self.budget.shown += shown;
@@ -258,7 +262,7 @@ impl Reader<'_> {
         Err(self.fatal(error))
     }
 
-    /// Checks that there is memory to look into an object.
+    /// Checks that there is memory to compile an object for `trace` and `inside`.
     pub(super) fn check_probed(&mut self, object: &Object) -> Parse<()> {
         if object.size().leaves < limits::PROBED {
             return Ok(());
@@ -271,7 +275,7 @@ impl Reader<'_> {
         Err(self.with_trace(Diagnostic::error(self.taken_span(), message)))
     }
 
-    /// Checks how deep an object's parts lie in each other, and how many they are.
+    /// Checks the nesting depth and the number of the parts of an object.
     pub(super) fn check_size(&mut self, object: &Object, at: Span) -> Parse<()> {
         match limits::exceeded(object) {
             Some(message) => Err(self.with_trace(Diagnostic::error(at, message))),
@@ -279,20 +283,20 @@ impl Reader<'_> {
         }
     }
 
-    /// Says that about so many bytes were taken, or will be at once; an error where there are no more.
+    /// Notes about `bytes` of memory taken, or about to be; an error if there is no more.
     pub(super) fn take_memory(&mut self, bytes: u64, at: Span) -> Parse<()> {
         self.take_memory_at(bytes, |_| at)
     }
 
-    /// The same; the place is found out only for a message.
+    /// The same; the span is computed only for a message.
     #[inline]
     fn take_memory_at(&mut self, bytes: u64, at: impl FnOnce(&Self) -> Span) -> Parse<()> {
-        let unseen = self.budget.unseen.saturating_add(bytes);
-        if unseen < limits::MEMORY_STEP {
-            self.budget.unseen = unseen;
+        let unmeasured = self.budget.unmeasured.saturating_add(bytes);
+        if unmeasured < limits::MEMORY_STEP {
+            self.budget.unmeasured = unmeasured;
             return Ok(());
         }
-        self.budget.unseen = 0;
+        self.budget.unmeasured = 0;
         let ahead = if bytes < limits::MEMORY_STEP {
             0
         } else {
@@ -306,7 +310,7 @@ impl Reader<'_> {
         Err(self.fatal(error.with_code(Code::Memory)))
     }
 
-    /// Says that one thing will take so many bytes; an error that names it where there are no more.
+    /// Notes that one thing is about to take `bytes`; the error names it.
     pub(super) fn take_memory_for(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
         if bytes < limits::MEMORY_STEP || self.budget.memory.allows(bytes, self.budget.leaves) {
             return self.take_memory(bytes.min(limits::MEMORY_STEP - 1), at);
@@ -318,7 +322,7 @@ impl Reader<'_> {
         Err(self.fatal(error.with_code(Code::Memory)))
     }
 
-    /// Reads a part that may hold parts of its own kind, as long as they are not too deep inside each other.
+    /// Reads a part that may hold parts of its own kind, up to a limit on the nesting.
     pub(super) fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Parse<T>) -> Parse<T> {
         if self.nesting >= limits::READING {
             let message = format!(
@@ -334,7 +338,7 @@ impl Reader<'_> {
         result
     }
 
-    /// The error after which nothing more is read.
+    /// The error that ends reading.
     fn fatal(&mut self, error: Diagnostic) -> Box<Diagnostic> {
         self.is_over = true;
         let code = error.code.unwrap_or(Code::Limit);
@@ -350,7 +354,7 @@ mod tests {
     fn memory_is_allowed_up_to_its_limit() {
         let memory = Memory {
             start: Taken::default(),
-            room: Taken {
+            headroom: Taken {
                 address_space: u64::MAX,
                 resident: u64::MAX,
             },
@@ -358,7 +362,7 @@ mod tests {
         assert!(memory.allows(1 << 40, 1 << 30));
         let none = Memory {
             start: Taken::default(),
-            room: Taken::default(),
+            headroom: Taken::default(),
         };
         assert_eq!(none.allows(1, 0), Taken::now().is_none());
     }

@@ -1,8 +1,7 @@
 //! The cursor: one stream of tokens out of files, loops and macro calls.
 //!
-//! POV-Ray's directives act between any two tokens, and a macro is text put in place of its call. So whoever asks for
-//! the next token gets it after every directive before it has run, every include has been entered and every macro
-//! call has been opened; readers never see any of that.
+//! POV-Ray's directives act between any two tokens, and a macro is text substituted for its call. So `peek` runs every
+//! directive, enters every include and opens every macro call before the next token; the readers see none of that.
 
 use super::directive::macros::Macro;
 use super::expr::value::Value;
@@ -13,16 +12,16 @@ use crate::base::source::{Code, Diagnostic, FileId, Span};
 use crate::lang::syntax::{self, Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
-/// A place to go on reading.
+/// A position in a list of tokens, where reading goes on.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct Position {
     /// The tokens of a file.
     pub(super) tokens: Rc<Tokens>,
     /// The index of the next token.
     pub(super) at: usize,
 }
 
-/// Where a token begins. Where it ends is found out only for a message.
+/// Start of a token. Its end is computed only for a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Start {
     pub(super) file: FileId,
@@ -30,7 +29,6 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// Where a token begins.
     pub(super) fn of(tokens: &Tokens, at: usize) -> Self {
         Start {
             file: tokens.file,
@@ -44,42 +42,41 @@ impl Start {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
-    /// How many scopes were open where the name stood.
+    /// Number of scopes open at the name.
     pub(super) scope: u32,
-    /// Whether an item of the array of this name is declared, not the name.
+    /// True if an item of a named array is declared, not the name itself.
     pub(super) is_item: bool,
-    /// How many frames, parentheses and blocks were open where the value began.
+    /// Number of frames, parentheses and blocks open at the start of the value.
     pub(super) frames: usize,
     pub(super) depth: usize,
     pub(super) blocks: usize,
-    /// Whether the value may be complete, so that what follows is only looked at.
+    /// True if the value may be complete; what follows is then only peeked at.
     pub(super) is_complete: bool,
-    /// Set where the value ends before the next token, which only leaves a macro or file or calls a macro.
+    /// True if the value ends before the next token, which leaves a macro or file or calls a macro.
     pub(super) has_ended: bool,
 }
 
-/// What has been entered and not yet left.
+/// A construct that has been entered and not yet left.
 #[derive(Debug)]
 pub(super) struct Frame {
     /// The file in which it ends.
     pub(super) home: Rc<Tokens>,
-    /// The index of its `#end` there; `u32::MAX` if it has none.
+    /// The index of its `#end` there; `u32::MAX` without one.
     pub(super) end: u32,
-    /// What it is.
     pub(super) kind: Entered,
-    /// Whether what is read in it may be read again: it is a loop or a macro, or lies within one.
+    /// True if its text may be read again: it is a loop or a macro, or lies within one.
     repeats: bool,
 }
 
 /// The kinds of [`Frame`].
 #[derive(Debug)]
 pub(super) enum Entered {
-    /// The chosen part of an `#if`.
+    /// The part of an `#if` that is taken.
     If,
-    /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
+    /// A `#switch` with its value, and whether one of its parts has been taken: from there on it falls through.
     Switch { value: f64, is_chosen: bool },
-    /// A `#while`, with the place of its condition, which round it is in, and how often anything that a condition can
-    /// depend on had changed when that began.
+    /// A `#while`, with the index of its condition, the current round, and the change count of the reader at the start
+    /// of that round.
     While {
         condition: usize,
         rounds: u64,
@@ -89,7 +86,7 @@ pub(super) enum Entered {
     For(Box<super::directive::loops::For>),
     /// A macro call.
     Macro {
-        back: Place,
+        back: Position,
         call: Start,
         /// The last token of the call.
         called_to: Start,
@@ -97,11 +94,11 @@ pub(super) enum Entered {
         called: Rc<Macro>,
     },
     /// An include file.
-    Include { back: Place, from: Span },
+    Include { back: Position, from: Span },
 }
 
 impl Reader<'_> {
-    /// Notes that something has been entered.
+    /// Pushes a frame.
     pub(super) fn enter_frame(&mut self, home: Rc<Tokens>, end: u32, kind: Entered) {
         let repeats = match kind {
             Entered::While { .. } | Entered::For(_) | Entered::Macro { .. } => true,
@@ -115,12 +112,12 @@ impl Reader<'_> {
         });
     }
 
-    /// Whether what is at hand may be read again.
+    /// True if the current text may be read again.
     pub(super) fn is_repeated(&self) -> bool {
         self.frames.last().is_some_and(|frame| frame.repeats)
     }
 
-    /// The next token, which stays where it is. Directives before it have run.
+    /// The next token, without taking it. Directives before it have run.
     #[inline(always)]
     pub(super) fn peek(&mut self) -> Parse<Token> {
         let token = self.raw();
@@ -132,7 +129,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The same where the token at hand might not be the next one.
+    /// The same where a name or word may be a macro call or a bare directive.
     fn peek_word(&mut self, token: Token) -> Parse<Token> {
         let stays = match token.kind {
             Kind::Name => !self.scopes.is_macro(Symbol(token.value)) && self.deprecated.is_empty(),
@@ -166,7 +163,7 @@ impl Reader<'_> {
                 Kind::Directive if self.ends_value(token) => return Ok(token),
                 Kind::Directive => {
                     if !(self.here.tokens.is_end(token) && self.is_in_noted_call()) {
-                        self.spoil();
+                        self.discard_recording();
                     }
                     let is_run = match self.replay_directive(token) {
                         Ok(false) => self.run_directive(token),
@@ -179,15 +176,15 @@ impl Reader<'_> {
                     }
                 }
                 Kind::Word if is_bare_directive(token) => {
-                    self.spoil();
+                    self.discard_recording();
                     self.run_bare_directive(token)?;
                 }
                 Kind::More => {
-                    self.spoil();
+                    self.discard_recording();
                     self.read_on();
                 }
                 Kind::End => {
-                    self.spoil();
+                    self.discard_recording();
                     if !self.leave_file() {
                         return Ok(token);
                     }
@@ -198,9 +195,9 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
-    /// Otherwise it would run before the name it follows has its value. Behind a complete value it may stand in an
-    /// `#if` or a loop as well, which have been entered while looking for more. The number of `#version` is ended by any.
+    /// True if a directive ends the value of the `#declare` being read: another declaration at the same level does,
+    /// since it would otherwise run before the name has its value. After a complete value it may stand in an `#if` or
+    /// a loop as well, entered while peeking. The number of `#version` is ended by any directive.
     fn ends_value(&self, token: Token) -> bool {
         if self.is_in_version {
             return true;
@@ -213,11 +210,11 @@ impl Reader<'_> {
             && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
             && self.here.tokens.directives[token.value as usize]
                 .word
-                .is_some_and(|word| self.begins_anew(word))
+                .is_some_and(|word| self.is_unrelated_directive(word))
     }
 
-    /// Whether a directive has nothing to do with the value before it. In old versions no `;` need stand there.
-    fn begins_anew(&self, word: Word) -> bool {
+    /// True for a directive that does not belong to the value before it. In old versions no `;` is needed there.
+    fn is_unrelated_directive(&self, word: Word) -> bool {
         match word {
             Word::Declare | Word::Local | Word::Macro | Word::Undef => true,
             Word::Debug
@@ -236,7 +233,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the `#end` of the innermost macro is at hand.
+    /// True if the next token is the `#end` of the innermost macro.
     pub(super) fn is_end_of_macro(&self) -> bool {
         let token = self.raw();
         let innermost = self.frames.last().map(|frame| &frame.kind);
@@ -245,7 +242,7 @@ impl Reader<'_> {
             && matches!(innermost, Some(Entered::Macro { .. }))
     }
 
-    /// Passes the token at hand, which `peek` has shown.
+    /// Takes the next token, which `peek` has returned.
     pub(super) fn pass(&mut self) {
         if !Rc::ptr_eq(&self.last.tokens, &self.here.tokens) {
             self.last.tokens = Rc::clone(&self.here.tokens);
@@ -254,28 +251,28 @@ impl Reader<'_> {
         self.here.at += 1;
     }
 
-    /// The token at hand as it stands in the file: no directive is run, no macro called.
+    /// The next token as it stands in the file: no directive is run, no macro called.
     pub(super) fn raw(&self) -> Token {
         self.here.tokens.tokens[self.here.at]
     }
 
-    /// The token `ahead` places further in the same file.
+    /// The token `ahead` tokens further in the same file.
     pub(super) fn raw_ahead(&self, ahead: usize) -> Token {
         let tokens = &self.here.tokens.tokens;
         tokens[(self.here.at + ahead).min(tokens.len() - 1)]
     }
 
-    /// The place of the token at hand.
+    /// The span of the next token.
     pub(super) fn here_span(&self) -> Span {
         self.here.tokens.span(self.here.at)
     }
 
-    /// The place of the token last taken.
+    /// The span of the last token taken.
     pub(super) fn taken_span(&self) -> Span {
         self.last.tokens.span(self.last.at)
     }
 
-    /// Where the next token begins.
+    /// The start of the next token, once directives before it have run.
     pub(super) fn start(&mut self) -> Parse<Start> {
         let start = self.peek()?.start;
         Ok(Start {
@@ -284,22 +281,22 @@ impl Reader<'_> {
         })
     }
 
-    /// Where the token at hand begins.
+    /// The start of the next token as it stands in the file.
     pub(super) fn start_here(&self) -> Start {
         Start::of(&self.here.tokens, self.here.at)
     }
 
-    /// Where the token last taken begins.
+    /// The start of the last token taken.
     pub(super) fn start_taken(&self) -> Start {
         Start::of(&self.last.tokens, self.last.at)
     }
 
-    /// The place of the token that begins there.
+    /// The span of the token that begins at `start`.
     pub(super) fn span_of(&self, start: Start) -> Span {
         syntax::span_at(start.file, self.sources.text(start.file), start.start)
     }
 
-    /// From a token to the one last taken.
+    /// From a token to the last one taken.
     pub(super) fn span_from(&self, start: Start) -> Span {
         self.span_of(start).to(self.taken_span())
     }
@@ -324,7 +321,7 @@ impl Reader<'_> {
         Ok(is_it)
     }
 
-    /// Takes a punctuation mark or says what should have stood there.
+    /// Takes a punctuation mark, or reports what should stand there.
     pub(super) fn expect_mark(&mut self, mark: char, what: &str) -> Parse<()> {
         if self.take_mark(mark)? {
             Ok(())
@@ -333,7 +330,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the mark that closes what was opened at `open`, or says what should have stood there.
+    /// Takes the mark that closes what was opened at `open`, or reports what should stand there.
     pub(super) fn expect_end(&mut self, mark: char, what: &str, open: Start) -> Parse<()> {
         self.expect_mark(mark, what)
             .map_err(|error| self.with_opened(error, mark, open))
@@ -344,7 +341,7 @@ impl Reader<'_> {
         if !self.take_mark('{')? {
             let element = self.taken_span();
             let error = self.no_block(element);
-            // Its `}` is to be passed over as well.
+            // Recovery has to skip its `}` as well.
             self.blocks.push(self.start_taken());
             return Err(error);
         }
@@ -365,28 +362,28 @@ impl Reader<'_> {
         Ok(is_it)
     }
 
-    /// "expected WHAT, found ..." at the token at hand.
+    /// "expected WHAT, found ..." at the next token.
     pub(super) fn expected_here(&mut self, what: &str) -> Box<Diagnostic> {
         if let Err(earlier) = self.peek() {
             return earlier;
         }
         let token = self.raw();
-        if let Some(error) = self.of_poison(token) {
+        if let Some(error) = self.poison_error(token) {
             return error;
         }
         if self.is_known_as_undeclared(token) {
             return self.consequence();
         }
         let found = self.describe(token);
-        // The end of the file is told where the text ends, not behind the blank lines that follow it.
-        let place = match (token.kind, self.here.at.checked_sub(1)) {
+        // The end of the file is reported where the text ends, not after the blank lines that follow it.
+        let span = match (token.kind, self.here.at.checked_sub(1)) {
             (Kind::End, Some(last)) => {
                 let last = self.here.tokens.span(last);
                 Span::new(last.file, last.end, last.end)
             }
             _ => self.here_span(),
         };
-        let mut diagnostic = Diagnostic::error(place, format!("expected {what}, found {found}"));
+        let mut diagnostic = Diagnostic::error(span, format!("expected {what}, found {found}"));
         if token.kind == Kind::Name && self.scopes.get(Symbol(token.value)).is_none() {
             diagnostic.code = Some(Code::Undeclared);
         }
@@ -401,17 +398,17 @@ impl Reader<'_> {
         self.with_trace(diagnostic)
     }
 
-    /// An error at the token at hand.
+    /// An error at the next token.
     pub(super) fn error_here(&self, message: impl Into<String>) -> Box<Diagnostic> {
         self.with_trace(Diagnostic::error(self.here_span(), message))
     }
 
-    /// An error at the token last taken.
+    /// An error at the last token taken.
     pub(super) fn error_taken(&self, message: impl Into<String>) -> Box<Diagnostic> {
         self.with_trace(Diagnostic::error(self.taken_span(), message))
     }
 
-    /// The author's words for a token.
+    /// Describes a token in the author's words.
     pub(super) fn describe(&self, token: Token) -> String {
         let text = || {
             let text = self.source_text(self.here_span());
@@ -429,14 +426,14 @@ impl Reader<'_> {
         }
     }
 
-    /// The text of a place.
+    /// The text of a span.
     pub(super) fn source_text(&self, span: Span) -> &str {
         let text = self.sources.text(span.file);
         text.get(span.start as usize..span.end as usize)
             .unwrap_or("")
     }
 
-    /// At the end of a file: goes back to the `#include` that entered it. False in the scene's own file.
+    /// At the end of a file: returns to the `#include` that entered it. False in the scene file itself.
     pub(super) fn leave_file(&mut self) -> bool {
         let Some(at) = self
             .frames

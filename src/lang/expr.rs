@@ -1,7 +1,7 @@
 //! Expressions: POV-Ray's precedence and promotion.
 //!
-//! Outside of parentheses an expression ends at the additive level; comparisons, logic and `? :` stand only inside
-//! parentheses and in the arguments of some built-in functions. `&` and `|` bind alike, from left to right.
+//! Outside of parentheses an expression ends at the additive level; comparisons, logic and `? :` occur only inside
+//! parentheses and in the arguments of some built-in functions. `&` and `|` have the same precedence, left to right.
 
 pub(super) mod array;
 pub(super) mod body;
@@ -97,7 +97,7 @@ impl Reader<'_> {
 
     fn comparison(&mut self) -> Parse<Number> {
         if self.at_string()? {
-            self.spoil();
+            self.discard_recording();
             return self.string_comparison();
         }
         let mut left = self.sum()?;
@@ -137,7 +137,7 @@ impl Reader<'_> {
         Ok(Some(relation))
     }
 
-    /// Takes the next token if it is a mark that stands for an operation.
+    /// Takes the next token if it is an operator.
     #[inline]
     fn binary(&mut self, named: impl Fn(char) -> Option<Binary>) -> Parse<Option<Binary>> {
         let token = self.peek()?;
@@ -198,7 +198,7 @@ impl Reader<'_> {
         Ok(left)
     }
 
-    /// Both operands brought to the same length, then combined.
+    /// Promotes both operands to the same length and combines them.
     fn combined(&mut self, binary: Binary, a: Number, b: Number) -> Number {
         self.note(Op::Binary(binary, a.len, b.len));
         if a.len == 1 && b.len == 1 {
@@ -364,7 +364,7 @@ impl Reader<'_> {
                     }
                     other => match Callee::of(&other) {
                         Some(callee) => {
-                            self.spoil();
+                            self.discard_recording();
                             self.call(&callee)
                         }
                         None => Err(self.error_taken(format!(
@@ -378,7 +378,7 @@ impl Reader<'_> {
             other => match other.and_then(Callee::of) {
                 Some(callee) => {
                     self.pass();
-                    self.spoil();
+                    self.discard_recording();
                     self.call(&callee)
                 }
                 None => Err(self.expected_here("a number, a vector or an expression")),
@@ -386,7 +386,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The array of the identifier at hand, or its item if indices follow.
+    /// The array of the next identifier, or an item of it if indices follow.
     pub(super) fn array_or_item(&mut self) -> Parse<Value> {
         let symbol = Symbol(self.raw().value);
         let mut value = self
@@ -417,7 +417,7 @@ impl Reader<'_> {
         Ok(value)
     }
 
-    /// `.x`, `.red` and the like behind a value.
+    /// `.x`, `.red` and the like after a value.
     fn members(&mut self, mut value: Number) -> Parse<Number> {
         self.look_for_semicolon();
         while self.take_mark('.')? {
@@ -455,7 +455,7 @@ impl Reader<'_> {
         Ok(value)
     }
 
-    /// A vector of `len` components at the additive level; a float stands for all of them.
+    /// A vector of `len` components at the additive level; a float is repeated.
     pub(super) fn vector_of(&mut self, len: u8) -> Parse<Number> {
         let start = self.start()?;
         let number = self.sum()?;

@@ -1,5 +1,5 @@
-//! Broken scenes of every kind that the tests of the whole program know: reading them ends, with findings or without,
-//! and never in a panic. `tools/fuzz.rs` reads many more of them.
+//! Reads every kind of broken scene of the whole-program tests: reading ends, with or without findings, and never
+//! panics. `tools/fuzz.rs` reads many more.
 
 #[path = "../../tests/malformed/broken.rs"]
 mod broken;
@@ -13,12 +13,12 @@ use random::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many scenes are read, in about twenty seconds.
+/// Number of scenes, about twenty seconds of reading.
 const SCENES: u64 = 20_000;
-/// Loops of the good scenes come to an end within so many tokens.
+/// Token limit of loops and macros; the loops of the valid scenes end before.
 const PATIENCE: u64 = 100_000;
-/// Findings of each scene that are told as messages.
-const TOLD: usize = 3;
+/// Findings of each scene that are formatted as messages.
+const MESSAGES: usize = 3;
 
 fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
@@ -37,7 +37,7 @@ fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
 
 #[test]
 fn broken_scenes_are_read_to_an_end() {
-    // Scenes nest as deep as limits allow, on the stack that reading has everywhere.
+    // Scenes nest up to the limits, so the stack is the one that reading always has.
     let reader = std::thread::Builder::new().stack_size(crate::STACK_BYTES);
     let read = reader.spawn(read_broken_scenes).expect("a thread");
     if let Err(panic) = read.join() {
@@ -67,7 +67,7 @@ fn read_broken_scenes() {
             let mut sources = Sources::new(vec![root.join("pov_scenes/language/include")]);
             let file = sources.add_text("broken", &text);
             let reading = evaluate(file, &mut sources, &options);
-            for finding in reading.findings.iter().take(TOLD) {
+            for finding in reading.findings.iter().take(MESSAGES) {
                 assert!(!Message::new(finding, &sources).excerpt.is_empty());
             }
             reading

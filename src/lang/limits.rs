@@ -1,44 +1,43 @@
-//! The limits of reading: what no scene needs, and what keeps a faulty one from taking the machine.
+//! Limits on reading: more than any scene needs, and low enough that a faulty one cannot exhaust the machine.
 
 use crate::scene::Object;
 
-/// Blocks in blocks. Programs write differences of a hundred thousand, one in the other; hands nest about ten.
+/// Nested blocks. Programs write a hundred thousand nested differences; people about ten levels.
 pub(super) const NESTING: usize = 120_000;
-/// Directives, conditions, strings and macro arguments that are read while another is being read. Each takes two to
-/// four KiB of stack.
+/// Nested directives, conditions, strings and macro arguments. Each takes two to four KiB of stack.
 pub(super) const READING: usize = 1_000;
-/// Macro calls and includes inside each other.
+/// Nested macro calls and includes.
 pub(super) const CALLS: usize = 4_000;
-/// Parentheses, vectors and calls inside each other in one expression.
+/// Nested parentheses, vectors and calls in one expression.
 pub(super) const EXPRESSION: usize = 1_000;
-/// Files included inside each other; POV-Ray stops at 100.
+/// Nested includes; POV-Ray stops at 100.
 pub(super) const INCLUDES: usize = 100;
-/// Objects inside each other, by whatever names they got there.
+/// Depth of an object tree, including objects that were referenced by name.
 pub(super) const HEIGHT: usize = 120_000;
-/// The same without those that come to one with the object around them: a ray's time may grow with the square.
+/// Depth without the objects that merge with their parent: the time of a ray may grow with its square.
 pub(super) const TURNS: usize = 2_000;
-/// Who makes many objects works long: for each object that the scene has made, this share of the reader's patience may
-/// be read again beyond it. 2,000 tokens, as patience commonly is.
+/// Scenes with many objects need long loops: each object adds the token limit divided by this, 2,000 tokens with the
+/// usual limit.
 pub(super) const PATIENCE_FOR_OBJECT: u64 = 75_000;
-/// Tokens that may be read again for each byte that the scene has written to files: what makes meshes writes long.
+/// Tokens that may be read again for each byte written to files: scenes that generate meshes write much.
 pub(super) const TOKENS_FOR_BYTE: u64 = 8;
 /// Items of one array.
 pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 /// Bytes of one string.
 pub(super) const STRING: usize = 10_000_000;
-/// Errors after which reading gives up.
+/// Errors after which reading stops.
 pub(super) const ERRORS: usize = 20;
 /// Calls, loops and includes named in one message.
 pub(super) const TRACE: usize = 6;
-/// Values named in one step of that.
-pub(super) const TOLD: usize = 4;
+/// Variables shown for each step of the trace.
+pub(super) const TRACE_VALUES: usize = 4;
 /// Characters of the scene quoted in one message.
 pub(super) const QUOTED: usize = 60;
-/// Shapes of one scene; what large unions share, and each copy of them, counts once.
+/// Primitives of one scene; the shared parts of large unions, and each copy, count once.
 pub(super) const LEAVES: u64 = 200_000_000;
-/// Shapes of one scene, each counted as often as it is drawn: they are numbered.
+/// Primitives of one scene, each counted as often as it is drawn: they are numbered.
 pub(super) const SHOWN: u64 = 4_000_000_000;
-/// Objects with fewer shapes are looked into by `trace`, `inside` and patterns without counting more closely.
+/// Objects with fewer primitives are compiled for `trace`, `inside` and patterns without a check of memory.
 pub(super) const PROBED: u32 = 1_000_000;
 /// Files that a scene has open at once.
 pub(super) const FILES: usize = 64;
@@ -46,22 +45,23 @@ pub(super) const FILES: usize = 64;
 pub(super) const WRITTEN: u64 = 1 << 30;
 /// Bytes that `#debug` and the like write in a run.
 pub(super) const MESSAGES: usize = 16 << 20;
-/// After so many bytes that may have been taken, memory is looked at, which takes as long as reading a hundred tokens.
+/// Memory is measured after about this many bytes; a measurement takes as long as reading a hundred tokens.
 pub(super) const MEMORY_STEP: u64 = 16 << 20;
-/// Bytes that a shape takes in the compiled scene, measured: 405 for a plain sphere.
+/// Bytes of a primitive in the compiled scene, measured: 405 for a plain sphere.
 pub(super) const LEAF_BYTES: u64 = 500;
-/// Bytes that an object takes while it is read, measured: 64 for a sphere of one colour, 620 for a moved one kept whole.
+/// Bytes of an object while it is read, measured: 64 for a sphere of one colour, 620 for a general object with a
+/// transform.
 pub(super) const OBJECT_BYTES: u64 = 600;
 /// Bytes that a round of a loop may leave behind: a few values.
 pub(super) const ROUND_BYTES: u64 = 100;
-/// Bytes that a stream of random numbers takes, with the room that a growing list keeps free.
+/// Bytes of a stream of random numbers, including the spare capacity of the growing list.
 pub(super) const STREAM_BYTES: u64 = 8;
 /// Bytes of memory for each byte of a scene file, measured: text, tokens and numbers.
 pub(super) const FILE_BYTES: u64 = 8;
-/// Warnings kept of one run.
+/// Warnings recorded of one run.
 pub(super) const FINDINGS: usize = 1_000;
 
-/// What an object has too much of, as a message.
+/// The message for an object that exceeds a limit.
 pub(super) fn exceeded(object: &Object) -> Option<String> {
     let size = object.size();
     if size.height as usize > HEIGHT {

@@ -1,4 +1,4 @@
-//! The scene language: runs a file's directives, macros and loops, and gives the scene it describes.
+//! The scene language: runs the directives, macros and loops of a file and builds the scene it describes.
 
 mod budget;
 mod cursor;
@@ -18,60 +18,61 @@ mod token_cache;
 
 pub use probe::{Blind, Probe};
 pub use reader::Reading;
-pub use token_cache::Lexicon;
+pub use token_cache::TokenCache;
 
 use crate::base::options::ReadOptions;
 use crate::base::source::{Diagnostic, FileId, Sources};
 use reader::Reader;
 
-/// What reading says while it is at work.
+/// An event while a scene is read.
 #[derive(Clone, Copy, Debug)]
-pub enum Heard<'a> {
-    /// Text that the scene writes.
+pub enum ReadEvent<'a> {
+    /// Text written by the scene.
     Said(&'a str),
-    /// A finding, with the texts it is about.
-    Found(&'a Diagnostic, &'a Sources),
+    /// An error or warning, with the texts it refers to.
+    Finding(&'a Diagnostic, &'a Sources),
 }
 
-/// Reads the scene in `file`, which `sources` holds; includes are searched there too. `trace` and `inside` find nothing.
+/// Reads the scene in `file`, which `sources` holds; includes are searched and added there. `trace` and `inside` hit
+/// nothing.
 ///
-/// All findings of the run are given, errors as far as reading can go on behind them.
+/// The result holds all findings; reading goes on after errors as far as it can.
 #[must_use]
 pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
     let texts = Texts {
         scene: file,
         sources,
-        lexicon: None,
+        token_cache: None,
     };
     evaluate_with(texts, options, &mut Blind, &mut |_| {})
 }
 
-/// A scene to read, among the texts it is one of.
+/// A scene to read, with the sources it belongs to.
 #[derive(Debug)]
 pub struct Texts<'a> {
     /// The scene.
     pub scene: FileId,
-    /// Its own text; files that it includes are searched and added there.
+    /// The sources with the text of the scene; included files are added.
     pub sources: &'a mut Sources,
-    /// What an earlier reading with a copy of these sources left, and where this one leaves what it makes; `None` for
-    /// a scene that is read once.
-    pub lexicon: Option<&'a mut Lexicon>,
+    /// Tokens cached by an earlier reading with a copy of these sources; new ones are added. `None` for a scene that is
+    /// read once.
+    pub token_cache: Option<&'a mut TokenCache>,
 }
 
-/// As [`evaluate`]; `probe` answers what the scene asks about its own objects, and `listener` is told what is found,
-/// and what the scene writes, as soon as that happens.
+/// As [`evaluate`]; `probe` answers `trace` and `inside`, and `listener` receives the findings and the text written by
+/// the scene as they occur.
 pub fn evaluate_with(
     texts: Texts<'_>,
     options: &ReadOptions,
     probe: &mut dyn Probe,
-    listener: &mut dyn FnMut(Heard<'_>),
+    listener: &mut dyn FnMut(ReadEvent<'_>),
 ) -> Reading {
     let Texts {
         scene,
         sources,
-        lexicon,
+        token_cache,
     } = texts;
-    match Reader::new(scene, sources, lexicon, options, probe, listener) {
+    match Reader::new(scene, sources, token_cache, options, probe, listener) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
@@ -79,27 +80,27 @@ pub fn evaluate_with(
         }
         Err(findings) => {
             for finding in &findings {
-                listener(Heard::Found(finding, sources));
+                listener(ReadEvent::Finding(finding, sources));
             }
             Reading {
                 scene: None,
                 findings,
                 messages: String::new(),
                 undrawn: Vec::new(),
-                has_learnt: false,
+                has_new_tokens: false,
                 dependencies: sources.dependencies().to_vec(),
             }
         }
     }
 }
 
-/// As [`evaluate`], but each token is read as often as reading gets to it: nothing is replayed.
+/// As [`evaluate`], but nothing is replayed: each token is read every time.
 #[cfg(test)]
 fn evaluate_token_by_token(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    let (mut probe, mut listener) = (Blind, |_: Heard<'_>| {});
+    let (mut probe, mut listener) = (Blind, |_: ReadEvent<'_>| {});
     match Reader::new(file, sources, None, options, &mut probe, &mut listener) {
         Ok(mut reader) => {
-            reader.replays.forbid();
+            reader.replays.disable();
             reader.enter_header();
             reader.statements();
             reader.finish()

@@ -1,4 +1,4 @@
-//! `trace` and `inside`: what a scene asks the drawing wing about its own objects while it is read.
+//! `trace` and `inside`: ray and point queries on the scene's own objects while it is read.
 
 use super::expr::value::{Number, Value};
 use super::reader::Reader;
@@ -10,23 +10,23 @@ use crate::scene::pattern::SolidOf;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Answers about objects of the scene that is being read. Points and directions are in the object's surroundings: the
-/// world, if it were placed there as it is.
+/// Answers queries on objects of the scene that is being read. Points and directions are in the space around the
+/// object: world space, if the object were in the scene as it is.
 pub trait Probe {
-    /// The first surface on the ray from `from` along `dir`, which need not have length 1: the point, and the normal
-    /// there as the object gives it, of length 1, smoothed where the object is, not turned towards the ray.
+    /// The first surface on the ray from `from` along `dir`, which need not be normalised: the point, and the normal of
+    /// length 1 that the object gives there, smoothed where the object is, not turned towards the ray.
     fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)>;
 
-    /// Whether a point lies in a solid object.
+    /// True if a point lies in a solid object.
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool;
 
-    /// What makes objects ready for the `object` patterns in functions; without it nothing is inside of anything.
+    /// The compiler of objects for the `object` pattern in functions; without it, nothing is inside of anything.
     fn solid_of(&self) -> Option<SolidOf> {
         None
     }
 }
 
-/// Sees nothing: for reading without a drawing wing.
+/// A [`Probe`] that hits nothing, for reading without a renderer.
 #[derive(Clone, Copy, Debug)]
 pub struct Blind;
 
@@ -40,14 +40,14 @@ impl Probe for Blind {
     }
 }
 
-/// The variable that takes the normal of `trace`: a name, or an item of the array of that name.
+/// The variable that receives the normal of `trace`: a name, or an item of the array of that name.
 struct Target {
     symbol: Symbol,
     item: Option<Vec<usize>>,
 }
 
 impl Reader<'_> {
-    /// `object, from, direction [, variable for the normal]` behind `trace(`. A miss gives zeros.
+    /// `object, from, direction [, variable for the normal]` after `trace(`. A miss gives zeros.
     pub(super) fn trace(&mut self) -> Parse<Number> {
         let object = self.probed_object("trace")?;
         self.take_mark(',')?;
@@ -67,7 +67,7 @@ impl Reader<'_> {
         Ok(Number::vector(point))
     }
 
-    /// `object, point` behind `inside(`.
+    /// `object, point` after `inside(`.
     pub(super) fn inside(&mut self) -> Parse<Number> {
         let object = self.probed_object("inside")?;
         if !object.is_solid() {

@@ -1,19 +1,19 @@
-//! The reader: everything that reading a scene keeps.
+//! The reader: all state of reading a scene.
 
-use super::Heard;
+use super::ReadEvent;
 use super::budget::Budget;
-use super::cursor::{Declaring, Frame, Place, Start};
+use super::cursor::{Declaring, Frame, Position, Start};
 use super::directive::declare::Deprecation;
 use super::directive::files::Files;
 use super::expr::streams::Streams;
 use super::expr::value::{Number, Value};
 use super::fast_path::literal::Memory;
 use super::fast_path::replay::{Recording, ReplayCache};
-use super::fast_path::stretch::SHORTEST_PIECE;
+use super::fast_path::stretch::MIN_PIECE;
 use super::limits;
 use super::probe::Probe;
 use super::scope::Scopes;
-use super::token_cache::Lexicon;
+use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
@@ -32,53 +32,53 @@ pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
     pub(super) probe: &'a mut dyn Probe,
-    listener: &'a mut dyn FnMut(Heard<'_>),
+    listener: &'a mut dyn FnMut(ReadEvent<'_>),
     pub(super) names: Names,
-    lexicon: Option<&'a mut Lexicon>,
+    token_cache: Option<&'a mut TokenCache>,
     scene: FileId,
-    /// The tokens of all files read so far, the scene's own among them.
+    /// The tokens of all files read so far, the scene itself among them.
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
-    /// Where reading goes on.
-    pub(super) here: Place,
-    /// The token last taken.
-    pub(super) last: Place,
+    /// The position where reading goes on.
+    pub(super) here: Position,
+    /// The position of the last token taken.
+    pub(super) last: Position,
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
     pub(super) blocks: Vec<Start>,
-    /// Where the statement being read began.
+    /// The start of the statement being read.
     pub(super) statement_start: Start,
-    /// How deep the expression being read is nested.
+    /// Nesting depth of the expression being read.
     pub(super) depth: usize,
-    /// How many directives, conditions, strings and macro arguments are being read inside each other.
+    /// Number of nested directives, conditions, strings and macro arguments being read.
     pub(super) nesting: usize,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
     /// True if the number of a `#version` is being read.
     pub(super) is_in_version: bool,
-    /// Whether a directive within the statement being read failed.
+    /// True if a directive within the statement being read failed.
     pub(super) has_faulty_directive: bool,
-    /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
-    /// of the directive and how many frames were open.
-    pub(super) without_semicolon: Option<(Span, Place, usize)>,
-    /// Of how many bytes of a stretch of data tokens are made next.
+    /// The end of the number being declared, if a directive follows it: a `;` is missing there. With the position of
+    /// the directive and the number of frames open.
+    pub(super) without_semicolon: Option<(Span, Position, usize)>,
+    /// Size of the next piece of a data segment to tokenize, in bytes.
     pub(super) piece: usize,
     pub(super) replays: ReplayCache,
-    /// The steps of the expression being read, if they can be kept.
+    /// The steps of the expression being read, if it can be recorded.
     pub(super) recording: Option<Recording>,
     pub(super) budget: Budget,
-    /// Whether a limit was met behind which nothing more is read.
+    /// True once a limit ended reading.
     pub(super) is_over: bool,
-    /// Names already told to be undeclared.
+    /// Names already reported as undeclared.
     pub(super) undeclared: FxHashSet<Symbol>,
-    /// Whether an include file was not found, so that any name may be one of its.
+    /// True if an include file is missing, so that any name may be one of its.
     pub(super) lacks_file: bool,
-    /// Names whose use is to be warned of.
+    /// Names that warn when they are used.
     pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
     pub(super) streams: Streams,
-    /// How often something that expressions depend on may have changed; the streams count their own changes.
+    /// Number of changes to anything that expressions depend on; the streams count their own.
     pub(super) changes: u64,
-    /// What `#fopen` opened.
+    /// The files opened by `#fopen`.
     pub(super) files: Files,
     pub(super) version: f64,
     pub(super) has_version: bool,
@@ -87,46 +87,46 @@ pub(super) struct Reader<'a> {
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
     pub(super) camera: Option<(Camera, Span)>,
-    /// Whether a light source has been read.
+    /// True once a light source was read.
     pub(super) has_light: bool,
     pub(super) background: Option<Color>,
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Objects,
-    /// Words of data.
+    /// Reserved words and interned values of literal data.
     pub(super) memory: Memory,
-    /// What drawing cannot do yet.
+    /// Features that rendering does not support.
     pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
 }
 
-/// What reading a scene gives.
+/// The result of reading a scene.
 #[derive(Debug)]
 pub struct Reading {
-    /// The scene; `None` if anything in it is faulty.
+    /// The scene; `None` after an error.
     pub scene: Option<Scene>,
-    /// Errors and warnings in the order in which they were found.
+    /// Errors and warnings in the order in which they occurred.
     pub findings: Vec<Diagnostic>,
-    /// What `#debug`, `#render` and `#statistics` write.
+    /// The text of `#debug`, `#render` and `#statistics`.
     pub messages: String,
-    /// What the scene asks for and drawing cannot do yet, where the quality is high enough for it: errors.
+    /// Features that the scene uses and rendering does not support, where the quality is high enough for them: errors.
     pub undrawn: Vec<Diagnostic>,
-    /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
+    /// The files that were read or looked for: if one of them changes, appears or vanishes, so may the image.
     pub dependencies: Vec<Dependency>,
-    /// Whether the lexicon holds more than before.
-    pub has_learnt: bool,
+    /// True if the token cache holds more than before.
+    pub has_new_tokens: bool,
 }
 
-const NO_ROOM: &str = "this file needs more memory than there is";
+const NO_MEMORY: &str = "this file needs more memory than there is";
 /// The effective version of scenes without any `#version` (facts 3.1).
 const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 /// Days from the start of 1970 to the start of 2000, which `now` counts from.
 const DAYS_1970_TO_2000: f64 = 10957.0;
 
 impl<'a> Reader<'a> {
-    /// The version whose rules hold for light and pictures here.
+    /// The version whose rules hold for lights and images at this point.
     pub(super) fn version_of_rules(&self) -> f64 {
         if self.has_version {
             self.version
@@ -139,20 +139,20 @@ impl<'a> Reader<'a> {
     pub(super) fn new(
         scene: FileId,
         sources: &'a mut Sources,
-        lexicon: Option<&'a mut Lexicon>,
+        token_cache: Option<&'a mut TokenCache>,
         options: &'a ReadOptions,
         probe: &'a mut dyn Probe,
-        listener: &'a mut dyn FnMut(Heard<'_>),
+        listener: &'a mut dyn FnMut(ReadEvent<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new(options.memory);
-        if !budget.has_room_for(sources.text(scene)) {
+        if !budget.has_memory_for(sources.text(scene)) {
             let span = Span::new(scene, 0, 0);
             return Err(vec![
-                Diagnostic::error(span, NO_ROOM).with_code(Code::Memory),
+                Diagnostic::error(span, NO_MEMORY).with_code(Code::Memory),
             ]);
         }
-        let (mut names, known) = match &lexicon {
-            Some(lexicon) => (lexicon.names.clone(), lexicon.tokens(scene)),
+        let (mut names, known) = match &token_cache {
+            Some(token_cache) => (token_cache.names.clone(), token_cache.tokens(scene)),
             None => (Names::new(), None),
         };
         let tokens = match known {
@@ -169,10 +169,10 @@ impl<'a> Reader<'a> {
             probe,
             listener,
             names,
-            lexicon,
+            token_cache,
             scene,
             tokenized: FxHashMap::from_iter([(scene, Rc::clone(&tokens))]),
-            last: Place {
+            last: Position {
                 tokens: Rc::clone(&tokens),
                 at: 0,
             },
@@ -180,14 +180,14 @@ impl<'a> Reader<'a> {
             scopes: Scopes::default(),
             blocks: Vec::new(),
             statement_start: Start::of(&tokens, 0),
-            here: Place { tokens, at: 0 },
+            here: Position { tokens, at: 0 },
             depth: 0,
             nesting: 0,
             declaring: None,
             is_in_version: false,
             has_faulty_directive: false,
             without_semicolon: None,
-            piece: SHORTEST_PIECE,
+            piece: MIN_PIECE,
             replays: ReplayCache::default(),
             recording: None,
             budget,
@@ -220,7 +220,7 @@ impl<'a> Reader<'a> {
         Ok(reader)
     }
 
-    /// The identifiers that exist before the first line.
+    /// Declares the identifiers that exist before the first line.
     fn declare_options(&mut self) {
         let o = self.options;
         let known = [
@@ -252,12 +252,14 @@ impl<'a> Reader<'a> {
         if let Some(tokens) = self.tokenized.get(&file) {
             return Ok(Rc::clone(tokens));
         }
-        if !self.budget.has_room_for(self.sources.text(file)) {
+        if !self.budget.has_memory_for(self.sources.text(file)) {
             self.is_over = true;
-            return Err(Box::new(self.error_taken(NO_ROOM).with_code(Code::Memory)));
+            return Err(Box::new(
+                self.error_taken(NO_MEMORY).with_code(Code::Memory),
+            ));
         }
-        let known = self.lexicon.as_ref();
-        if let Some(tokens) = known.and_then(|lexicon| lexicon.tokens(file)) {
+        let known = self.token_cache.as_ref();
+        if let Some(tokens) = known.and_then(|token_cache| token_cache.tokens(file)) {
             self.tokenized.insert(file, Rc::clone(&tokens));
             return Ok(tokens);
         }
@@ -277,7 +279,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The silent error of using something that failed before and was reported there.
+    /// The silent error of using something whose error was reported before.
     pub(super) fn consequence(&self) -> Box<Diagnostic> {
         Box::new(Diagnostic::error(None, ""))
     }
@@ -287,7 +289,7 @@ impl<'a> Reader<'a> {
         why.map_or_else(|| self.consequence(), |why| Box::new(why.clone()))
     }
 
-    /// Keeps a finding; consequences of earlier ones are not told.
+    /// Records a finding; consequences of earlier ones are dropped.
     pub(super) fn record(&mut self, finding: Diagnostic) {
         if finding.severity == Severity::Error {
             self.errors += 1;
@@ -297,7 +299,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Keeps a warning, once for each place.
+    /// Records a warning, once for each span.
     pub(super) fn warning(&mut self, warning: Diagnostic) {
         let is_known =
             |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
@@ -307,27 +309,27 @@ impl<'a> Reader<'a> {
     }
 
     fn keep(&mut self, finding: Diagnostic) {
-        (self.listener)(Heard::Found(&finding, self.sources));
+        (self.listener)(ReadEvent::Finding(&finding, self.sources));
         self.findings.push(finding);
     }
 
-    /// Writes text of `#debug` and the like; gives how much was written so far, in bytes.
+    /// Writes text of `#debug` and the like; returns the number of bytes written so far.
     pub(super) fn say(&mut self, text: &str) -> usize {
-        (self.listener)(Heard::Said(text));
+        (self.listener)(ReadEvent::Said(text));
         self.messages.push_str(text);
         self.messages.len()
     }
 
-    /// The scene that was read.
+    /// The result, at the end of the scene.
     pub(super) fn finish(mut self) -> Reading {
-        self.note_missing();
+        self.note_unsupported();
         if self.errors == 0 {
             self.close_files();
         }
-        self.doubt_the_whole();
-        let has_learnt = self.lexicon.take().is_some_and(|lexicon| {
+        self.warn_of_missing_parts();
+        let has_new_tokens = self.token_cache.take().is_some_and(|token_cache| {
             let names = std::mem::take(&mut self.names);
-            lexicon.learn(names, &self.tokenized, self.sources, self.scene)
+            token_cache.update(names, &self.tokenized, self.sources, self.scene)
         });
         let version = self.version_of_rules();
         let scene = (self.errors == 0).then(|| Scene {
@@ -348,15 +350,15 @@ impl<'a> Reader<'a> {
             messages: self.messages,
             undrawn: self.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
-            has_learnt,
+            has_new_tokens,
         }
     }
 }
 
 impl Reader<'_> {
-    /// What is missing from the scene as a whole. Only what is certain: a picture that is black by intention has no
-    /// camera of its own, and a light may come of ambient colours.
-    fn doubt_the_whole(&mut self) {
+    /// Warns of what is missing from the scene as a whole. Only where it is certain: a black image may be intended
+    /// without a camera, and ambient colours may give light.
+    fn warn_of_missing_parts(&mut self) {
         if self.errors > 0 {
             return;
         }
@@ -381,7 +383,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether anything but lights may be bright: what an include file declares, and words for light of its own.
+    /// True if anything but lights may be bright: an include file may declare it, or words for emission occur.
     fn may_glow(&self) -> bool {
         let glows = |word: Word| {
             matches!(

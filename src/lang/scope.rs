@@ -1,13 +1,13 @@
-//! Which value an identifier has now.
+//! The values of identifiers.
 //!
-//! Scopes are dynamic, as in POV-Ray: each include file and each macro call opens one, and an identifier means its
-//! innermost binding, whoever made it. Every symbol carries its own stack of bindings, so that a look-up is one step.
+//! Scopes are dynamic, as in POV-Ray: each include file and each macro call opens one, and an identifier refers to its
+//! innermost binding. Every symbol has its own stack of bindings, so that a look-up is one step.
 
 use super::expr::value::{Number, Value};
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 
-/// A binding: the depth of the scope that owns it, and what it holds.
+/// A binding: the depth of the scope that owns it, and its value.
 #[derive(Debug)]
 struct Binding {
     depth: u32,
@@ -17,16 +17,17 @@ struct Binding {
 #[derive(Debug)]
 enum Held {
     Value(Value),
-    /// A macro parameter given by reference: the binding of another symbol, by its place in that symbol's stack.
+    /// A macro parameter passed by reference: the binding of another symbol, by its index in that symbol's stack.
     Alias(Symbol, u32),
-    /// A macro parameter given an item of an array: the array's binding, and the indices from the outermost array on.
+    /// A macro parameter that refers to an item of an array: the array's binding, and the indices from the outermost
+    /// array on.
     Item(Symbol, u32, Rc<[usize]>),
 }
 
-/// What a macro parameter by reference stands for.
+/// The target of a macro parameter by reference.
 #[derive(Clone, Debug)]
 pub(super) struct Target {
-    /// The binding that holds the value, by its place in the symbol's stack.
+    /// The binding that holds the value, by its index in the symbol's stack.
     symbol: Symbol,
     at: usize,
     /// The indices of an item of the array there; empty for the value itself.
@@ -39,7 +40,7 @@ pub(super) struct Scopes {
     stacks: Vec<Vec<Binding>>,
     /// The symbols bound in the open scopes, without the global one, innermost last.
     bound: Vec<Symbol>,
-    /// For each of these scopes where its symbols begin.
+    /// The index of the first symbol of each of these scopes.
     open: Vec<usize>,
 }
 
@@ -63,7 +64,7 @@ impl Scopes {
         }
     }
 
-    /// How many scopes are open beside the global one.
+    /// Number of scopes open beside the global one.
     pub(super) fn depth(&self) -> u32 {
         u32::try_from(self.open.len()).expect("the depth of calls is limited")
     }
@@ -75,7 +76,7 @@ impl Scopes {
         self.held(stack.last()?)
     }
 
-    /// The value that a symbol has in the scope of that depth, if it is bound there.
+    /// The value of a symbol in the scope of that depth, if it is bound there.
     pub(super) fn bound_at(&self, symbol: Symbol, depth: u32) -> Option<&Value> {
         let stack = self.stacks.get(symbol.0 as usize)?;
         self.held(stack.iter().find(|binding| binding.depth == depth)?)
@@ -107,7 +108,7 @@ impl Scopes {
         }
     }
 
-    /// Whether a symbol is that of a macro.
+    /// True if a symbol is the name of a macro.
     #[inline]
     pub(super) fn is_macro(&self, symbol: Symbol) -> bool {
         match self
@@ -124,13 +125,13 @@ impl Scopes {
         }
     }
 
-    /// The value of a symbol, to be changed in place.
+    /// The value of a symbol, for changes.
     pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
         let top = self.top(symbol)?;
         self.held_mut(symbol, top)
     }
 
-    /// What the binding at this place in a symbol's stack stands for, to be changed.
+    /// The value of the binding at an index of a symbol's stack, for changes.
     fn held_mut(&mut self, symbol: Symbol, at: usize) -> Option<&mut Value> {
         let (symbol, at) = self.owner(symbol, at);
         let (symbol, at, path) = match &self.stacks[symbol.0 as usize][at].held {
@@ -144,25 +145,25 @@ impl Scopes {
         }
     }
 
-    /// Whether a name is bound in the innermost scope, as its own or as a parameter.
+    /// True if a name is bound in the innermost scope, as its own or as a parameter.
     pub(super) fn is_local(&self, symbol: Symbol) -> bool {
         let stack = self.stacks.get(symbol.0 as usize);
         stack.is_some_and(|stack| stack.last().is_some_and(|last| last.depth == self.depth()))
     }
 
-    /// Where the value of a binding is kept, or what names the item of an array: the end of its chain of aliases.
+    /// The binding at the end of a chain of aliases: it holds the value or refers to the item of an array.
     fn owner(&self, mut symbol: Symbol, mut at: usize) -> (Symbol, usize) {
         while let Some(&Binding {
-            held: Held::Alias(target, place),
+            held: Held::Alias(target, index),
             ..
         }) = self.stacks[symbol.0 as usize].get(at)
         {
-            (symbol, at) = (target, place as usize);
+            (symbol, at) = (target, index as usize);
         }
         (symbol, at)
     }
 
-    /// `#declare`: assigns to the binding that the name has now, or makes a global one.
+    /// `#declare`: assigns to the current binding of the name, or makes a global one.
     pub(super) fn declare(&mut self, symbol: Symbol, value: Value) {
         match self.get_mut(symbol) {
             Some(old) => *old = value,
@@ -170,7 +171,7 @@ impl Scopes {
         }
     }
 
-    /// `#declare` of a number for a name that holds one of its own; false, and nothing done, for any other name.
+    /// `#declare` of a number for a name that holds one of its own; false, without effect, for any other name.
     #[inline]
     pub(super) fn declare_over(&mut self, symbol: Symbol, number: &Number) -> bool {
         let stack = self.stacks.get_mut(symbol.0 as usize);
@@ -226,8 +227,8 @@ impl Scopes {
         }
     }
 
-    /// `#declare` or `#local` of a name that stood where `depth` scopes were open, while the value ended in an inner one:
-    /// what is bound further in is another name.
+    /// `#declare` or `#local` of a name that was read with `depth` scopes open, while the value ended in an inner one:
+    /// bindings further in belong to other names.
     pub(super) fn assign_from(&mut self, depth: u32, symbol: Symbol, value: Value, is_local: bool) {
         let is_it = |binding: &Binding| match is_local {
             true => binding.depth == depth,
@@ -253,12 +254,12 @@ impl Scopes {
         self.bind(symbol, depth, held);
     }
 
-    /// The place of the binding that a symbol has now in its stack of bindings.
+    /// The index of the current binding of a symbol in its stack.
     pub(super) fn top(&self, symbol: Symbol) -> Option<usize> {
         self.stacks.get(symbol.0 as usize)?.len().checked_sub(1)
     }
 
-    /// What an alias made now would stand for.
+    /// The target of an alias made now.
     pub(super) fn target(&self, symbol: Symbol) -> Option<Target> {
         let (symbol, at) = self.owner(symbol, self.top(symbol)?);
         Some(match &self.stacks[symbol.0 as usize].get(at)?.held {
@@ -313,7 +314,7 @@ impl Scopes {
         }
     }
 
-    /// A binding was put below others of its symbol: what stands for those stands for the next place.
+    /// Adjusts aliases after a binding was inserted below others of its symbol: their targets have moved up.
     fn shift_aliases(&mut self, moved: Symbol, from: usize) {
         for binding in self.stacks.iter_mut().flatten() {
             if let Held::Alias(symbol, at) | Held::Item(symbol, at, _) = &mut binding.held
@@ -325,7 +326,7 @@ impl Scopes {
         }
     }
 
-    /// `#undef`: removes the binding that the name has now; says whether there was one.
+    /// `#undef`: removes the current binding of the name; true if there was one.
     pub(super) fn undefine(&mut self, symbol: Symbol) -> bool {
         self.stacks
             .get_mut(symbol.0 as usize)

@@ -1,4 +1,4 @@
-//! What one reading of a scene leaves to the next: its names and the tokens of its files.
+//! The names and tokens of a scene, cached between readings.
 
 use crate::base::source::{FileId, Sources};
 use crate::lang::syntax::{Names, Tokens, Whole};
@@ -6,21 +6,21 @@ use rustc_hash::FxHashMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// The names and tokens of the texts of some [`Sources`], so that readings with copies of these need not make them again.
+/// Names and tokens of the texts of some [`Sources`]: readings with copies of these need not make them again.
 #[derive(Clone, Debug, Default)]
-pub struct Lexicon {
+pub struct TokenCache {
     pub(super) names: Names,
     tokens: FxHashMap<FileId, Arc<Whole>>,
 }
 
-impl Lexicon {
+impl TokenCache {
     /// The tokens of a text, if it has been read before.
     pub(super) fn tokens(&self, file: FileId) -> Option<Rc<Tokens>> {
         self.tokens.get(&file).map(|whole| Rc::new(whole.tokens()))
     }
 
-    /// Takes in what a reading has made; whether anything is new. Texts that the scene wrote itself are not kept.
-    pub(super) fn learn(
+    /// Adds the tokens of a reading; true if any are new. Texts written by the scene itself are not cached.
+    pub(super) fn update(
         &mut self,
         names: Names,
         tokenized: &FxHashMap<FileId, Rc<Tokens>>,

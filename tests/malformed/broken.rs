@@ -1,11 +1,11 @@
-//! Ways to damage a good scene.
+//! Methods to damage a valid scene.
 
 use super::random::Random;
 
 /// Makes a broken scene from one or two of the given ones.
 pub(crate) type Damage = fn(&mut Random, &[Vec<u8>]) -> Vec<u8>;
 
-/// All ways, by name.
+/// All methods, by name.
 pub(crate) const KINDS: &[(&str, Damage)] = &[
     ("cut_off", cut_off),
     ("bytes_flipped", bytes_flipped),
@@ -28,7 +28,7 @@ pub(crate) const KINDS: &[(&str, Damage)] = &[
     ("soup", soup),
 ];
 
-/// What acts between any two tokens.
+/// Directives, which may stand between any two tokens.
 const DIRECTIVES: &[&str] = &[
     "#if (1)",
     "#if (0)",
@@ -65,9 +65,9 @@ const DIRECTIVES: &[&str] = &[
     "A.x",
     "declare A = 2;",
 ];
-/// Tokens of a soup at most. Longer ones find nothing new: reading gives up after some errors.
+/// Most tokens of a soup. Longer ones detect nothing new: reading gives up after some errors.
 const SOUP: usize = 120;
-/// How often a block is put into itself.
+/// Number of times a block is nested into itself.
 const NESTED: usize = 40;
 
 /// Numbers at which arithmetic breaks.
@@ -210,7 +210,7 @@ fn two_spliced(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     [&first[..end], &second[start..]].concat()
 }
 
-/// A `{ ... }` with the word before it goes to another place, or there as well.
+/// Moves or copies a `{ ... }` with the word before it to another position.
 fn blocks_moved(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     let here = some_tokens(random, scenes);
     let mut there = some_tokens(random, scenes);
@@ -226,7 +226,7 @@ fn blocks_moved(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     there.concat()
 }
 
-/// A block holds itself, many times over.
+/// Nests a block into itself, many times over.
 fn blocks_nested(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     let tokens = some_tokens(random, scenes);
     let block = some_block(random, &tokens).concat();
@@ -249,7 +249,7 @@ fn directives_strewn(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     tokens.concat()
 }
 
-/// Stretches of tokens become macros, called where they stood and elsewhere.
+/// Turns spans of tokens into macros, called where they stood and elsewhere.
 fn macros_made(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     let mut tokens = some_tokens(random, scenes);
     let mut head = Vec::new();
@@ -267,7 +267,7 @@ fn macros_made(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     [head, tokens.concat()].concat()
 }
 
-/// Some tokens of one scene, some of which are those of others.
+/// Some tokens of one scene, mixed with those of others.
 fn soup(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     let tokens = some_tokens(random, scenes);
     let start = random.below(tokens.len());
@@ -309,7 +309,7 @@ fn some_tokens<'a>(random: &mut Random, scenes: &'a [Vec<u8>]) -> Vec<&'a [u8]> 
     tokens(scene)
 }
 
-/// Words, numbers, blanks and single marks; together they are the scene again.
+/// Splits a scene into words, numbers, blanks and single marks; joined they are the scene again.
 fn tokens(scene: &[u8]) -> Vec<&[u8]> {
     let class = |byte: u8| match byte {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'_' | b'.' => 1,

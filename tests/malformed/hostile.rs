@@ -3,7 +3,7 @@
 /// Levels of nesting far beyond what any author writes.
 const DEEP: usize = 100_000;
 
-/// What stands round a hostile part where a whole scene is needed.
+/// The rest of a scene around a hostile part.
 const REST: &str = "light_source { <-4, 6, -8>, rgb 1 }\ncamera { location -5*z look_at 0 }\n";
 
 /// All hostile scenes by name.
@@ -22,7 +22,7 @@ fn nested(start: &str, open: &str, middle: &str, close: &str) -> String {
 }
 
 fn nesting() -> Vec<(&'static str, String)> {
-    let ball = "sphere { 0, 1 }";
+    let sphere = "sphere { 0, 1 }";
     vec![
         ("open_braces", nested("", "{", "", "")),
         ("open_parentheses", nested("#declare A = ", "(", "", "")),
@@ -30,12 +30,12 @@ fn nesting() -> Vec<(&'static str, String)> {
         ("open_comments", nested("", "/* ", "", "")),
         ("nested_comments", nested("", "/* ", "", " */")),
         ("open_ifs", nested("", "#if (1) ", "", "")),
-        ("nested_ifs", nested("", "#if (1) ", ball, " #end")),
-        ("skipped_ifs", nested("", "#if (0) ", ball, " #end")),
+        ("nested_ifs", nested("", "#if (1) ", sphere, " #end")),
+        ("skipped_ifs", nested("", "#if (0) ", sphere, " #end")),
         ("nested_whiles", nested("", "#while (0) ", "", " #end")),
         (
             "nested_switches",
-            nested("", "#switch (1) #case (1) ", ball, " #end"),
+            nested("", "#switch (1) #case (1) ", sphere, " #end"),
         ),
         (
             "open_unions",
@@ -44,28 +44,31 @@ fn nesting() -> Vec<(&'static str, String)> {
         ("unions", nested("", "union { sphere { 0, 1 } ", "", "}")),
         (
             "differences",
-            nested("", "difference { ", ball, " sphere { 1, 0.1 } }"),
+            nested("", "difference { ", sphere, " sphere { 1, 0.1 } }"),
         ),
         (
             "differences_on_the_right",
-            nested("", "difference { sphere { 0, 2 } ", ball, " }"),
+            nested("", "difference { sphere { 0, 2 } ", sphere, " }"),
         ),
         (
             "inverse_intersections",
-            nested("", "intersection { ", ball, " plane { y, 2 } inverse }"),
+            nested("", "intersection { ", sphere, " plane { y, 2 } inverse }"),
         ),
         (
             "clips",
             nested("", "sphere { 0, 1 clipped_by { ", "plane { y, 0 }", " } }"),
         ),
-        ("bounds", nested("", "union { bounded_by { ", ball, " } }")),
+        (
+            "bounds",
+            nested("", "union { bounded_by { ", sphere, " } }"),
+        ),
         (
             "transforms",
             nested("#declare T = ", "transform { ", "translate x", " }"),
         ),
         (
             "objects",
-            nested("", "object { ", ball, " translate 0.00001*x }"),
+            nested("", "object { ", sphere, " translate 0.00001*x }"),
         ),
         (
             "textures",

@@ -1,7 +1,7 @@
 //! Broken and hostile scenes end in a message or a picture: never in a crash, a panic or a hang.
 //!
-//! `broken` damages the scenes of `pov_scenes/` at random from fixed seeds; `hostile` writes what a generator of bad
-//! luck would not find: endless loops, deep nesting, huge numbers. A scene that fails is kept in `target/malformed/`.
+//! `broken` damages the scenes of `pov_scenes/` at random from fixed seeds; `hostile` holds cases that random damage
+//! would not produce: endless loops, deep nesting, huge numbers. A failing scene is stored in `target/malformed/`.
 
 mod broken;
 mod hostile;
@@ -21,7 +21,7 @@ use std::time::Duration;
 const TIME_LIMIT: Duration = Duration::from_secs(20);
 /// The address space a renderer may use, in KiB; the stack of its reader reserves half of it.
 const MEMORY_LIMIT: u32 = 2 << 20;
-/// How many scenes each kind of damage is done to.
+/// Number of scenes for each kind of damage.
 const VARIANTS: u64 = 16;
 
 fn main() -> ExitCode {
@@ -65,7 +65,7 @@ fn trials(scenes: &Arc<Vec<Vec<u8>>>) -> Vec<Trial> {
     broken.chain(hostile).collect()
 }
 
-/// Renders a scene and judges how that ends. The failure names the kept scene.
+/// Renders a scene and checks how the run ends. The failure names the stored scene.
 fn check(name: &str, scene: &[u8]) -> Result<(), String> {
     let failure = |what: String| format!("{name}: {what}");
     let folder = support::scratch("malformed").map_err(|error| failure(error.to_string()))?;
@@ -74,7 +74,7 @@ fn check(name: &str, scene: &[u8]) -> Result<(), String> {
     fs::write(&input, scene).map_err(|error| failure(error.to_string()))?;
     judge(name, &folder, &picture)
         .map_err(|what| failure(format!("{what}; the scene is {}", input.display())))?;
-    // A scene that passes is made again by its seed and need not stay.
+    // A passing scene can be generated again from its seed.
     let _ = fs::remove_file(&input);
     Ok(())
 }

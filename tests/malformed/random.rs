@@ -1,4 +1,4 @@
-//! Numbers that are the same on every run.
+//! Reproducible random numbers.
 
 /// The generator SplitMix64 (Steele, Lea and Flood 2014), seeded by a number and a name.
 pub(crate) struct Random(u64);

@@ -1,10 +1,10 @@
-//! The commonest mistakes and the whole text that their author sees, beside what POV-Ray says about them.
+//! The commonest mistakes, with the full text that their author sees and POV-Ray's own message.
 //!
-//! Each `NAME.pov` here holds a mistake, and tells in its first line where: `// mistake in line 3: ...`; `mistakes in
-//! lines 3, 7` where there are several, `doubt in line 3` where a warning is due. All findings must be about these
-//! lines, whatever line POV-Ray names. `NAME.txt` holds what is said, and then POV-Ray's word for it. `UPDATE=1` writes
-//! the texts anew, to be read before they are kept: is the place right, is the cause named, is there something to do,
-//! is nothing said twice?
+//! Each `NAME.pov` here holds a mistake and states its line first: `// mistake in line 3: ...`; with
+//! `mistakes in lines 3, 7` for several, and `doubt in line 3` for a warning. All findings must refer to these lines,
+//! whatever line POV-Ray names. `NAME.txt` holds the text of povr, and then POV-Ray's. `UPDATE=1` rewrites these texts;
+//! read them before committing: is the position right, is the cause named, is there something to do, is nothing
+//! repeated?
 
 use povr::app::compare as process;
 
@@ -18,11 +18,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::Duration;
 
-/// Relative, so that it reads the same on every machine; cargo runs tests in the root of the package.
+/// Relative, so that messages are the same on every machine; cargo runs tests in the root of the package.
 const FOLDER: &str = "tests/messages";
 /// POV-Ray needs half a second to start.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
-/// Of which it spends most asleep.
+/// POV-Ray spends most of its wall time asleep.
 const TESTS_PER_PROCESSOR: usize = 8;
 
 fn main() -> ExitCode {
@@ -60,21 +60,21 @@ fn trial(scene: PathBuf) -> Trial {
 }
 
 fn compare(scene: &Path) -> Result<(), Failed> {
-    let kept = scene.with_extension("txt");
+    let stored = scene.with_extension("txt");
     let mistake = Mistake::of(scene)?;
     let ours = messages(scene, &mistake)?;
     let said = format!("{ours}{}\n", pov_ray(scene, &mistake)?);
     if std::env::var_os("UPDATE").is_some() {
-        fs::write(&kept, &said)?;
+        fs::write(&stored, &said)?;
     }
-    let expected = fs::read_to_string(&kept).unwrap_or_default();
+    let expected = fs::read_to_string(&stored).unwrap_or_default();
     if said == expected {
         return Ok(());
     }
     Err(format!("expected\n{expected}\nfound\n{said}").into())
 }
 
-/// What the first line of a scene tells about it.
+/// The mistake described in the first line of a scene.
 struct Mistake {
     severity: Severity,
     lines: Vec<usize>,
@@ -84,17 +84,17 @@ impl Mistake {
     fn of(scene: &Path) -> Result<Self, Failed> {
         let text = fs::read_to_string(scene)?;
         let first = text.lines().next().unwrap_or_default();
-        let told = first
+        let header = first
             .strip_prefix("// ")
-            .and_then(|told| told.split_once(':'));
-        let (place, _) = told.ok_or("the first line tells no place")?;
-        let kind = place.split(' ').next().unwrap_or_default();
+            .and_then(|header| header.split_once(':'));
+        let (lines, _) = header.ok_or("the first line tells no place")?;
+        let kind = lines.split(' ').next().unwrap_or_default();
         let severity = match kind {
             "mistake" | "mistakes" => Severity::Error,
             "doubt" | "doubts" => Severity::Warning,
             _ => return Err("neither a mistake nor a doubt is told".into()),
         };
-        let numbers = place.split(|c: char| !c.is_ascii_digit());
+        let numbers = lines.split(|c: char| !c.is_ascii_digit());
         Ok(Mistake {
             severity,
             lines: numbers.filter_map(|number| number.parse().ok()).collect(),
@@ -102,7 +102,7 @@ impl Mistake {
     }
 }
 
-/// All findings, as POV-Ray's line and with the lines of the scene.
+/// All findings, in POV-Ray's format and with the lines of the scene.
 fn messages(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let library = Path::new(FOLDER).join("library");
     let mut sources = Sources::new(vec![library]);
@@ -113,8 +113,10 @@ fn messages(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let of_kind = |finding: &&Diagnostic| finding.severity == mistake.severity;
     let lines: Vec<usize> = findings().filter(of_kind).map(line).collect();
     if lines != mistake.lines {
-        let told = &mistake.lines;
-        return Err(format!("the mistake is in {told:?}, the findings are about {lines:?}").into());
+        let stated = &mistake.lines;
+        return Err(
+            format!("the mistake is in {stated:?}, the findings are about {lines:?}").into(),
+        );
     }
     let texts = findings().map(|finding| {
         let line = pov_line(finding, &sources);
@@ -123,7 +125,7 @@ fn messages(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     Ok(texts.collect())
 }
 
-/// What POV-Ray says about a scene, and whether in the line of the first mistake.
+/// POV-Ray's message for a scene, and whether it names the line of the first mistake.
 fn pov_ray(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let mut command = Command::new("povray");
     command.arg(format!("+I{}", scene.display())).args([
@@ -169,7 +171,7 @@ fn pov_ray(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     })
 }
 
-/// POV-Ray's messages without the breaks at 80 columns; a line that begins with a blank goes on with the one before.
+/// POV-Ray's messages without its line breaks at 80 columns; a line that begins with a blank continues the one before.
 fn unfolded(text: &str) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for line in text.lines() {

@@ -1,68 +1,68 @@
-//! One question of the catalogue and how a renderer answers it.
+//! One question of the catalogue and the answer of a renderer.
 
 use super::draw::{Drawn, Picture};
 use super::model::{Model, SIZE};
 use super::oracle::{Oracle, Shown};
 
-/// A colour is right within this: half of the step between what is told apart.
+/// Tolerance of a colour: half of the step between colours that must be distinguished.
 const TOLERANCE: f32 = 0.02;
 
 /// A question of the catalogue.
 pub(crate) struct Case {
-    /// Its number in the catalogue.
+    /// The number of its item in the catalogue.
     pub(crate) item: u8,
     /// A name in a few words.
     pub(crate) name: String,
-    /// What it asks.
+    /// The question.
     pub(crate) asks: Asks,
-    /// How many wrong pixels povr may have, and why.
+    /// Wrong pixels that povr may have, and the reason.
     pub(crate) allowed: Option<(usize, &'static str)>,
-    /// Only in the whole run.
+    /// Runs only with the whole catalogue.
     pub(crate) is_slow: bool,
-    /// Not for POV-Ray: it dies, or takes minutes, or cannot read it.
+    /// The reason not to run POV-Ray: it crashes, or takes minutes, or cannot read the scene.
     pub(crate) no_pov_ray: Option<&'static str>,
 }
 
-/// What is asked.
+/// Kinds of questions.
 pub(crate) enum Asks {
-    /// What each pixel shows, against numbers of 77 digits.
+    /// The surface in each pixel, against numbers of 77 digits.
     Model(Box<Model>),
-    /// That two scenes look the same: the second as the first, within this difference of a channel.
+    /// Two scenes with the same picture: the second as the first, within this difference of a channel.
     Same {
         text: String,
         like: String,
         within: f32,
     },
-    /// That every pixel has this colour.
+    /// The same colour in every pixel.
     Even {
         text: String,
         color: [f32; 3],
         within: f32,
     },
-    /// That each scene is refused with an error, or drawn without a pixel that is no number.
+    /// Each scene is rejected with an error, or drawn without NaN or infinity.
     Sound(Vec<String>),
-    /// That the scene is refused with these words.
+    /// The scene is rejected with these words.
     Refused { text: String, says: &'static str },
-    /// Families of rays, each asked of a routine of povr: rays, and those answered wrong.
+    /// Families of rays for a routine of povr: the number of rays, and of wrong results.
     Rays(fn() -> (usize, usize)),
 }
 
-/// How a renderer did.
+/// The result of a renderer.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outcome {
-    /// Pixels or rays whose answer is certain.
+    /// Pixels or rays whose exact answer is known.
     pub(crate) decided: usize,
-    /// Of those, the wrong ones; all if there was no picture.
+    /// Wrong ones among those; all of them if there was no picture.
     pub(crate) wrong: usize,
-    /// Which pixels are wrong.
+    /// The wrong pixels.
     pub(crate) map: Vec<bool>,
-    /// Pixels that are no number.
+    /// Pixels with NaN or infinity.
     pub(crate) not_numbers: usize,
-    /// What came of it, if there is a picture.
+    /// The picture, if there is one.
     pub(crate) picture: Option<Picture>,
-    /// What it was to be like, by the same renderer.
+    /// The picture it should equal, by the same renderer.
     pub(crate) like: Option<Picture>,
-    /// What the renderer said.
+    /// The messages of the renderer.
     pub(crate) said: String,
 }
 
@@ -116,7 +116,7 @@ impl Case {
         }
     }
 
-    /// How a renderer answers.
+    /// The result of a renderer.
     pub(crate) fn outcome(&self, draw: &Draw) -> Outcome {
         let size = self.size();
         match &self.asks {
@@ -161,8 +161,8 @@ impl Case {
                 text,
                 color,
                 within,
-            } => judged(draw(text, size), size, |_, _, found| {
-                Some((0..3).any(|i| (found[i] - color[i]).abs() > *within))
+            } => judged(draw(text, size), size, |_, _, pixel| {
+                Some((0..3).any(|i| (pixel[i] - color[i]).abs() > *within))
             }),
             Asks::Sound(texts) => {
                 let mut outcome = Outcome {
@@ -219,7 +219,7 @@ fn single(x: f64) -> f32 {
     x as f32
 }
 
-/// Counts the wrong pixels of a picture; `is_wrong` is `None` where nobody can tell.
+/// Counts the wrong pixels of a picture; `is_wrong` is `None` where the exact answer is unknown.
 fn judged(
     drawn: Drawn,
     size: (u32, u32),
@@ -261,7 +261,7 @@ fn judged(
     outcome
 }
 
-/// What a model shows, pixel by pixel, for the sheet.
+/// The exact picture of a model, for the sheet.
 pub(crate) fn reference(model: &Model) -> Picture {
     let oracle = Oracle::new(model);
     let (width, height) = model.size;

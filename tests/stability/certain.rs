@@ -1,26 +1,26 @@
-//! Numbers of 32 digits that carry a bound on their own error, and what can be proven with them about the roots of
-//! polynomials: the quick way to what `wide` finds slowly. Where the bound leaves a question open, there is no answer.
+//! Double-double numbers (32 digits) with a bound on their own error, and certain counts of the roots of polynomials:
+//! the fast alternative to `wide`. Where the bound leaves a question open, there is no answer.
 //!
 //! A number is the sum of two doubles (Dekker 1971); the errors of the operations are those of Joldes, Muller and
 //! Popescu 2017 (sum 3u², product 5u², with u = 2⁻⁵³), taken larger here.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Relative error of a sum, a product, and a square root; each above what is proven.
+/// Relative errors of a sum, a product, and a square root; each above the proven bound.
 const OF_SUM: f64 = 1.0 / (1u128 << 104) as f64;
 const OF_PRODUCT: f64 = 1.0 / (1u128 << 102) as f64;
 const OF_ROOT: f64 = 1.0 / (1u128 << 100) as f64;
-/// What products lose below the smallest doubles.
+/// Underflow of products below the smallest doubles.
 const OF_LITTLE: f64 = 1e-290;
 /// Above the roundings of a bound itself.
 const UP: f64 = 1.0 + 1e-12;
-/// Halvings of a stretch, one after the other, and all together.
+/// Bisections of an interval: nested, and in total.
 const DEEPEST: u32 = 100;
 const MOST: usize = 2000;
-/// Where a stretch is divided; the others are for places that are roots.
+/// Where an interval is split; the later values serve for splits at roots.
 const DIVIDE_AT: [f64; 3] = [0.5, 0.5625, 0.453125];
 
-/// `high + low`, or any number not farther from it than `off`.
+/// `high + low`, with an error of `off` at most.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sure {
     high: f64,
@@ -28,14 +28,14 @@ pub(crate) struct Sure {
     off: f64,
 }
 
-/// The sum of two numbers and what it lacks.
+/// The sum of two numbers and its rounding error.
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let part = sum - a;
     (sum, (a - (sum - part)) + (b - part))
 }
 
-/// The same where the first is the larger one.
+/// The same where the first number is the larger one.
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
@@ -46,7 +46,7 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, a.mul_add(b, -product))
 }
 
-/// A number as it is.
+/// An exact number.
 pub(crate) fn sure(x: f64) -> Sure {
     Sure {
         high: x,
@@ -139,10 +139,10 @@ impl Sure {
         }
     }
 
-    /// The root of a number that is not negative.
+    /// The square root of a number that is not negative.
     pub(crate) fn sqrt(self) -> Sure {
         if self.high <= 4.0 * self.off {
-            // Anywhere between nothing and this.
+            // Anywhere between zero and this.
             let most = (self.high.max(0.0) + self.off).sqrt();
             return Sure {
                 high: 0.0,
@@ -161,25 +161,25 @@ impl Sure {
         }
     }
 
-    /// Its size and how far that may be off.
+    /// Its absolute value and the error of that.
     pub(crate) fn size(self) -> (f64, f64) {
         (self.high.abs(), self.off + f64::EPSILON * self.high.abs())
     }
 }
 
 /// A point or a direction.
-pub(crate) type Place = [Sure; 3];
+pub(crate) type Point = [Sure; 3];
 
-/// The place at `t` of a ray.
-pub(crate) fn along(origin: [f64; 3], dir: [f64; 3], t: f64) -> Place {
+/// The point at `t` on a ray.
+pub(crate) fn along(origin: [f64; 3], dir: [f64; 3], t: f64) -> Point {
     [0, 1, 2].map(|i| sure(origin[i]) + sure(t) * sure(dir[i]))
 }
 
-pub(crate) fn dot(a: &Place, b: &Place) -> Sure {
+pub(crate) fn dot(a: &Point, b: &Point) -> Sure {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// How often `a·t² + 2b·t + c` changes its sign, if that is certain.
+/// The number of sign changes of `a·t² + 2b·t + c`, if it is certain.
 pub(crate) fn of_quadratic(a: Sure, b: Sure, c: Sure) -> Option<usize> {
     if a.sign()? == 0 {
         return Some(usize::from(b.sign()? != 0));
@@ -188,11 +188,11 @@ pub(crate) fn of_quadratic(a: Sure, b: Sure, c: Sure) -> Option<usize> {
     Some(if discriminant.sign()? > 0 { 2 } else { 0 })
 }
 
-/// How often a polynomial in Bernstein's form changes its sign from 0 to 1, if that is certain: by Descartes' rule there is
-/// no root where the coefficients have one sign, and one where their sign changes once. Elsewhere the stretch is divided.
+/// The number of sign changes of a polynomial in Bernstein form from 0 to 1, if it is certain: by Descartes' rule there
+/// is no root where the coefficients have one sign, and one where their sign changes once. Other intervals are split.
 pub(crate) fn of_bernstein<const N: usize>(form: [Sure; N]) -> Option<usize> {
     let mut open = vec![(form, 0)];
-    let (mut found, mut done) = (0, 0);
+    let (mut count, mut done) = (0, 0);
     while let Some((form, depth)) = open.pop() {
         let (first, last) = (form[0].sign()?, form[N - 1].sign()?);
         if first == 0 || last == 0 || depth > DEEPEST || done > MOST {
@@ -200,7 +200,7 @@ pub(crate) fn of_bernstein<const N: usize>(form: [Sure; N]) -> Option<usize> {
         }
         let changes = most_changes(&form);
         if changes < 2 {
-            found += changes;
+            count += changes;
             continue;
         }
         done += 1;
@@ -211,10 +211,10 @@ pub(crate) fn of_bernstein<const N: usize>(form: [Sure; N]) -> Option<usize> {
         open.push((left, depth + 1));
         open.push((right, depth + 1));
     }
-    Some(found)
+    Some(count)
 }
 
-/// The changes of sign that there are if every sign that is not certain is as it gives the most.
+/// The most sign changes, over all choices of the uncertain signs.
 fn most_changes(form: &[Sure]) -> usize {
     // By the sign of the last one, -1 and 1.
     let mut most: [Option<usize>; 2] = [None, None];
@@ -232,7 +232,7 @@ fn most_changes(form: &[Sure]) -> usize {
     most[0].max(most[1]).unwrap_or(usize::MAX)
 }
 
-/// The forms of both parts (de Casteljau 1959).
+/// Splits a Bernstein form into both halves (de Casteljau 1959).
 fn divided<const N: usize>(form: &[Sure; N], at: f64) -> ([Sure; N], [Sure; N]) {
     let (mut left, mut right) = (*form, *form);
     for step in 1..N {

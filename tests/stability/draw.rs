@@ -14,12 +14,12 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<[f32; 3]>,
 }
 
-/// What a renderer made of a scene.
+/// The result of drawing a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Drawn {
-    /// `None` where it draws nothing.
+    /// `None` if nothing was drawn.
     pub(crate) picture: Option<Picture>,
-    /// What it says of the scene.
+    /// The messages.
     pub(crate) said: String,
 }
 
@@ -66,9 +66,9 @@ pub(crate) fn by_povr(text: &str, size: (u32, u32)) -> Drawn {
     }
 }
 
-/// Where Debian keeps the standard include files.
+/// Folder of the standard include files on Debian.
 const INCLUDES: &str = "/usr/share/povray-3.7/include";
-/// POV-Ray may sit for minutes over a scene that povr draws at once.
+/// POV-Ray may take minutes for a scene that povr draws at once.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
 
 static NUMBER: AtomicU32 = AtomicU32::new(0);
@@ -113,7 +113,7 @@ pub(crate) fn by_pov_ray(text: &str, size: (u32, u32), folder: &Path) -> Drawn {
                 .map(|pixel| pixel.0.map(|c| f32::from(c) / 65535.0))
                 .collect(),
         });
-    // Both are needed no more.
+    // Neither file is needed any more.
     let _ = std::fs::remove_file(&scene);
     let _ = std::fs::remove_file(&file);
     Drawn { picture, said }

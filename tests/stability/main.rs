@@ -1,6 +1,6 @@
-//! Right where rounding and fixed distances go wrong: pictures and rays whose answers are known to 77 digits.
+//! Correctness where rounding and fixed distances fail: pictures and rays whose answers are known to 77 digits.
 //!
-//! The catalogue has 54 items. Those marked slow, and POV-Ray's answers beside povr's, come with `tools/stability`.
+//! The catalogue has 54 items. `tools/stability` adds those marked slow, and POV-Ray's answers beside povr's.
 
 #![allow(dead_code, reason = "tools/stability uses the rest")]
 
@@ -34,22 +34,22 @@ fn main() -> ExitCode {
 }
 
 fn check(case: &case::Case) -> Result<(), Failed> {
-    let found = case.outcome(&|text, size| draw::by_povr(text, size));
+    let outcome = case.outcome(&|text, size| draw::by_povr(text, size));
     let (allowed, why) = case.allowed.unwrap_or((0, "nothing is allowed"));
-    if found.not_numbers > 0 {
-        return Err(format!("{} pixels are not numbers", found.not_numbers).into());
+    if outcome.not_numbers > 0 {
+        return Err(format!("{} pixels are not numbers", outcome.not_numbers).into());
     }
-    if found.wrong > allowed {
+    if outcome.wrong > allowed {
         let folder = support::scratch("stability/failed")?;
         let file = folder.join(format!(
             "{:02} {}.png",
             case.item,
             case.name.replace('/', "-")
         ));
-        sheet::row(case, &[&found]).save(file)?;
+        sheet::row(case, &[&outcome]).save(file)?;
         return Err(format!(
             "{} of {} are wrong ({why}); povr says: {}",
-            found.wrong, found.decided, found.said
+            outcome.wrong, outcome.decided, outcome.said
         )
         .into());
     }

@@ -1,20 +1,21 @@
-//! Small scenes as data, which are written as scene files for the renderers and handed to the oracle as they are.
+//! Small scenes as data: written as scene files for the renderers, and evaluated directly by the oracle.
 
 use std::fmt::Write as _;
 
 /// Three numbers.
 pub(crate) type V = [f64; 3];
 
-/// A scene in flat colours: what is hit, and whether light comes there.
+/// A scene in flat colours: visible surfaces, and whether they are lit.
 #[derive(Clone, Debug)]
 pub(crate) struct Model {
     pub(crate) camera: Camera,
     pub(crate) objects: Vec<Object>,
-    /// Where the light stands; without one everything has its full colour.
+    /// The position of the light; without one everything has its full colour.
     pub(crate) light: Option<V>,
     /// Width and height of the picture.
     pub(crate) size: (u32, u32),
-    /// How far a pixel's answer must hold, in pixels: what the numbers of the scene itself allow.
+    /// Margin around a pixel's centre in which its answer must be the same, in pixels: the accuracy of the scene's own
+    /// numbers.
     pub(crate) margin: f64,
 }
 
@@ -28,12 +29,12 @@ pub(crate) struct Camera {
     pub(crate) is_flat: bool,
 }
 
-/// A thing, or a combination of things.
+/// An object, or a CSG combination of objects.
 #[derive(Clone, Debug)]
 pub(crate) struct Object {
     pub(crate) kind: Kind,
     pub(crate) steps: Vec<Step>,
-    /// Red, green, blue; that of the parent where there is none.
+    /// Red, green, blue; the parent's where there is none.
     pub(crate) color: Option<V>,
 }
 
@@ -51,7 +52,7 @@ pub(crate) enum Kind {
     Quartic(Box<[f64; 35]>),
     /// A superellipsoid with `e = n = 2 / power`.
     Superellipsoid(u32),
-    /// `blob` of one ball of radius and strength 1, with this threshold.
+    /// A `blob` of one component of radius and strength 1, with this threshold.
     Blob(f64),
     Csg(&'static str, Vec<Object>),
 }
@@ -65,13 +66,13 @@ pub(crate) enum Step {
     Matrix([f64; 12]),
 }
 
-/// What everything is that says nothing else.
+/// The default colour.
 pub(crate) const WHITE: V = [1.0, 1.0, 1.0];
 pub(crate) const RED: V = [1.0, 0.0, 0.0];
 pub(crate) const GREEN: V = [0.0, 1.0, 0.0];
 pub(crate) const BLUE: V = [0.0, 0.0, 1.0];
 
-/// The share of its colour that a place in the shadow has.
+/// Factor of the colour of a point in shadow.
 pub(crate) const SHADE: f64 = 0.4;
 
 /// The usual size of a picture.
@@ -81,7 +82,7 @@ pub(crate) const SIZE: (u32, u32) = (48, 36);
 pub(crate) const MARGIN: f64 = 1e-6;
 
 impl Camera {
-    /// Looks along +z from `location`, at a window of this width and height at distance 1.
+    /// A view along +z from `location`, with a window of this width at distance 1.
     pub(crate) fn ahead(location: V, width: f64) -> Camera {
         Camera {
             location,
@@ -92,7 +93,7 @@ impl Camera {
         }
     }
 
-    /// Looks from one point at another, with y up.
+    /// A view from one point to another, with y up.
     pub(crate) fn at(location: V, target: V, width: f64) -> Camera {
         let to = [0, 1, 2].map(|i| target[i] - location[i]);
         let length = to[0].hypot(to[1]).hypot(to[2]);
@@ -135,7 +136,7 @@ impl Model {
         }
     }
 
-    /// A scene that asks only what is hit.
+    /// A scene without light: only visibility matters.
     pub(crate) fn flat(camera: Camera, objects: Vec<Object>) -> Model {
         Model {
             camera,
@@ -150,7 +151,7 @@ impl Model {
         Model { margin, ..self }
     }
 
-    /// Every length times a number: written into the numbers of the shapes, not as a transform.
+    /// Scales every length, in the numbers of the shapes, not by a transform.
     pub(crate) fn scaled(&self, by: f64) -> Model {
         Model {
             camera: self.camera.scaled(by),
@@ -172,7 +173,7 @@ impl Model {
         moved
     }
 
-    /// Everything moved, written into the numbers of the shapes where they have places. Objects may have translations only.
+    /// Moves everything, in the numbers of the shapes where they hold points. Objects may have translations only.
     pub(crate) fn moved_in_numbers(&self, by: V) -> Model {
         let objects = self.objects.iter().map(|object| object.written_at(by));
         Model {

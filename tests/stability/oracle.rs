@@ -1,13 +1,13 @@
-//! What a pixel of a model shows, by numbers of 77 digits: every surface is a polynomial along the ray, what is inside is
-//! read off its signs between the roots, and nothing is nearly equal.
+//! Exact pixels of a model, by numbers of 77 digits: every surface is a polynomial along the ray, solids follow from
+//! its signs between the roots, and there are no tolerances.
 //!
-//! Faces that coincide have the same root and no room between them: a combination is taken without them (regularised),
-//! and where several visible faces lie in one place each of their colours counts as right.
+//! Coincident faces have the same root and enclose nothing: CSG is evaluated without them (regularised), and where
+//! several visible faces coincide each of their colours is right.
 
 use super::model::{Camera, Kind, Model, Object, SHADE, Step, V, WHITE};
 use super::wide::{Polynomial, Vector, Wide, cross, dot, minus, plus, times, vector, wide};
 
-/// Roots nearer to each other than this share of their distance are one.
+/// Roots nearer to each other than this fraction of their distance are one.
 const SAME: f64 = 1e-55;
 
 /// A line.
@@ -20,12 +20,12 @@ struct Line {
 /// A solid along a line: inside where all of its polynomials are negative.
 struct Leaf {
     polynomials: Vec<Polynomial>,
-    /// The stretch outside of which it is not, if that is known.
+    /// The interval that contains it, if that is known.
     within: Option<(Wide, Wide)>,
     color: V,
 }
 
-/// How the leaves of an object are combined; leaves by number.
+/// The combination of the leaves of an object; leaves by number.
 enum Tree {
     Leaf(usize),
     All(Vec<Tree>),
@@ -39,10 +39,10 @@ struct Solid {
     tree: Tree,
 }
 
-/// What a pixel may show: any of these colours.
+/// The possible colours of a pixel.
 pub(crate) type Shown = Vec<V>;
 
-/// A model made ready.
+/// A model prepared for queries.
 pub(crate) struct Oracle<'a> {
     model: &'a Model,
 }
@@ -52,12 +52,12 @@ impl<'a> Oracle<'a> {
         Oracle { model }
     }
 
-    /// What the centre of a pixel shows.
+    /// The colours at the centre of a pixel.
     pub(crate) fn shown(&self, x: u32, y: u32) -> Shown {
         self.shown_beside(x, y, [0.0, 0.0])
     }
 
-    /// Whether a colour is wrong at a pixel; `None` where the answer depends on less than the margin.
+    /// True if a colour is wrong at a pixel; `None` where the answer changes within the margin.
     pub(crate) fn is_wrong(&self, x: u32, y: u32, right: impl Fn(&Shown) -> bool) -> Option<bool> {
         let around = [[1.0, 0.3], [-0.77, 0.71], [-0.2, -1.0]];
         let mut answers =
@@ -92,7 +92,7 @@ impl<'a> Oracle<'a> {
         colors
     }
 
-    /// Whether light comes to a point of the surface of an object, on the side on which `before` says what is inside.
+    /// True if light reaches a point on the surface of an object, on the side with the inside state `before`.
     fn is_lit(&self, point: &Vector, light: V, own: usize, before: i32) -> bool {
         let to_light = Line {
             origin: point.clone(),
@@ -149,9 +149,9 @@ impl Solid {
         Solid { leaves, tree }
     }
 
-    /// Where polynomials change their sign ahead, in order, with the number of the leaf.
-    fn places(&self) -> Vec<(Wide, usize)> {
-        let mut places = Vec::new();
+    /// The sign changes of the polynomials ahead, in order, with the number of the leaf.
+    fn crossings(&self) -> Vec<(Wide, usize)> {
+        let mut crossings = Vec::new();
         for (number, leaf) in self.leaves.iter().enumerate() {
             for polynomial in &leaf.polynomials {
                 let all = match &leaf.within {
@@ -159,33 +159,33 @@ impl Solid {
                     None => polynomial.sign_changes(),
                 };
                 let ahead = all.into_iter().filter(|t| t.sign() > 0);
-                places.extend(ahead.map(|t| (t, number)));
+                crossings.extend(ahead.map(|t| (t, number)));
             }
         }
-        places.sort_by(|a, b| a.0.partial_cmp(&b.0).expect("numbers have an order"));
-        places
+        crossings.sort_by(|a, b| a.0.partial_cmp(&b.0).expect("numbers have an order"));
+        crossings
     }
 
-    /// The first visible surface ahead: where, its colours, and whether the line is inside before it.
+    /// The first visible surface ahead: its distance, its colours, and the inside state before it.
     fn first(&self) -> Option<(Wide, Vec<V>, i32)> {
-        let places = self.places();
-        let (first, _) = places.first()?;
+        let crossings = self.crossings();
+        let (first, _) = crossings.first()?;
         let mut before = self.state(&(first / &wide(2.0)));
         let mut at = 0;
-        while at < places.len() {
-            let t = &places[at].0;
+        while at < crossings.len() {
+            let t = &crossings[at].0;
             let mut end = at + 1;
-            while end < places.len() && is_same(t, &places[end].0) {
+            while end < crossings.len() && is_same(t, &crossings[end].0) {
                 end += 1;
             }
-            let middle = match places.get(end) {
+            let middle = match crossings.get(end) {
                 Some((next, _)) => (t + next) / wide(2.0),
                 None => t * &wide(2.0),
             };
             let after = self.state(&middle);
             if after != before {
                 let mut colors: Vec<V> = Vec::new();
-                for (_, leaf) in &places[at..end] {
+                for (_, leaf) in &crossings[at..end] {
                     if !colors.contains(&self.leaves[*leaf].color) {
                         colors.push(self.leaves[*leaf].color);
                     }
@@ -198,11 +198,11 @@ impl Solid {
         None
     }
 
-    /// What is inside along the line from 0 to `end`, stretch by stretch.
+    /// The inside states along the line from 0 to `end`, interval by interval.
     fn states(&self, end: &Wide) -> Vec<i32> {
         let start = end * &wide(SAME);
         let mut ends = vec![wide(0.0)];
-        for (t, _) in self.places() {
+        for (t, _) in self.crossings() {
             if t > start && t < *end && !is_same(&t, &ends[ends.len() - 1]) {
                 ends.push(t);
             }
@@ -257,7 +257,7 @@ fn tree(object: &Object, line: &Line, color: V, leaves: &mut Vec<Leaf>) -> Tree 
                 .sign_changes();
             match <[Wide; 2]>::try_from(around) {
                 Ok([low, high]) => (polynomials(&object.kind, &line), Some((low, high))),
-                // Nowhere inside, and nothing to solve.
+                // Inside nowhere, and nothing to solve.
                 Err(_) => (vec![constant(wide(1.0))], None),
             }
         }
@@ -270,7 +270,7 @@ fn tree(object: &Object, line: &Line, color: V, leaves: &mut Vec<Leaf>) -> Tree 
     Tree::Leaf(leaves.len() - 1)
 }
 
-/// From the origin, how far a solid reaches at most whose polynomial is not solved by a formula.
+/// The largest distance from the origin of a solid whose polynomial is not solved by a formula.
 fn reach(kind: &Kind) -> Option<f64> {
     match kind {
         Kind::Torus(major, minor) => Some(1.01 * (major + minor)),
@@ -279,7 +279,7 @@ fn reach(kind: &Kind) -> Option<f64> {
     }
 }
 
-/// The line in the space of what these steps move.
+/// The line in the space before these steps.
 fn to_object(steps: &[Step], line: &Line) -> Line {
     let mut line = line.clone();
     for step in steps.iter().rev() {
@@ -294,7 +294,7 @@ fn to_object(steps: &[Step], line: &Line) -> Line {
                 };
             }
             Step::Rotate(degrees) => {
-                // A turn back: about z, y, x. Sines of doubles are as good as the scene's own numbers.
+                // The inverse rotation: about z, y, x. Sines of doubles are as exact as the scene's own numbers.
                 for axis in [2, 1, 0] {
                     let (sine, cosine) = sine_and_cosine(-degrees[axis]);
                     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -1,15 +1,15 @@
-//! Pictures beside each other: what is right, what renderers draw, and where they are wrong.
+//! Pictures side by side: the exact one, those of the renderers, and their errors.
 
 use super::case::{Asks, Case, Outcome, reference};
 use super::draw::Picture;
 use image::{Rgb, RgbImage, imageops};
 
-/// How much larger pixels are shown.
+/// Magnification of pixels.
 pub(crate) const FACTOR: u32 = 3;
 pub(crate) const GAP: u32 = 4;
-/// What is shown where there is no picture, in stripes.
+/// Stripes in place of a missing picture.
 const NOTHING: [Rgb<u8>; 2] = [Rgb([200, 200, 200]), Rgb([228, 228, 228])];
-/// The ground of wrong pixels, and their colours: of the first renderer, of the second, of both.
+/// The background of wrong pixels, and their colours: of the first renderer, of the second, of both.
 const GROUND: Rgb<u8> = Rgb([236, 236, 236]);
 const OF_FIRST: Rgb<u8> = Rgb([200, 60, 40]);
 const OF_SECOND: Rgb<u8> = Rgb([20, 110, 190]);
@@ -24,7 +24,7 @@ fn shown(picture: &Picture) -> RgbImage {
     let (width, height) = picture.size;
     RgbImage::from_fn(width, height, |x, y| {
         let color = picture.pixels[(y * width + x) as usize];
-        // A gamma that shows dark colours.
+        // A gamma that makes dark colours visible.
         Rgb(color.map(|c| (255.0 * c.clamp(0.0, 1.0).powf(0.45)).round() as u8))
     })
 }
@@ -54,7 +54,7 @@ fn wrong(outcomes: &[&Outcome], size: (u32, u32)) -> RgbImage {
     })
 }
 
-/// What is right, the picture of each outcome, and the wrong pixels of all, in a row; povr is the last.
+/// The exact picture, the picture of each outcome, and the wrong pixels of all, in a row; povr is the last.
 pub(crate) fn row(case: &Case, outcomes: &[&Outcome]) -> RgbImage {
     let size = case.size();
     let right = match &case.asks {

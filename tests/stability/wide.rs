@@ -1,7 +1,7 @@
-//! Numbers of 77 digits and the roots of their polynomials: what the answers of the suite are computed with.
+//! Numbers of 77 digits and the roots of their polynomials, for the exact answers of the suite.
 //!
-//! A double is taken over as it is. An answer is only asked for where it does not change when the question changes by a
-//! millionth of a pixel or more, which is some sixty digits away from the rounding of these numbers.
+//! A double converts exactly. A question is only valid where its answer stays the same when it changes by a millionth
+//! of a pixel, some sixty digits away from the rounding of these numbers.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -14,7 +14,7 @@ const BITS: usize = 256;
 /// Halvings before Newton's method takes over.
 const HALVINGS: usize = 4;
 
-/// To which power of two of their stretch roots are found, and places of extremes.
+/// Accuracy of roots and of extremes, as powers of two of their interval.
 const FINE: i32 = 220;
 const COARSE: i32 = 130;
 
@@ -25,10 +25,10 @@ const STEPS: usize = 200;
 #[derive(Clone, Debug)]
 pub(crate) struct Wide(FBig<HalfEven, 2>);
 
-/// A number as it is.
+/// An exact conversion.
 ///
 /// # Panics
-/// For what is not finite: the suite has no such numbers.
+/// For numbers that are not finite: the suite has none.
 pub(crate) fn wide(x: f64) -> Wide {
     let exact = FBig::<HalfEven, 2>::try_from(x).expect("a finite number");
     Wide(exact.with_precision(BITS).value())
@@ -182,7 +182,6 @@ impl Polynomial {
         Polynomial((0..len).map(|i| term(self, i) + term(other, i)).collect())
     }
 
-    /// The same times a number.
     pub(crate) fn scaled(&self, by: &Wide) -> Polynomial {
         Polynomial(self.0.iter().map(|c| c * by).collect())
     }
@@ -194,7 +193,7 @@ impl Polynomial {
         self
     }
 
-    /// Where it changes its sign, in order.
+    /// The sign changes, in order.
     pub(crate) fn sign_changes(&self) -> Vec<Wide> {
         let own = self.clone().trimmed();
         match own.0.len() {
@@ -208,7 +207,7 @@ impl Polynomial {
         }
     }
 
-    /// Where it changes its sign between two places, in order.
+    /// The sign changes between two points, in order.
     pub(crate) fn sign_changes_between(&self, low: &Wide, high: &Wide) -> Vec<Wide> {
         let own = self.clone().trimmed();
         if own.0.len() < 4 {
@@ -250,7 +249,7 @@ impl Polynomial {
         }
     }
 
-    /// One place between each two neighbouring extremes of different sign, to this share of the stretch.
+    /// One root between each two neighbouring extremes of different sign, to this fraction of the interval.
     fn between(&self, low: &Wide, high: &Wide, share: i32) -> Vec<Wide> {
         let slope = self.derivative();
         let mut ends = vec![low.clone()];
@@ -262,16 +261,16 @@ impl Polynomial {
         ends.push(high.clone());
         let tiny = (high - low).abs() * wide(2f64.powi(-share));
         let signs: Vec<i32> = ends.iter().map(|t| self.at(t).sign()).collect();
-        let mut found = Vec::new();
+        let mut roots = Vec::new();
         for (pair, signs) in ends.windows(2).zip(signs.windows(2)) {
             if signs[0] * signs[1] < 0 {
-                found.push(self.root_between(&slope, [&pair[0], &pair[1]], signs[0], &tiny));
+                roots.push(self.root_between(&slope, [&pair[0], &pair[1]], signs[0], &tiny));
             }
         }
-        found
+        roots
     }
 
-    /// The root of a stretch without an extreme, to within `tiny`.
+    /// The root of an interval without an extreme, to within `tiny`.
     fn root_between(
         &self,
         slope: &Polynomial,

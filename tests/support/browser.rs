@@ -1,4 +1,4 @@
-//! Debian's Chromium, without a window.
+//! Debian's Chromium, headless.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,7 +10,7 @@ pub(crate) fn browser() -> Option<&'static str> {
         .find(|name| Command::new(name).arg("--version").output().is_ok())
 }
 
-/// The document of a page as it is after its scripts have run, in a window of some width.
+/// The document of a page after its scripts have run, in a window of this width.
 pub(crate) fn shown(browser: &str, page: &Path, width: u32) -> String {
     let profile = tempfile::tempdir().expect("a folder");
     let mut command = Command::new(browser);

@@ -1,4 +1,4 @@
-//! What the tests that start renderers share: the scenes of `pov_scenes/`, and processes with a time limit.
+//! Common code of tests that start renderers: the scenes of `pov_scenes/`, and processes with a time limit.
 
 #![allow(dead_code, unused_imports, reason = "each test uses a part of this")]
 
@@ -14,9 +14,9 @@ pub(crate) use povr::app::compare::run;
 /// The folder of the project's own scenes.
 pub(crate) const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/pov_scenes");
 
-/// The renderer under test: `povr` as cargo built it, or what the environment names in `POVR_BIN`.
+/// The renderer under test: cargo's `povr`, or the program in the environment variable `POVR_BIN`.
 ///
-/// `POVR_BIN=povray` tests the tests: then every picture is to be equal.
+/// `POVR_BIN=povray` tests the tests: then every picture must be equal.
 pub(crate) fn renderer() -> OsString {
     std::env::var_os("POVR_BIN").unwrap_or_else(|| env!("CARGO_BIN_EXE_povr").into())
 }
@@ -31,15 +31,15 @@ pub(crate) fn scratch(name: &str) -> io::Result<PathBuf> {
 
 /// All scenes under a folder, sorted. Files in folders called `include` are parts of scenes, not scenes.
 pub(crate) fn scenes(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
+    let mut paths = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() && !path.ends_with("include") {
-            found.append(&mut scenes(&path)?);
+            paths.append(&mut scenes(&path)?);
         } else if path.extension().is_some_and(|extension| extension == "pov") {
-            found.push(path);
+            paths.push(path);
         }
     }
-    found.sort();
-    Ok(found)
+    paths.sort();
+    Ok(paths)
 }

@@ -1,6 +1,6 @@
-//! Scenes that hide things from samples, made from numbers: of every kind as many as are wanted, all different.
+//! Generated scenes that are hard to sample: any number of every kind, all different.
 //!
-//! What is small or thin is measured in pixels of a picture [`ROWS`] rows high, so that as much of it lies below a pixel
+//! Small or thin objects are sized in pixels of a picture [`ROWS`] rows high, so that as many of them lie below a pixel
 //! as above.
 
 use std::fmt::Write;
@@ -8,10 +8,10 @@ use std::fmt::Write;
 /// The height of the pictures that the sizes in the scenes are made for.
 pub(crate) const ROWS: u32 = 36;
 
-/// The camera stands 6 before the origin and sees this much there, from top to bottom.
+/// The camera stands 6 before the origin; this is the height of its view there.
 const SIGHT: f64 = 4.0;
 
-/// A kind of riddle and what writes its objects.
+/// A kind of hard scene and the function that writes its objects.
 type Kind = (&'static str, fn(&mut Chance, &mut String));
 
 const KINDS: &[Kind] = &[
@@ -33,9 +33,9 @@ const KINDS: &[Kind] = &[
     ("panes", panes),
 ];
 
-/// A scene.
+/// A hard scene.
 pub(crate) struct Riddle {
-    /// The kind, and which of them.
+    /// The kind and the number.
     pub(crate) name: String,
     pub(crate) text: String,
 }
@@ -56,7 +56,7 @@ pub(crate) fn riddles(number: u32) -> impl Iterator<Item = Riddle> {
     })
 }
 
-/// Numbers by chance, the same every time (Steele et al. 2014, "Fast splittable pseudorandom number generators").
+/// Reproducible random numbers (Steele et al. 2014, "Fast splittable pseudorandom number generators").
 struct Chance(u64);
 
 impl Chance {
@@ -79,12 +79,12 @@ impl Chance {
         least + (most - least) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
     }
 
-    /// As often between 1 and 2 as between 2 and 4.
+    /// Log-uniform: as often between 1 and 2 as between 2 and 4.
     fn of_any_size(&mut self, least: f64, most: f64) -> f64 {
         least * (most / least).powf(self.between(0.0, 1.0))
     }
 
-    /// A length of some pixels where the camera looks.
+    /// A length of some pixels at the distance of the origin.
     fn pixels(&mut self, least: f64, most: f64) -> f64 {
         self.of_any_size(least, most) * SIGHT / f64::from(ROWS)
     }
@@ -98,8 +98,8 @@ impl Chance {
         format!("rgb <{r:.3}, {g:.3}, {b:.3}>")
     }
 
-    /// Somewhere in sight.
-    fn place(&mut self, depth: f64) -> String {
+    /// A point in view.
+    fn point(&mut self, depth: f64) -> String {
         let (x, y) = (self.between(-2.4, 2.4), self.between(-1.8, 1.8));
         let z = self.between(-depth, depth);
         format!("<{x:.4}, {y:.4}, {z:.4}>")
@@ -133,7 +133,7 @@ fn add(text: &mut String, what: std::fmt::Arguments<'_>) {
 fn wires(chance: &mut Chance, text: &mut String) {
     text.push_str(&chance.surroundings());
     for _ in 0..8 {
-        let (from, to) = (chance.place(1.0), chance.place(1.0));
+        let (from, to) = (chance.point(1.0), chance.point(1.0));
         let (radius, color) = (chance.pixels(0.02, 1.0), chance.color(0.0, 0.9));
         add(
             text,
@@ -169,13 +169,13 @@ fn highlights(chance: &mut Chance, text: &mut String) {
     text.push_str(&chance.surroundings());
     text.push_str(&chance.light());
     for _ in 0..24 {
-        let (place, radius) = (chance.place(1.0), chance.pixels(0.5, 6.0));
+        let (point, radius) = (chance.point(1.0), chance.pixels(0.5, 6.0));
         let (color, shine) = (chance.color(0.0, 0.5), chance.of_any_size(0.0003, 0.03));
         let bright = chance.between(0.3, 3.0);
         add(
             text,
             format_args!(
-                "sphere {{ {place}, {radius:.4} pigment {{ {color} }} finish {{ specular {bright:.3} roughness {shine:.6} }} }}"
+                "sphere {{ {point}, {radius:.4} pigment {{ {color} }} finish {{ specular {bright:.3} roughness {shine:.6} }} }}"
             ),
         );
     }
@@ -197,7 +197,7 @@ fn glass(chance: &mut Chance, text: &mut String) {
         ),
     );
     for _ in 0..4 {
-        let (place, size, turn) = (chance.place(0.8), chance.between(0.3, 0.9), chance.turn());
+        let (point, size, turn) = (chance.point(0.8), chance.between(0.3, 0.9), chance.turn());
         let ior = chance.between(1.1, 2.0);
         let shape = [
             format!("sphere {{ 0, {size:.3}"),
@@ -213,7 +213,7 @@ fn glass(chance: &mut Chance, text: &mut String) {
             text,
             format_args!(
                 "{shape} pigment {{ rgbf <0.95, 0.97, 1, 0.92> }} finish {{ reflection 0.1 specular 0.4 roughness 0.01 }} \
-                 interior {{ ior {ior:.3} }} {turn} translate {place} }}"
+                 interior {{ ior {ior:.3} }} {turn} translate {point} }}"
             ),
         );
     }
@@ -231,8 +231,8 @@ fn mirrors(chance: &mut Chance, text: &mut String) {
         format_args!("plane {{ y, -1.6 pigment {{ checker {a}, {b} scale {scale:.3} }} }}"),
     );
     for _ in 0..12 {
-        let (place, size, turn) = (
-            chance.place(1.0),
+        let (point, size, turn) = (
+            chance.point(1.0),
             chance.of_any_size(0.05, 0.8),
             chance.turn(),
         );
@@ -246,7 +246,7 @@ fn mirrors(chance: &mut Chance, text: &mut String) {
         add(
             text,
             format_args!(
-                "{shape} pigment {{ rgb 0.1 }} finish {{ diffuse 0.3 reflection {share:.3} }} {turn} translate {place} }}"
+                "{shape} pigment {{ rgb 0.1 }} finish {{ diffuse 0.3 reflection {share:.3} }} {turn} translate {point} }}"
             ),
         );
     }
@@ -255,7 +255,7 @@ fn mirrors(chance: &mut Chance, text: &mut String) {
 fn far(chance: &mut Chance, text: &mut String) {
     text.push_str(&chance.surroundings());
     for _ in 0..60 {
-        let (place, size, turn) = (chance.place(2.0), chance.pixels(0.1, 2.0), chance.turn());
+        let (point, size, turn) = (chance.point(2.0), chance.pixels(0.1, 2.0), chance.turn());
         let shape = [
             format!("sphere {{ 0, {size:.5}"),
             format!("box {{ -{size:.5}/2, {size:.5}/2"),
@@ -266,7 +266,7 @@ fn far(chance: &mut Chance, text: &mut String) {
         let color = chance.color(0.0, 1.0);
         add(
             text,
-            format_args!("{shape} pigment {{ {color} }} {turn} translate {place} }}"),
+            format_args!("{shape} pigment {{ {color} }} {turn} translate {point} }}"),
         );
     }
 }
@@ -291,15 +291,15 @@ fn soft(chance: &mut Chance, text: &mut String) {
         ),
     );
     for _ in 0..7 {
-        let (place, radius, color) = (
-            chance.place(1.0),
+        let (point, radius, color) = (
+            chance.point(1.0),
             chance.of_any_size(0.01, 0.5),
             chance.color(0.1, 0.9),
         );
-        let to = chance.place(1.0);
+        let to = chance.point(1.0);
         let shape = match chance.below(2) {
-            0 => format!("sphere {{ {place}, {radius:.4}"),
-            _ => format!("cylinder {{ {place}, {to}, {radius:.4}/4"),
+            0 => format!("sphere {{ {point}, {radius:.4}"),
+            _ => format!("cylinder {{ {point}, {to}, {radius:.4}/4"),
         };
         add(text, format_args!("{shape} pigment {{ {color} }} }}"));
     }
@@ -317,7 +317,7 @@ fn fine(chance: &mut Chance, text: &mut String) {
         "spotted color_map { [0.3 rgb 0.9] [0.4 rgb 0.2] }",
     ];
     for number in 0..6 {
-        let (place, size, turn) = (chance.place(1.0), chance.between(0.3, 0.9), chance.turn());
+        let (point, size, turn) = (chance.point(1.0), chance.between(0.3, 0.9), chance.turn());
         let pattern = patterns[chance.below(patterns.len() as u64) as usize];
         let scale = chance.of_any_size(0.02, 0.7);
         let shape = match number % 2 {
@@ -327,7 +327,7 @@ fn fine(chance: &mut Chance, text: &mut String) {
         add(
             text,
             format_args!(
-                "{shape} pigment {{ {pattern} scale {scale:.4} }} finish {{ ambient 0.2 diffuse 0.7 }} {turn} translate {place} }}"
+                "{shape} pigment {{ {pattern} scale {scale:.4} }} finish {{ ambient 0.2 diffuse 0.7 }} {turn} translate {point} }}"
             ),
         );
     }
@@ -394,15 +394,15 @@ fn specks(chance: &mut Chance, text: &mut String) {
     let wall = chance.color(0.1, 0.5);
     add(text, format_args!("plane {{ z, 2 pigment {{ {wall} }} }}"));
     for _ in 0..60 {
-        let (place, radius, bright) = (
-            chance.place(1.0),
+        let (point, radius, bright) = (
+            chance.point(1.0),
             chance.pixels(0.03, 0.5),
             chance.of_any_size(0.5, 4.0),
         );
         add(
             text,
             format_args!(
-                "sphere {{ {place}, {radius:.5} pigment {{ rgb 1 }} finish {{ ambient {bright:.3} }} }}"
+                "sphere {{ {point}, {radius:.5} pigment {{ rgb 1 }} finish {{ ambient {bright:.3} }} }}"
             ),
         );
     }
@@ -481,7 +481,7 @@ fn mesh(chance: &mut Chance, text: &mut String) {
 fn ripples(chance: &mut Chance, text: &mut String) {
     text.push_str(&chance.surroundings());
     for _ in 0..4 {
-        let (place, size, turn) = (chance.place(1.0), chance.between(0.4, 1.2), chance.turn());
+        let (point, size, turn) = (chance.point(1.0), chance.between(0.4, 1.2), chance.turn());
         let normal = ["bumps", "ripples", "waves", "wrinkles", "dents"][chance.below(5) as usize];
         let (deep, scale) = (chance.between(0.2, 1.0), chance.of_any_size(0.01, 0.4));
         let (color, size_of_phong) = (chance.color(0.1, 0.7), chance.of_any_size(20.0, 400.0));
@@ -489,7 +489,7 @@ fn ripples(chance: &mut Chance, text: &mut String) {
             text,
             format_args!(
                 "sphere {{ 0, {size:.3} pigment {{ {color} }} normal {{ {normal} {deep:.3} scale {scale:.4} }} \
-                 finish {{ phong 0.7 phong_size {size_of_phong:.1} reflection 0.1 }} {turn} translate {place} }}"
+                 finish {{ phong 0.7 phong_size {size_of_phong:.1} reflection 0.1 }} {turn} translate {point} }}"
             ),
         );
     }
@@ -505,11 +505,11 @@ fn shadows(chance: &mut Chance, text: &mut String) {
     );
     for _ in 0..14 {
         let (from, to, radius) = (
-            chance.place(0.5),
-            chance.place(0.5),
+            chance.point(0.5),
+            chance.point(0.5),
             chance.pixels(0.03, 1.0),
         );
-        // Out of the camera's sight but for its shadow.
+        // Outside of the view, except for its shadow.
         let hidden = if chance.below(2) == 0 { "no_image" } else { "" };
         add(
             text,
@@ -521,7 +521,7 @@ fn shadows(chance: &mut Chance, text: &mut String) {
 fn panes(chance: &mut Chance, text: &mut String) {
     text.push_str(&chance.surroundings());
     for number in 0..7 {
-        let (a, b) = (chance.place(0.0), chance.place(0.0));
+        let (a, b) = (chance.point(0.0), chance.point(0.0));
         let (color, clear, turn) = (
             chance.color(0.1, 0.9),
             chance.between(0.2, 0.8),

@@ -1,4 +1,4 @@
-//! Bytes that are no letters of the language. `\u{f7XX}` stands for the byte `XX` alone (see `bytes`).
+//! Bytes outside the character set of the language. `\u{f7XX}` stands for the byte `XX` alone (see `bytes`).
 
 use crate::{agree, each, refused};
 
@@ -29,7 +29,7 @@ fn a_byte_order_mark_may_begin_a_scene() {
         "bytes/mark",
         &["!\u{feff}#version 3.7; global_settings { assumed_gamma 1 }\n#debug \"= read\\n\""],
     );
-    // POV-Ray takes it for a letter in front of an include file, povr passes it over.
+    // POV-Ray takes it for a letter at the start of an include file, povr skips it.
     let include =
         "#include \"marked.inc\" #debug \"= read\\n\"\n@@@ marked.inc\n\u{feff}#declare A = 1;";
     each("bytes/mark_of_an_include", &[include], |_, povray, povr| {

@@ -44,7 +44,7 @@ fn values_are_written_as_by_c() {
 }
 
 #[test]
-fn faulty_file_directives_are() {
+fn faulty_file_directives_are_refused() {
     refused(
         "files/faulty_file_directives_are_refused",
         &[

@@ -68,7 +68,7 @@ fn macros_are_text_refused() {
     );
 }
 
-/// The macro may be left only behind the `;`, or behind the directives that follow the value.
+/// The macro may be left only after the `;`, or after the directives that follow the value.
 #[test]
 fn a_value_that_ends_in_a_macro_belongs_to_the_name_outside() {
     agree(
@@ -115,7 +115,7 @@ fn arguments_behind_a_declaration_without_a_semicolon() {
     );
 }
 
-/// Before 3.5 a number needs no `;`, and has its value when a macro behind it is called.
+/// Before 3.5 a number needs no `;`, and has its value when a macro after it is called.
 #[test]
 fn calls_behind_a_number_of_before_3_5() {
     agree(

@@ -1,8 +1,8 @@
-//! Expressions, functions, directives and files give what POV-Ray gives: every scene here runs through both programs,
+//! Expressions, functions, directives and files compared with POV-Ray: every scene here runs through both programs,
 //! which write their values by `#debug` in lines that begin with `= `.
 //!
-//! POV-Ray's answers are kept in `target/tmp/values/` under a hash of the scene, so that only new scenes cost its
-//! start-up time. A scene may bring files along: `@@@ name` begins one.
+//! POV-Ray's answers are cached in `target/tmp/values/` under a hash of the scene, so that only new scenes cost its
+//! start-up time. A scene may have further files: `@@@ name` begins one.
 
 mod arrays;
 mod bytes;
@@ -27,14 +27,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Statements that run before every scene; one that begins with `!` has none.
+/// Statements before every scene; one that begins with `!` has none.
 const BEFORE: &str = "#version 3.7; global_settings { assumed_gamma 1 }\n";
-/// POV-Ray spends most of its wall time asleep, so more scenes run at once than there are processors.
+/// POV-Ray spends most of its wall time asleep, so more scenes run in parallel than there are processors.
 const AT_ONCE: usize = 8;
-/// Where scenes write to.
+/// The file that scenes write to.
 const WRITTEN: &str = "out.txt";
 
-/// What a program says to a scene.
+/// The answer of a program to a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Answer {
     is_accepted: bool,
@@ -50,11 +50,11 @@ fn agree(topic: &str, scenes: &[&str]) {
     });
 }
 
-/// Checks that both programs refuse each of these scenes.
+/// Checks that both programs reject each of these scenes.
 fn refused(topic: &str, scenes: &[&str]) {
-    each(topic, scenes, |scene, expected, found| {
+    each(topic, scenes, |scene, expected, actual| {
         assert!(!expected.is_accepted, "POV-Ray reads {scene}");
-        assert!(!found.is_accepted, "povr reads {scene}");
+        assert!(!actual.is_accepted, "povr reads {scene}");
     });
 }
 
@@ -64,7 +64,7 @@ fn each(topic: &str, scenes: &[&str], check: impl Fn(&str, &Answer, &Answer) + S
         for _ in 0..AT_ONCE {
             threads.spawn(|| {
                 while let Some(scene) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let expected = kept_answer(topic, scene);
+                    let expected = cached_answer(topic, scene);
                     check(scene, &expected, &answer("povr", topic, scene));
                 }
             });
@@ -93,7 +93,7 @@ fn answer(program: &str, topic: &str, scene: &str) -> Answer {
     };
     let output = Command::new(path)
         .current_dir(&folder)
-        // Radiosity is read, but at this quality not drawn.
+        // Radiosity is read, but has no effect at this quality.
         .args(["+Iscene.pov", "+W4", "+H4", "-D", "-F", "-A", "+Q8", "+WT1"])
         .output()
         .unwrap_or_else(|error| {
@@ -108,7 +108,7 @@ fn answer(program: &str, topic: &str, scene: &str) -> Answer {
     }
 }
 
-/// A text as it stands in a file: in UTF-8, but for letters from U+F780 to U+F7FF, which stand for single bytes.
+/// The bytes of a text in a file: UTF-8, except that letters from U+F780 to U+F7FF stand for single bytes.
 fn bytes(text: &str) -> Vec<u8> {
     let mut bytes = Vec::new();
     for letter in text.chars() {
@@ -120,7 +120,7 @@ fn bytes(text: &str) -> Vec<u8> {
     bytes
 }
 
-/// The sign of a zero is that of rounding, which may differ.
+/// Removes the signs of zeros, which rounding decides and which may differ.
 fn unsigned_zeros(line: &str) -> String {
     let mut out = String::new();
     for word in line.split_inclusive([' ', ',', '|']) {
@@ -131,10 +131,13 @@ fn unsigned_zeros(line: &str) -> String {
 }
 
 /// POV-Ray's answer, from an earlier run if there was one.
-fn kept_answer(topic: &str, scene: &str) -> Answer {
+fn cached_answer(topic: &str, scene: &str) -> Answer {
     let file = folder("answers").join(format!("{:016x}", hash(scene)));
-    if let Some(kept) = fs::read_to_string(&file).ok().and_then(|text| kept(&text)) {
-        return kept;
+    if let Some(cached) = fs::read_to_string(&file)
+        .ok()
+        .and_then(|text| parse_cached(&text))
+    {
+        return cached;
     }
     let answer = answer("povray", topic, scene);
     let lines = answer.lines.join("\n");
@@ -145,7 +148,7 @@ fn kept_answer(topic: &str, scene: &str) -> Answer {
     answer
 }
 
-fn kept(text: &str) -> Option<Answer> {
+fn parse_cached(text: &str) -> Option<Answer> {
     let (head, written) = text.split_once('\x0c')?;
     let (is_accepted, lines) = head.split_once('\n')?;
     Some(Answer {
@@ -171,7 +174,7 @@ fn folder(name: &str) -> PathBuf {
 
 /// Checks that both programs write the same `count` lines for a scene.
 fn same(name: &str, body: &str, count: usize) {
-    let expected = kept_answer(name, body);
+    let expected = cached_answer(name, body);
     assert_eq!(expected.lines.len(), count, "POV-Ray wrote {expected:#?}");
     assert_eq!(answer("povr", name, body), expected);
 }

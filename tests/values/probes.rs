@@ -1,4 +1,4 @@
-//! Rays and points at objects while the scene is read: `trace`, `inside`.
+//! Ray and point queries on objects while the scene is read: `trace`, `inside`.
 
 use crate::{agree, refused};
 

@@ -1,4 +1,4 @@
-//! The statements of the sheet of facts about the language, one test for each that other files here do not have whole.
+//! The statements of the fact sheet about the language, one test for each that the other files do not cover in full.
 
 use crate::{agree, refused};
 
@@ -80,7 +80,7 @@ fn shorter_vectors_are_filled() {
 }
 
 #[test]
-fn equal_is_what_differs_by_less_than_a_ten_thousand_millionth() {
+fn values_within_1e_10_are_equal() {
     agree(
         "facts/tolerance",
         &[
@@ -106,7 +106,7 @@ fn strings_are_compared_in_parentheses() {
 }
 
 #[test]
-fn names_that_are_always_there() {
+fn predefined_names() {
     agree(
         "facts/names",
         &[
@@ -238,7 +238,7 @@ fn boxes_of_objects() {
 }
 
 #[test]
-fn rays_and_points_ask_objects() {
+fn objects_answer_ray_and_point_queries() {
     agree(
         "facts/probes",
         &[
@@ -256,7 +256,7 @@ fn rays_and_points_ask_objects() {
 }
 
 #[test]
-fn what_needs_an_include_file_is_not_there_without_it() {
+fn names_of_include_files_are_undeclared_without_them() {
     refused(
         "facts/includes_refused",
         &[
@@ -447,7 +447,7 @@ fn versions_up_to_3_7() {
 }
 
 #[test]
-fn include_files_are_found_with_and_without_their_ending() {
+fn include_files_resolve_with_and_without_their_extension() {
     agree(
         "facts/include",
         &[

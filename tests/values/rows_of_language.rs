@@ -1,4 +1,4 @@
-//! The rows of the table of probes of the language, one test each, as far as other files here do not have them whole.
+//! The rows of the probe table of the language, one test each, as far as the other files do not cover them in full.
 
 use crate::{agree, refused};
 
@@ -174,7 +174,7 @@ fn two_directives_need_no_hash() {
 }
 
 #[test]
-fn what_is_skipped_is_read_by_its_letters() {
+fn skipped_text_is_still_tokenized() {
     agree(
         "rows/skipped",
         &[r#"#if (0) @ $ ~ ` ? sphere { #end #debug "= ok\n""#],

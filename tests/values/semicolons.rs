@@ -1,4 +1,4 @@
-//! The `;` behind what is declared, which may stand behind the macro or file that the value ends in.
+//! The `;` after declarations, which may stand after the macro or file in which the value ends.
 
 use crate::{agree, refused};
 

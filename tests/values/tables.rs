@@ -1,5 +1,5 @@
-//! What the standard includes and the example scenes do that no tree of blocks can hold: directives open what others
-//! close.
+//! Constructs of the standard includes and the example scenes that no tree of blocks can represent: directives open
+//! blocks that others close.
 
 use crate::{agree, refused};
 
@@ -25,7 +25,7 @@ M(1)
 }
 
 #[test]
-fn what_is_written_is_made_by_loops_and_closed_elsewhere() {
+fn blocks_are_filled_by_loops_and_closed_elsewhere() {
     agree(
         "tables/write",
         &[r#"#fopen F "out.txt" write
@@ -78,6 +78,6 @@ fn two_dots_are_no_size() {
 }
 
 #[test]
-fn hexadecimal_numbers_are_none() {
+fn hexadecimal_numbers_are_not_supported() {
     refused("tables/numbers", &["#declare A = 0x10;"]);
 }

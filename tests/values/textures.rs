@@ -1,8 +1,8 @@
-//! What textures are made of, as far as it is a matter of reading: the scenes draw nothing.
+//! Parsing of textures; the scenes draw nothing.
 
 use crate::{agree, refused};
 
-/// Each is read as the value of a name.
+/// Declarations of each value under a name.
 fn declared(values: &[&str]) -> Vec<String> {
     let known = "#declare N0 = normal { bumps 2 } #declare P0 = pigment { boxed } #declare D0 = density { boxed }
 #declare T1 = texture { pigment { rgb 1 } } #declare T2 = texture { T1 } texture { T1 }

@@ -1,5 +1,5 @@
-//! Other ways to the roots of a ray on a quadric: the quadratic about the origin of the ray, by the textbook, with the
-//! larger root first, and with Kahan's discriminant; and about the point nearest to the origin of the quadric.
+//! Alternative methods for the roots of a ray on a quadric: the quadratic about the origin of the ray, by the textbook,
+//! with the larger root first, and with Kahan's discriminant; and about the point nearest to the origin of the quadric.
 
 use crate::rays::quadrics::OnQuadric;
 use glam::DVec3;
@@ -19,16 +19,16 @@ pub(crate) const ALL: &[(&str, Solve)] = &[
     }),
     ("larger root first", |q, out| {
         let (a, b, c) = parts(q, q.ray.origin);
-        stable((a, b, c), b * b - a * c, 0.0, out);
+        stable(a, b, c, b * b - a * c, 0.0, out);
     }),
     ("Kahan's discriminant", |q, out| {
         let (a, b, c) = parts(q, q.ray.origin);
-        stable((a, b, c), kahan(a, b, c), 0.0, out);
+        stable(a, b, c, kahan(a, b, c), 0.0, out);
     }),
     ("moved near, textbook discriminant", |q, out| {
         let ahead = nearest(q);
         let (a, b, c) = parts(q, q.ray.at(ahead));
-        stable((a, b, c), b * b - a * c, ahead, out);
+        stable(a, b, c, b * b - a * c, ahead, out);
     }),
 ];
 
@@ -36,7 +36,7 @@ fn nearest(q: &OnQuadric) -> f64 {
     -q.ray.origin.dot(q.ray.dir) / q.ray.dir.length_squared()
 }
 
-/// `a·t² + 2b·t + c` from a point on.
+/// The coefficients of `a·t² + 2b·t + c` from a point on.
 fn parts(question: &OnQuadric, p: DVec3) -> (f64, f64, f64) {
     let q = question.numbers;
     let d = question.ray.dir;
@@ -59,7 +59,7 @@ fn kahan(a: f64, b: f64, c: f64) -> f64 {
     b.mul_add(b, -product) - rest
 }
 
-fn stable((a, b, c): (f64, f64, f64), discriminant: f64, ahead: f64, out: &mut Vec<f64>) {
+fn stable(a: f64, b: f64, c: f64, discriminant: f64, ahead: f64, out: &mut Vec<f64>) {
     if a == 0.0 {
         out.extend((b != 0.0).then(|| ahead - 0.5 * c / b));
     } else if discriminant > 0.0 {

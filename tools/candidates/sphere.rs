@@ -1,4 +1,4 @@
-//! Other ways to the roots of a ray on a sphere about the origin.
+//! Alternative methods for the roots of a ray on a sphere about the origin.
 
 use super::torus::Solve;
 use crate::rays::families::Question;

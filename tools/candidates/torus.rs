@@ -1,6 +1,6 @@
-//! Other ways to the roots of a ray on a torus, to be measured against povr's: from the textbook (Ferrari 1545 by way of
-//! the resolvent cubic), with the ray's origin first moved to the point nearest to the torus, with Newton steps, by the
-//! derivative chain (Yuksel 2022, HPG), by Sturm's chain in doubles, and by steps of the distance (Hart 1996).
+//! Alternative methods for the roots of a ray on a torus, for comparison with povr's: by the textbook (Ferrari 1545
+//! through the resolvent cubic), with the ray's origin first moved to the point nearest to the torus, with Newton
+//! steps, by the derivative chain (Yuksel 2022, HPG), by Sturm's chain in doubles, and by sphere tracing (Hart 1996).
 
 use crate::rays::families::Question;
 use glam::DVec3;
@@ -34,18 +34,18 @@ fn nearest(q: &Question) -> f64 {
     -q.ray.origin.dot(q.ray.dir) / q.ray.dir.length_squared()
 }
 
-/// The monic quartic about a place of the ray, by rising power.
+/// The monic quartic about a point of the ray, by rising power.
 fn quartic(q: &Question, at: f64) -> [f64; 5] {
     let (o, d) = (q.ray.at(at), q.ray.dir);
     let (a, b, c) = (d.length_squared(), o.dot(d), o.length_squared());
     let (major_sq, minor_sq) = (q.major * q.major, q.minor * q.minor);
     let k = c - major_sq - minor_sq;
-    let four = 4.0 * major_sq;
+    let quadruple = 4.0 * major_sq;
     let lead = a * a;
     [
-        (k * k - four * (minor_sq - o.y * o.y)) / lead,
-        (4.0 * k * b + 2.0 * four * o.y * d.y) / lead,
-        (2.0 * k * a + 4.0 * b * b + four * d.y * d.y) / lead,
+        (k * k - quadruple * (minor_sq - o.y * o.y)) / lead,
+        (4.0 * k * b + 2.0 * quadruple * o.y * d.y) / lead,
+        (2.0 * k * a + 4.0 * b * b + quadruple * d.y * d.y) / lead,
         4.0 * b / a,
         1.0,
     ]
@@ -132,7 +132,7 @@ fn at<const N: usize>(c: &[f64; N], t: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * t + c)
 }
 
-/// The stretch within the ball around the torus.
+/// The interval within the bounding sphere of the torus.
 fn around(q: &Question) -> Option<(f64, f64)> {
     let near = nearest(q);
     let reach = 1.001 * (q.major + q.minor);
@@ -141,7 +141,7 @@ fn around(q: &Question) -> Option<(f64, f64)> {
     (half_sq > 0.0).then(|| (near, half_sq.sqrt()))
 }
 
-/// The quartic about the middle of its stretch, in units of half of it.
+/// The quartic about the middle of its interval, in units of half of it.
 fn centred(q: &Question) -> Option<(f64, f64, [f64; 5])> {
     let (near, half) = around(q)?;
     let mut c = quartic(q, near);
@@ -176,7 +176,7 @@ fn between<const N: usize>(c: &[f64; N], inner: &mut Vec<f64>) -> Vec<f64> {
     inner.sort_by(f64::total_cmp);
     inner.insert(0, -1.0);
     inner.push(1.0);
-    let mut found = Vec::with_capacity(4);
+    let mut changes = Vec::with_capacity(4);
     for pair in inner.windows(2) {
         let (mut low, mut high) = (pair[0], pair[1]);
         let (from, to) = (at(c, low), at(c, high));
@@ -206,9 +206,9 @@ fn between<const N: usize>(c: &[f64; N], inner: &mut Vec<f64>) -> Vec<f64> {
             }
             t = next;
         }
-        found.push(t);
+        changes.push(t);
     }
-    found
+    changes
 }
 
 fn sturm(q: &Question, out: &mut Vec<f64>) {
@@ -268,7 +268,7 @@ fn sturm(q: &Question, out: &mut Vec<f64>) {
     }
 }
 
-/// Steps of the distance from the tube; a thing that is only grazed takes a thousand.
+/// Sphere tracing by the distance from the tube; a grazing ray takes a thousand steps.
 fn march(q: &Question, out: &mut Vec<f64>) {
     let Some((near, half)) = around(q) else {
         return;
@@ -287,7 +287,7 @@ fn march(q: &Question, out: &mut Vec<f64>) {
         let off = distance(t);
         if off.abs() <= least {
             out.push(t);
-            // On to beyond the surface, in steps that move a place so far away.
+            // Goes beyond the surface, in steps large enough to change `t`.
             let step = |t: f64| (4.0 * least / speed).max(4.0 * f64::EPSILON * t.abs());
             t += step(t);
             while t < end && distance(t).abs() <= least {

@@ -1,4 +1,4 @@
-"""Embree's bare rays: those of a picture of balls by one thread, in packets of 16, with no shading (libembree-dev)."""
+"""Embree's ray casting at spheres, by one thread, in packets of 16, without shading (libembree-dev)."""
 
 import pathlib
 import re
@@ -7,34 +7,34 @@ import subprocess
 
 from . import pictures
 from .process import run
-from .scene import BALL_NUMBERS, RIGHT, Scene, Unsaid, translated
+from .scene import SPHERE_NUMBERS, RIGHT, Scene, Unsaid, translated
 
 SOURCE = pathlib.Path(__file__).with_name("embree_spheres.cpp")
 
-# The share by which the number of rays may differ from povr's: single precision, and edges.
+# Tolerance of the number of rays, relative to povr's: single precision and edges make a difference.
 UNLIKE = 0.005
 
 
 def words(scene):
-    """The lines of the list that the program reads."""
+    """The lines of the input file of the program."""
     yield f"camera {scene.camera} {scene.direction:.9f} {RIGHT}\n"
     for x, y, z, _ in scene.lights:
         yield f"light {x} {y} {z}\n"
     for numbers in scene.objects():
-        if len(numbers) != BALL_NUMBERS:
+        if len(numbers) != SPHERE_NUMBERS:
             raise Unsaid(f"{scene.path.stem} has more than balls")
         yield f"ball {' '.join(numbers[:4])}\n"
 
 
 class Embree:
-    """A program of ours around the library, built anew for each run of the bench, for the processor it runs on."""
+    """Our program around the library, compiled in each run of the bench, for its processor."""
 
     name = "embree"
     columns = (("embree s", "trace", ".3f"), ("povr/embree", "povr_over", ".2f"))
 
-    def __init__(self, kept, size):
-        self.kept, self.size = kept, size
-        self.program = kept / "embree_spheres"
+    def __init__(self, folder_of_scenes, size):
+        self.folder_of_scenes, self.size = folder_of_scenes, size
+        self.program = folder_of_scenes / "embree_spheres"
 
     def missing(self):
         if not shutil.which("g++"):
@@ -49,22 +49,22 @@ class Embree:
     def measure(self, path, _threads, folder):
         """As `run`, with processor seconds of casting (`trace`) and of making the tree, and the rays by kind.
 
-        None if the scene has more than balls."""
+        None if the scene has other shapes than spheres."""
         try:
-            balls = translated(path, self.kept, ".balls", words)
+            spheres = translated(path, self.folder_of_scenes, ".balls", words)
         except Unsaid:
             return None
-        measured = run([str(self.program), str(balls), *map(str, self.size)], folder)
-        told = dict(re.findall(r"^(\w+) ([\d.]+)$", measured["said"], re.M))
-        build, trace = float(told.pop("build")), float(told.pop("cast"))
-        return {**measured, "trace": trace, "build": build, "rays": {kind: int(count) for kind, count in told.items()}}
+        measured = run([str(self.program), str(spheres), *map(str, self.size)], folder)
+        printed = dict(re.findall(r"^(\w+) ([\d.]+)$", measured["said"], re.M))
+        build, trace = float(printed.pop("build")), float(printed.pop("cast"))
+        return {**measured, "trace": trace, "build": build, "rays": {kind: int(count) for kind, count in printed.items()}}
 
     def ratios(self, measured, ours):
-        """What part of the time of the bare rays povr needs for the shaded picture: processor seconds of both."""
+        """The time of povr's shaded picture over that of Embree's rays, in processor seconds."""
         return {"povr_over": ours["trace"] / measured["trace"]}
 
     def check(self, path, folder, measured, ours):
-        """Whether its rays met balls as often as povr's did, and asked for lights as often; and a word about it."""
+        """Whether its rays hit spheres as often as povr's, with as many shadow rays; and a remark."""
         covered = pictures.covered(folder / "povr.ppm", Scene(path).background)
         hits = measured["rays"]["hits"] / max(covered, 1) - 1
         shadow = measured["rays"]["shadow"] / max(ours["rays"]["shadow"], 1) - 1

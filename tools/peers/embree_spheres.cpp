@@ -1,17 +1,17 @@
-// What bare rays cost with Embree 3: those of a picture of balls, without any shading.
+// Measures ray casting by Embree 3 at spheres, without shading.
 //
 //   g++ -O3 -march=native embree_spheres.cpp -o embree_spheres -lembree3
 //   ./embree_spheres FILE WIDTH HEIGHT
 //
-// FILE is a list of lines that tools/bench writes:
+// FILE has lines written by tools/bench:
 //
 //   camera Z DISTANCE RIGHT     a camera at (0, 0, Z) that looks along z, its picture plane RIGHT wide and 1 high
 //   light X Y Z
 //   ball X Y Z RADIUS
 //
-// One thread casts a ray through the middle of each pixel and, where it meets a ball, one to each light that the place
-// faces: in packets of 16, a block of 4x4 pixels each, in single precision. Printed are the processor seconds of
-// making the tree and of casting, and how many rays there were.
+// One thread casts a ray through the middle of each pixel and, where it hits a sphere, a shadow ray to each light that
+// the point faces: in packets of 16, a block of 4x4 pixels each, in single precision. Prints the processor seconds of
+// building the BVH and of casting, and the number of rays.
 
 #include <embree3/rtcore.h>
 
@@ -30,23 +30,23 @@ namespace {
 constexpr int SIDE = 4;
 constexpr int PACKET = SIDE * SIDE;
 
-// A ray to a light starts at this share of the way, lest it meets the ball that it leaves: a millimetre in 100 metres.
+// Start of a shadow ray, as a fraction of its length, against self-intersection: a millimetre in 100 metres.
 constexpr float CLEAR_OF_THE_START = 1e-5f;
 
-struct Place {
+struct Point {
   float x, y, z;
 };
 
-// As Embree wants it in its buffer.
-struct Ball {
-  Place centre;
+// The layout of Embree's buffer.
+struct Sphere {
+  Point centre;
   float radius;
 };
 
 struct Input {
   float camera = 0, distance = 1, right = 1;
-  std::vector<Place> lights;
-  std::vector<Ball> balls;
+  std::vector<Point> lights;
+  std::vector<Sphere> spheres;
 };
 
 struct Counts {
@@ -59,10 +59,10 @@ bool read(const char *name, Input &input) {
   char line[256];
   bool understood = true;
   while (understood && std::fgets(line, sizeof line, file)) {
-    Place p;
+    Point p;
     float radius;
     if (std::sscanf(line, "ball %f %f %f %f", &p.x, &p.y, &p.z, &radius) == 4)
-      input.balls.push_back({p, radius});
+      input.spheres.push_back({p, radius});
     else if (std::sscanf(line, "light %f %f %f", &p.x, &p.y, &p.z) == 3)
       input.lights.push_back(p);
     else
@@ -72,19 +72,19 @@ bool read(const char *name, Input &input) {
   return understood;
 }
 
-// Processor seconds of this process, with the threads that may help with the tree.
+// Processor seconds of this process, with the threads that may help to build the BVH.
 double processor_seconds() {
   timespec now;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return now.tv_sec + 1e-9 * now.tv_nsec;
 }
 
-RTCScene scene_of(RTCDevice device, const std::vector<Ball> &balls) {
+RTCScene scene_of(RTCDevice device, const std::vector<Sphere> &spheres) {
   RTCScene scene = rtcNewScene(device);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   void *buffer =
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Ball), balls.size());
-  std::memcpy(buffer, balls.data(), balls.size() * sizeof(Ball));
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Sphere), spheres.size());
+  std::memcpy(buffer, spheres.data(), spheres.size() * sizeof(Sphere));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -126,38 +126,38 @@ private:
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect16(valid, scene, &context, &rays);
-    Place places[PACKET];
-    bool met[PACKET];
+    Point points[PACKET];
+    bool hit[PACKET];
     for (int i = 0; i < PACKET; i++) {
-      met[i] = valid[i] && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-      counts.hits += met[i];
-      // Rays that are not asked about must be sound as well.
-      const float t = met[i] ? rays.ray.tfar[i] : 0;
-      places[i] = {rays.ray.dir_x[i] * t, rays.ray.dir_y[i] * t, input.camera + rays.ray.dir_z[i] * t};
+      hit[i] = valid[i] && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      counts.hits += hit[i];
+      // Inactive rays must be valid as well.
+      const float t = hit[i] ? rays.ray.tfar[i] : 0;
+      points[i] = {rays.ray.dir_x[i] * t, rays.ray.dir_y[i] * t, input.camera + rays.ray.dir_z[i] * t};
     }
-    for (const Place &light : input.lights) to_light(light, places, met, rays.hit);
+    for (const Point &light : input.lights) to_light(light, points, hit, rays.hit);
   }
 
-  void to_light(const Place &light, const Place (&places)[PACKET], const bool (&met)[PACKET], const RTCHit16 &hits) {
+  void to_light(const Point &light, const Point (&points)[PACKET], const bool (&hit)[PACKET], const RTCHit16 &hits) {
     alignas(64) RTCRay16 rays = {};
     alignas(64) int valid[PACKET];
-    long asked = 0;
+    long active = 0;
     for (int i = 0; i < PACKET; i++) {
-      const Place &from = places[i];
-      const Place way = {light.x - from.x, light.y - from.y, light.z - from.z};
-      const bool faces = way.x * hits.Ng_x[i] + way.y * hits.Ng_y[i] + way.z * hits.Ng_z[i] > 0;
-      valid[i] = met[i] && faces ? -1 : 0;
-      asked += valid[i] != 0;
+      const Point &from = points[i];
+      const Point direction = {light.x - from.x, light.y - from.y, light.z - from.z};
+      const bool faces = direction.x * hits.Ng_x[i] + direction.y * hits.Ng_y[i] + direction.z * hits.Ng_z[i] > 0;
+      valid[i] = hit[i] && faces ? -1 : 0;
+      active += valid[i] != 0;
       rays.org_x[i] = from.x, rays.org_y[i] = from.y, rays.org_z[i] = from.z;
-      rays.dir_x[i] = way.x, rays.dir_y[i] = way.y, rays.dir_z[i] = way.z;
+      rays.dir_x[i] = direction.x, rays.dir_y[i] = direction.y, rays.dir_z[i] = direction.z;
       rays.tnear[i] = CLEAR_OF_THE_START;
       rays.tfar[i] = 1;
       rays.mask[i] = ~0u;
     }
-    if (asked == 0) return;
-    counts.shadow += asked;
+    if (active == 0) return;
+    counts.shadow += active;
     rtcOccluded16(valid, scene, &context, &rays);
-    // Embree sets the end of a ray that meets something to minus infinity.
+    // Embree sets the end of a ray that hits something to minus infinity.
     for (int i = 0; i < PACKET; i++) counts.occluded += valid[i] && rays.tfar[i] < 0;
   }
 
@@ -177,13 +177,13 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "embree_spheres FILE WIDTH HEIGHT: the file is a list of `camera`, `light` and `ball`\n");
     return 1;
   }
-  // Embree's manual wants denormal numbers taken for zero.
+  // Embree's manual recommends flushing denormal numbers to zero.
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 
   RTCDevice device = rtcNewDevice("threads=1");
   const double start = processor_seconds();
-  RTCScene scene = scene_of(device, input.balls);
+  RTCScene scene = scene_of(device, input.spheres);
   const double built = processor_seconds();
   const Counts counts = Caster(input, scene, width, height).cast();
   const double cast = processor_seconds();

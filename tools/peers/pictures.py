@@ -26,7 +26,7 @@ def linear(byte):
 
 
 def covered(path, background):
-    """How many pixels of an sRGB picture show something other than the linear background."""
+    """The number of pixels of an sRGB picture that differ from the linear background."""
     _, _, data = read(path)
     empty = bytes(map(srgb, background))
     return sum(data[i:i + 3] != empty for i in range(0, len(data), 3))

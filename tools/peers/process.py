@@ -1,4 +1,4 @@
-"""Runs a renderer and tells what it used."""
+"""Runs a renderer and measures time and memory."""
 
 import os
 import shutil
@@ -8,7 +8,7 @@ import time
 
 
 def run(command, folder):
-    """Runs a command in a folder: wall seconds, processor seconds, peak memory in MB, what it printed.
+    """Runs a command in a folder: wall seconds, processor seconds, peak memory in MB, its output.
 
     A process begins as a copy of the one that starts it, whose memory counts as its own: GNU time, where it is
     installed, is a small one.

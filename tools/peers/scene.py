@@ -1,6 +1,6 @@
-"""What a scene of the bench says, read back from its file, so that all renderers get the same numbers.
+"""A scene of the bench, parsed from its file, so that all renderers get the same numbers.
 
-Understood are the words that `tools/bench` writes for balls, for tubes and for its mesh, no others.
+Supports only the statements that `tools/bench` writes for spheres, cylinders and its mesh.
 """
 
 import math
@@ -11,14 +11,14 @@ VECTOR = rf"<{NUMBER}, {NUMBER}, {NUMBER}>"
 CAMERA = re.compile(rf"camera {{ location <0, 0, {NUMBER}> look_at 0 angle {NUMBER} }}\n")
 LIGHT = re.compile(rf"light_source {{ {VECTOR}, rgb {NUMBER} }}\n")
 BACKGROUND = re.compile(rf"background {{ rgb {VECTOR} }}\n")
-BALL = re.compile(rf"sphere {{ {VECTOR}, {NUMBER} pigment {{ rgb {VECTOR} }} }}\n")
+SPHERE = re.compile(rf"sphere {{ {VECTOR}, {NUMBER} pigment {{ rgb {VECTOR} }} }}\n")
 TUBE = re.compile(rf"cylinder {{ {VECTOR}, {VECTOR}, {NUMBER} open pigment {{ rgb {VECTOR} }} }}\n")
 MESH = re.compile(
     r"mesh2 { vertex_vectors { \d+,(.*) } face_indices { \d+,(.*) }"
     rf" pigment {{ rgb {VECTOR} }} rotate {NUMBER}\*x }}\n", re.S)
 
 # A centre, a radius, a colour.
-BALL_NUMBERS = BALL.groups
+SPHERE_NUMBERS = SPHERE.groups
 # The lines before the first object.
 HEAD_LINES = 6
 
@@ -27,13 +27,13 @@ RIGHT = 1.33
 
 
 class Unsaid(Exception):
-    """The scene holds what cannot be said in another renderer's words."""
+    """The scene has features that the other renderer lacks."""
 
 
 class Scene:
-    """A camera on the z axis that looks at the origin, lights, and either balls and tubes or a mesh.
+    """A camera on the z axis that looks at the origin, lights, and either spheres and cylinders or a mesh.
 
-    `camera` is its place on the axis, `direction` the distance of the picture plane, `lights` are places with a
+    `camera` is its position on the axis, `direction` the distance of the picture plane, `lights` are points with a
     brightness each, `background` is linear."""
 
     def __init__(self, path):
@@ -50,17 +50,17 @@ class Scene:
         self.background = tuple(map(float, background.groups()))
 
     def objects(self):
-        """Each object's numbers as written: seven of a ball (centre, radius, colour), ten of a tube (with two ends)."""
+        """Each object's numbers as written: seven of a sphere (centre, radius, colour), ten of a cylinder."""
         with open(self.path, encoding="ascii") as file:
             file.seek(len(self.head))
             for line in file:
-                known = BALL.fullmatch(line) or TUBE.fullmatch(line)
+                known = SPHERE.fullmatch(line) or TUBE.fullmatch(line)
                 if not known:
                     raise Unsaid(f"{self.path.stem} has more than balls and tubes")
                 yield known.groups()
 
     def mesh(self):
-        """The corners of a mesh as they stand in space, its triangles as three indices each, and its colour."""
+        """The vertices of a mesh, its triangles as three indices each, and its colour."""
         with open(self.path, encoding="ascii") as file:
             file.seek(len(self.head))
             mesh = MESH.fullmatch(file.read())
@@ -68,16 +68,16 @@ class Scene:
             raise Unsaid(f"{self.path.stem} is no mesh")
         corners, faces, *colour, degrees = mesh.groups()
         cos, sin = math.cos(math.radians(float(degrees))), math.sin(math.radians(float(degrees)))
-        places = [(float(x), float(y) * cos - float(z) * sin, float(y) * sin + float(z) * cos)
+        points = [(float(x), float(y) * cos - float(z) * sin, float(y) * sin + float(z) * cos)
                   for x, y, z in re.findall(VECTOR, corners)]
-        return places, [tuple(map(int, face)) for face in re.findall(VECTOR, faces)], colour
+        return points, [tuple(map(int, face)) for face in re.findall(VECTOR, faces)], colour
 
 
-def translated(path, kept, suffix, words):
-    """The scene in other words, in a file that is made if it is older than the scene.
+def translated(path, folder, suffix, words):
+    """The scene in another renderer's format, in a file that is written if it is older than the scene.
 
     `words` yields the lines of the file from a `Scene`; raises `Unsaid` if there are none for it."""
-    file = kept / f"{path.stem}{suffix}"
+    file = folder / f"{path.stem}{suffix}"
     if not file.exists() or file.stat().st_mtime < path.stat().st_mtime:
         unfinished = file.with_suffix(f"{suffix}.part")
         try:

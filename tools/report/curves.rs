@@ -7,20 +7,20 @@ use crate::in_order;
 use plotters::prelude::*;
 use std::path::Path;
 
-/// A curve: wrong pixels of a hundred, for povr and for POV-Ray, by the power of ten.
+/// A curve: wrong pixels of povr and of POV-Ray in percent, by the power of ten.
 pub(crate) struct Curve {
     pub(crate) title: &'static str,
     pub(crate) across: &'static str,
     pub(crate) points: Vec<Point>,
 }
 
-/// What there is at one power of ten, in percent.
+/// The values at one power of ten, in percent.
 pub(crate) struct Point {
     power: i32,
-    /// Wrong ones of the certain pixels.
+    /// Wrong pixels among the certain ones.
     povr: f64,
     pov_ray: Option<f64>,
-    /// Certain ones of all pixels.
+    /// Certain pixels among all.
     certain: f64,
 }
 
@@ -30,15 +30,15 @@ const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 const OF_POVR: RGBColor = RGBColor(20, 110, 190);
 const OF_POV_RAY: RGBColor = RGBColor(200, 60, 40);
 
-/// The curves of the room of item 13.
+/// The curves of the scene of item 13.
 pub(crate) fn all(scratch: Option<&Path>) -> Vec<Curve> {
     let scaled = (-20..=20).map(|power| {
-        let model = far::room().scaled(10f64.powi(power));
+        let model = far::all_solids().scaled(10f64.powi(power));
         (power, Case::model(13, format!("times 1e{power}"), model))
     });
     let moved = (0..=20).map(|power| {
         let by = 10f64.powi(power);
-        let model = far::room().moved([by, 0.5 * by, -by]);
+        let model = far::all_solids().moved([by, 0.5 * by, -by]);
         (power, Case::model(14, format!("moved by 1e{power}"), model))
     });
     vec![

@@ -1,6 +1,6 @@
-//! The items of the catalogue: what each is about, and why POV-Ray is wrong there.
+//! The items of the catalogue: their subjects, and the reasons for POV-Ray's errors.
 
-/// What each item is about, from item 1 on.
+/// The subject of each item, from item 1 on.
 pub(crate) const ITEMS: [&str; 54] = [
     "thin tori close up",
     "tori from far away",
@@ -58,7 +58,7 @@ pub(crate) const ITEMS: [&str; 54] = [
     "every length times 10^-300 to 10^150",
 ];
 
-/// Why POV-Ray is wrong, by item, where the reason is known.
+/// The reason for POV-Ray's errors, by item, where it is known.
 pub(crate) fn why(item: u8) -> &'static str {
     match item {
         1 | 2 | 8 => {

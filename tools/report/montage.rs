@@ -6,14 +6,14 @@ use resvg::{tiny_skia, usvg};
 use std::fmt::Write as _;
 use std::io::Error;
 
-/// Rows beside each other.
+/// Rows side by side.
 const COLUMNS: usize = 3;
-/// Room around a row, and for its line of text.
+/// Margin around a row, and height of its line of text.
 const MARGIN: u32 = 14;
 const LINE: u32 = 18;
-/// Room for what the columns are.
+/// Height of the column titles.
 const HEAD: u32 = 44;
-/// Characters that a line of text has room for.
+/// Characters that fit into a line of text.
 const MOST_LETTERS: usize = 84;
 
 /// The sheet.
@@ -33,24 +33,24 @@ pub(crate) fn of(rows: &[(String, RgbImage)]) -> Result<RgbImage, Error> {
     );
     let panel = 48 * FACTOR + GAP;
     for column in 0..columns {
-        for (place, head) in ["right", "POV-Ray 3.7", "povr", "wrong pixels"]
+        for (index, head) in ["right", "POV-Ray 3.7", "povr", "wrong pixels"]
             .into_iter()
             .enumerate()
         {
-            let left = column * step + MARGIN + u32::try_from(place).unwrap_or(0) * panel;
+            let left = column * step + MARGIN + u32::try_from(index).unwrap_or(0) * panel;
             let _ = write!(
                 text,
                 "<text x=\"{left}\" y=\"28\" font-size=\"11\" font-weight=\"bold\">{head}</text>"
             );
         }
     }
-    let place = |number: usize| {
+    let corner = |number: usize| {
         let number = u32::try_from(number).unwrap_or(0);
         let (down, across) = (number / columns, number % columns);
         (across * step + MARGIN, HEAD + down * rise)
     };
     for (number, (caption, _)) in rows.iter().enumerate() {
-        let (left, top) = place(number);
+        let (left, top) = corner(number);
         let short: String = caption.chars().take(MOST_LETTERS).collect();
         let safe = short.replace('&', "&amp;").replace('<', "&lt;");
         let _ = write!(text, "<text x=\"{left}\" y=\"{}\">{safe}</text>", top + 12);
@@ -58,7 +58,7 @@ pub(crate) fn of(rows: &[(String, RgbImage)]) -> Result<RgbImage, Error> {
     text += "</svg>";
     let mut sheet = drawn(&text, size)?;
     for (number, (_, row)) in rows.iter().enumerate() {
-        let (left, top) = place(number);
+        let (left, top) = corner(number);
         imageops::replace(&mut sheet, row, i64::from(left), i64::from(top + LINE));
     }
     Ok(sheet)

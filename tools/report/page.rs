@@ -126,9 +126,9 @@ fn item_row(page: &mut String, list: &mut String, item: u8, name: &str, answered
     if own().next().is_none() {
         return;
     }
-    let asked: Vec<&Outcome> = own().filter_map(|one| one.pov_ray.as_ref()).collect();
-    let wrong: usize = asked.iter().map(|outcome| outcome.wrong).sum();
-    let pov_ray = if asked.is_empty() {
+    let outcomes: Vec<&Outcome> = own().filter_map(|one| one.pov_ray.as_ref()).collect();
+    let wrong: usize = outcomes.iter().map(|outcome| outcome.wrong).sum();
+    let pov_ray = if outcomes.is_empty() {
         "–".to_owned()
     } else {
         wrong.to_string()
@@ -160,16 +160,16 @@ fn summary(answered: &[Answered]) -> String {
             .filter(|one| of(one).is_some_and(|wrong| wrong > 0))
             .count()
     };
-    let asked = answered.iter().filter(|one| one.pov_ray.is_some()).count();
+    let compared = answered.iter().filter(|one| one.pov_ray.is_some()).count();
     format!(
-        "<p>{} cases. povr is wrong in {}; POV-Ray, asked {asked} of them, in {}.</p>\n",
+        "<p>{} cases. povr is wrong in {}; POV-Ray, asked {compared} of them, in {}.</p>\n",
         answered.len(),
         wrong(&|one| Some(one.povr.wrong)),
         wrong(&|one| one.pov_ray.as_ref().map(|outcome| outcome.wrong))
     )
 }
 
-/// Whether there are pictures worth a look.
+/// True if its pictures are worth showing.
 fn is_shown(one: &Answered) -> bool {
     let has_picture = !matches!(
         one.case.asks,
@@ -192,11 +192,11 @@ fn row(page: &mut String, table: &mut String, one: &Answered) {
     if let (Some((_, because)), true) = (case.allowed, one.povr.wrong > 0) {
         let _ = write!(remark, " povr: {because}");
     }
-    let told = pov_ray.map_or_else(|| "–".to_owned(), |wrong| wrong.to_string());
+    let pov_ray_text = pov_ray.map_or_else(|| "–".to_owned(), |wrong| wrong.to_string());
     let class = |is_bad: bool| if is_bad { " class=\"bad\"" } else { "" };
     let _ = writeln!(
         page,
-        "<tr><td>{}</td><td class=\"text\">{}</td><td>{}</td><td{}>{told}</td><td{}>{}</td><td class=\"text\">{}</td></tr>",
+        "<tr><td>{}</td><td class=\"text\">{}</td><td>{}</td><td{}>{pov_ray_text}</td><td{}>{}</td><td class=\"text\">{}</td></tr>",
         case.item,
         escaped(&case.name),
         one.povr.decided,
@@ -207,7 +207,7 @@ fn row(page: &mut String, table: &mut String, one: &Answered) {
     );
     let _ = writeln!(
         table,
-        "| {} | {} | {} | {told} | {} | {} |",
+        "| {} | {} | {} | {pov_ray_text} | {} | {} |",
         case.item,
         case.name.replace('|', "/"),
         one.povr.decided,

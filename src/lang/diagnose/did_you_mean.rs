@@ -1,7 +1,7 @@
-//! Finding the word that was meant.
+//! Spelling suggestions.
 
-/// The candidate nearest to a misspelt word, if one is near enough: one change in words of three to five
-/// letters, two in longer ones.
+/// The candidate nearest to a misspelt word, if one is near enough: one edit in words of three to five letters, two in
+/// longer ones.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl Iterator<Item = &'a str>,
@@ -20,7 +20,7 @@ pub(crate) fn nearest<'a>(
         .map(|(_, candidate)| candidate)
 }
 
-/// Short words that begin differently are different words.
+/// Short words with different first letters are different words.
 fn begins_alike(a: &str, b: &str) -> bool {
     let first = |word: &str| {
         word.chars()

@@ -1,4 +1,4 @@
-//! What to do about a token that does not belong where it stands.
+//! Hints for tokens that do not belong where they stand.
 
 use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
@@ -6,17 +6,17 @@ use crate::lang::expr::value::Value;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
 
-/// Folders hold so many include files at most that are searched for a name.
+/// Most include files that are searched for a name.
 const INCLUDE_FILES: usize = 200;
 
 impl Reader<'_> {
-    /// What the token at hand, which cannot stand there, was probably meant to be.
+    /// A hint for the next token, which cannot stand where `wanted` is expected.
     pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<String> {
         match token.kind {
             Kind::Name => self.remedy_of_name(Symbol(token.value), wanted),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
             Kind::Word => self
-                .remedy_behind_directive(token.word()?)
+                .remedy_after_directive(token.word()?)
                 .or_else(|| remedy_of_word(token.word()?, wanted))
                 .or_else(|| self.remedy_of_no_value(wanted)),
             Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.to_owned()),
@@ -25,7 +25,7 @@ impl Reader<'_> {
     }
 
     /// `#else if` for `#elseif`.
-    fn remedy_behind_directive(&self, word: Word) -> Option<String> {
+    fn remedy_after_directive(&self, word: Word) -> Option<String> {
         let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?];
         let is_else = before.kind == Kind::Directive
             && self.here.tokens.directives[before.value as usize].word == Some(Word::Else);
@@ -46,7 +46,7 @@ impl Reader<'_> {
             '&' if before == Some('&') => "One `&` means \"and\".",
             '|' if before == Some('|') => "One `|` means \"or\".",
             '[' => "Only an array has items in `[` and `]`.",
-            '+' if self.is_behind_string() => "Strings are joined by `concat(a, b)`.",
+            '+' if self.is_after_string() => "Strings are joined by `concat(a, b)`.",
             '%' => "The remainder of a division is `mod(a, b)`.",
             '^' => "A power is `pow(a, b)`.",
             '+' | '-' | '*' | '/' if wanted.starts_with("`=` after") => {
@@ -64,7 +64,7 @@ impl Reader<'_> {
             }
             '(' if wants_word(wanted) => "Parameters stand in `{` and `}`, or in none at all.",
             '}' => return self.remedy_of_no_value(wanted),
-            '=' | ':' if wants_word(wanted) || self.is_behind_word() => {
+            '=' | ':' if wants_word(wanted) || self.is_after_word() => {
                 "A value follows its word without a sign: `ambient 0.2`."
             }
             _ => return None,
@@ -72,7 +72,7 @@ impl Reader<'_> {
         Some(text.to_owned())
     }
 
-    /// The mark that stands right before the token at hand.
+    /// The mark directly before the next token.
     fn mark_before(&self) -> Option<char> {
         let at = self.here.at.checked_sub(1)?;
         let token = self.here.tokens.tokens[at];
@@ -80,7 +80,7 @@ impl Reader<'_> {
         (token.kind == Kind::Mark && touches).then(|| char::from_u32(token.value))?
     }
 
-    /// Whether the token at hand stands behind a number and before another one.
+    /// True if the next token stands between two numbers.
     fn is_between_numbers(&self) -> bool {
         let kind = |at: usize| self.here.tokens.tokens.get(at).map(|token| token.kind);
         let before = self.here.at.checked_sub(1).and_then(kind);
@@ -89,12 +89,12 @@ impl Reader<'_> {
         before == Some(Kind::Number) && (behind.kind == Kind::Number || is_signed)
     }
 
-    fn is_behind_word(&self) -> bool {
+    fn is_after_word(&self) -> bool {
         let before = self.here.at.checked_sub(1);
         before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::Word)
     }
 
-    fn is_behind_string(&self) -> bool {
+    fn is_after_string(&self) -> bool {
         let before = self.here.at.checked_sub(1);
         before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::String)
     }
@@ -105,7 +105,7 @@ impl Reader<'_> {
             return remedy_of_value(name, value, wanted);
         }
         let small = name.to_lowercase();
-        // `Red` is the colour that is called so, not the word `red`.
+        // `Red` is the colour of that name, not the word `red`.
         let is_part_of_color = |word| {
             matches!(
                 word,
@@ -163,7 +163,7 @@ impl Reader<'_> {
         Some(self.sources.line_column(tokens.span(at)).0)
     }
 
-    /// A declared name or a reserved word that differs from this one by a letter or two and could stand here.
+    /// A declared name or a reserved word within a letter or two of this one that could stand here.
     fn similar_name(&self, name: &str, wanted: &str) -> Option<String> {
         let words = Word::all().filter(|&word| fits(word, wanted));
         let mut known: Vec<&str> = words.map(Word::spelling).collect();
@@ -172,13 +172,13 @@ impl Reader<'_> {
         super::did_you_mean::nearest(name, known.into_iter()).map(str::to_owned)
     }
 
-    /// Adds the include file whose name is nearest to that of one which is not found.
+    /// Suggests the include file whose name is nearest to the missing one.
     pub(crate) fn suggest_include(&self, error: &mut Diagnostic, name: &str) {
         let files = self.sources.include_files(self.here.tokens.file);
         let bare = |name: &str| name.strip_suffix(".inc").unwrap_or(name).to_owned();
         let names: Vec<String> = files.iter().map(|file| bare(file)).collect();
         let near = super::did_you_mean::nearest(&bare(name), names.iter().map(String::as_str));
-        // Who differs only in case has been named.
+        // A name that differs only in case has been reported.
         if let Some(near) = near.filter(|near| !near.eq_ignore_ascii_case(&bare(name))) {
             error.hints = vec![format!("Did you mean `{near}.inc`?")];
         }
@@ -216,7 +216,7 @@ impl Reader<'_> {
         Some(tokens.span(at))
     }
 
-    /// How an object is written, for those who leave out a part of it.
+    /// The syntax of an object, for messages about a missing part.
     pub(crate) fn usage(word: Word) -> Option<&'static str> {
         Some(match word {
             Word::Sphere => "`sphere { <centre>, radius ... }`",
@@ -259,8 +259,8 @@ impl Reader<'_> {
         Some(tokens.span(at))
     }
 
-    /// Whether this name has been found undeclared before, or may stand in a file that was not found: then its error
-    /// is a consequence of one that was told.
+    /// True if this name was reported as undeclared before, or may stand in a missing include file: then its error is a
+    /// consequence of one already reported.
     pub(crate) fn is_known_as_undeclared(&mut self, token: Token) -> bool {
         let symbol = Symbol(token.value);
         token.kind == Kind::Name
@@ -268,8 +268,8 @@ impl Reader<'_> {
             && (self.lacks_file || !self.undeclared.insert(symbol))
     }
 
-    /// The error of using the name of a value that could not be read.
-    pub(crate) fn of_poison(&self, token: Token) -> Option<Box<Diagnostic>> {
+    /// The error for the name of a value that could not be read.
+    pub(crate) fn poison_error(&self, token: Token) -> Option<Box<Diagnostic>> {
         if token.kind != Kind::Name {
             return None;
         }
@@ -280,7 +280,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a directive needs an `#end`.
+/// True for directives that need an `#end`.
 pub(crate) fn opens_group(word: Word) -> bool {
     matches!(
         word,
@@ -296,7 +296,7 @@ pub(crate) fn opens_group(word: Word) -> bool {
 
 const NUMBER_FOR_STRING: &str = "A number becomes a string by `str(number, 0, digits)`.";
 
-/// What to do about a value that cannot stand here.
+/// A hint for a value that cannot stand here.
 fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
     let element = match value {
         Value::Element(element) => element.name,
@@ -329,17 +329,17 @@ fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
     })
 }
 
-/// Whether a word of a block or a statement is wanted.
+/// True if a word of a block or a statement is expected.
 fn wants_word(wanted: &str) -> bool {
     wanted.contains("`}`") || wanted.contains("statement")
 }
 
-/// Whether a number or the like is wanted.
+/// True if a numeric value is expected.
 fn wants_value(wanted: &str) -> bool {
     wanted.starts_with("a number")
 }
 
-/// Whether a word may stand where something is wanted, as far as its class tells.
+/// True if a word may stand where `wanted` is expected, as far as its class shows.
 fn fits(word: Word, wanted: &str) -> bool {
     let is_value = matches!(word.class(), Class::Value | Class::Function);
     if wants_value(wanted) {

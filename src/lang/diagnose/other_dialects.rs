@@ -1,8 +1,8 @@
-//! Words of other programs and languages that people write into scenes, and what the scene language has instead.
+//! Words of other programs and languages that people write into scenes, and their equivalents in the scene language.
 
-/// What a foreign word is in the scene language, as a sentence; spelling of capitals and `_` apart.
+/// The equivalent of a foreign word, as a sentence; case and `_` are ignored.
 ///
-/// `is_value` tells whether it stands in an expression, where other words are meant than in a block.
+/// `is_value` is true in expressions, where other words are meant than in a block.
 pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
     let bare: String = name
         .chars()
@@ -20,7 +20,7 @@ pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
     })
 }
 
-/// Foreign words in blocks and at the top, and the word that is meant, or a sentence without its full stop.
+/// Foreign words in blocks and at the top level, and the word that is meant, or a sentence without its full stop.
 const WORDS: &[(&str, &str)] = &[
     (
         "shininess shiny gloss glossy glossiness specularity",
@@ -111,7 +111,7 @@ mod tests {
     use super::translated;
 
     #[test]
-    fn a_foreign_word_is_told_in_the_words_of_the_language() {
+    fn foreign_words_are_translated() {
         assert_eq!(
             translated("fieldOfView", false).as_deref(),
             Some("The scene language says `angle`.")

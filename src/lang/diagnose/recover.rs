@@ -1,4 +1,4 @@
-//! Going on behind a faulty statement.
+//! Error recovery: resuming after a faulty statement.
 
 use super::hints::opens_group;
 use crate::base::args::Word;
@@ -8,7 +8,7 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind};
 
 impl Reader<'_> {
-    /// After an error: leaves the loops and macros it happened in and goes on behind the faulty statement.
+    /// After an error: leaves the loops and macros it occurred in and goes past the faulty statement.
     pub(crate) fn recover(&mut self) {
         let open_blocks = self.blocks.len();
         self.blocks.clear();
@@ -40,7 +40,7 @@ impl Reader<'_> {
                         if self.raw().is_mark(';') {
                             self.pass();
                         }
-                        // The next layer of a texture belongs to the one that is faulty.
+                        // The next layer of a texture belongs to the faulty one.
                         if !self.raw().word().is_some_and(is_part) {
                             return;
                         }
@@ -60,7 +60,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the token at hand begins a line and could begin a statement: the mark of a forgotten `}` above.
+    /// True if the next token begins a line and could begin a statement: a sign of a forgotten `}` above.
     fn is_at_new_statement(&self) -> bool {
         let token = self.raw();
         let begins = match token.word() {
@@ -113,7 +113,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Passes a directive while looking for the end of a faulty statement: whole groups at once.
+    /// Skips a directive while looking for the end of a faulty statement; groups are skipped as a whole.
     fn skip_directive(&mut self) {
         let token = self.raw();
         let directive = &self.here.tokens.directives[token.value as usize];
@@ -134,7 +134,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a word begins a part of objects, which stands nowhere else.
+/// True if a word begins a part of an object, which can stand nowhere else.
 pub(crate) fn is_part(word: Word) -> bool {
     matches!(
         word,

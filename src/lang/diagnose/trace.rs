@@ -1,4 +1,4 @@
-//! The way to a finding: macro calls with what they were given, rounds of loops, includes.
+//! The trace of a finding: macro calls with their arguments, rounds of loops, includes.
 
 use crate::base::source::{Diagnostic, Label};
 use crate::lang::cursor::{Entered, Frame};
@@ -18,7 +18,7 @@ impl Reader<'_> {
         Box::new(diagnostic)
     }
 
-    /// What is told of one frame.
+    /// The label of one frame.
     fn step(&self, at: usize, frame: &Frame) -> Option<Label> {
         match &frame.kind {
             Entered::Macro {
@@ -38,9 +38,9 @@ impl Reader<'_> {
                     let value = self
                         .scopes
                         .bound_at(parameter, u32::try_from(depth).ok()?)?;
-                    self.told(parameter, value)
+                    self.value_text(parameter, value)
                 });
-                let values: Vec<String> = values.take(limits::TOLD).collect();
+                let values: Vec<String> = values.take(limits::TRACE_VALUES).collect();
                 let with = if values.is_empty() { "" } else { " with " };
                 let name = self.names.spelling(*name);
                 Some(Label {
@@ -54,7 +54,11 @@ impl Reader<'_> {
             }),
             Entered::For(run) if run.has_gone_round() => {
                 let value = self.scopes.get(run.variable())?;
-                self.round(frame, run.body(), vec![self.told(run.variable(), value)?])
+                self.round(
+                    frame,
+                    run.body(),
+                    vec![self.value_text(run.variable(), value)?],
+                )
             }
             Entered::While {
                 condition, rounds, ..
@@ -80,27 +84,27 @@ impl Reader<'_> {
         })
     }
 
-    /// The numbers that the condition of a `#while` looks at.
+    /// The numbers that the condition of a `#while` depends on.
     fn names_of_condition(&self, frame: &Frame, condition: usize) -> Vec<String> {
         let tokens = &frame.home.tokens;
-        let mut told: Vec<String> = Vec::new();
+        let mut values: Vec<String> = Vec::new();
         let mut depth = 0;
         for token in &tokens[condition.min(tokens.len())..] {
             depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
-            if depth <= 0 || told.len() == limits::TOLD || token.kind == Kind::Directive {
+            if depth <= 0 || values.len() == limits::TRACE_VALUES || token.kind == Kind::Directive {
                 break;
             }
             let value = token.symbol().and_then(|symbol| {
                 let value = self.scopes.get(symbol)?;
-                self.told(symbol, value)
+                self.value_text(symbol, value)
             });
-            told.extend(value.filter(|text| !told.contains(text)));
+            values.extend(value.filter(|text| !values.contains(text)));
         }
-        told
+        values
     }
 
-    /// "`R` = 2", for what can be told in a few letters.
-    fn told(&self, symbol: Symbol, value: &Value) -> Option<String> {
+    /// "`R` = 2", for values that are short.
+    fn value_text(&self, symbol: Symbol, value: &Value) -> Option<String> {
         let value = match value {
             Value::Number(number) => number.to_string(),
             Value::Text(text) if text.len() <= limits::QUOTED => format!("\"{text}\""),

@@ -1,4 +1,4 @@
-//! What is said about a `{`, `(` or `<` that is open where it should not be, or missing.
+//! Messages about a `{`, `(` or `<` that is missing, or open where it should not be.
 
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::cursor::Start;
@@ -6,8 +6,8 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token};
 
 impl Reader<'_> {
-    /// An error inside a block, with the block: the one that is still open where a token stands that begins something
-    /// new, and in which one the others stand.
+    /// Adds the enclosing block to an error: at a token that begins something new, the block that is still open; for
+    /// other errors, the block they stand in.
     pub(crate) fn with_block(&self, error: Diagnostic, found: Token, open: Span) -> Diagnostic {
         let (element, name) = self.element_of(open);
         if !begins_new(found) {
@@ -30,7 +30,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The word that a block belongs to, with its place; that of the `{` where there is none.
+    /// The word of a block, with its span; the `{` itself where there is none.
     fn element_of(&self, open: Span) -> (Span, &str) {
         for tokens in [&self.here.tokens, &self.last.tokens] {
             if tokens.file != open.file {
@@ -49,31 +49,31 @@ impl Reader<'_> {
         (open, self.source_text(open))
     }
 
-    /// The `{` behind a word is missing.
+    /// The `{` after a word is missing.
     pub(crate) fn no_block(&mut self, element: Span) -> Box<Diagnostic> {
         let after = self.source_text(element).to_owned();
-        let mut error = self.expected_behind(element, &format!("`{{` after `{after}`"));
+        let mut error = self.expected_after(element, &format!("`{{` after `{after}`"));
         if error.hints.is_empty() {
             error.hints.push(format!("Write `{after} {{`."));
         }
         error
     }
 
-    /// "expected WHAT, found ...". Where the token found stands in a later line, the faulty line is that of the place
-    /// behind which something is missing.
-    pub(crate) fn expected_behind(&mut self, place: Span, what: &str) -> Box<Diagnostic> {
+    /// "expected WHAT, found ...". Where the unexpected token stands in a later line, the error points to the text
+    /// after which something is missing.
+    pub(crate) fn expected_after(&mut self, behind: Span, what: &str) -> Box<Diagnostic> {
         let mut error = self.expected_here(what);
         let line = |span: Span| self.sources.line_column(span).0;
         match error.span {
-            Some(found) if found.file == place.file && line(found) > line(place) => {
-                error.span = Some(place);
+            Some(found) if found.file == behind.file && line(found) > line(behind) => {
+                error.span = Some(behind);
                 Box::new(error.with_label(found, "found here"))
             }
             _ => error,
         }
     }
 
-    /// The error that `mark` does not close what was opened at `open`.
+    /// The error for a token other than the `mark` that closes what was opened at `open`.
     pub(crate) fn with_opened(
         &self,
         error: Box<Diagnostic>,
@@ -103,8 +103,8 @@ impl Reader<'_> {
         Box::new(error)
     }
 
-    /// The opened `{` that the missing `}` belongs to, where the indentation tells: a block whose `}` begins a line
-    /// with less indentation than the line of its `{` has swallowed the `}` of the block around it.
+    /// The opened `{` that the missing `}` belongs to, as far as the indentation shows: a block whose `}` begins a line
+    /// with less indentation than the line of its `{` has taken the `}` of the block around it.
     pub(crate) fn swallowed_end(&self, open: Span) -> Option<(Span, Span)> {
         let tokens = &self.here.tokens;
         if open.file != tokens.file || open.start > self.here_span().start {
@@ -132,7 +132,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a token begins an object or a statement, or ends the file: then a `}` is missing before it.
+/// True if a token begins an object or a statement, or ends the file: a `}` is missing before it.
 fn begins_new(token: Token) -> bool {
     match token.kind {
         Kind::End => true,
@@ -143,7 +143,7 @@ fn begins_new(token: Token) -> bool {
     }
 }
 
-/// How far the line of a byte is indented, and whether the byte is its first.
+/// Indentation of the line of a byte, and whether the byte is its first.
 fn indentation(text: &str, at: usize) -> (usize, bool) {
     let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
     let before = &text[line..at];

@@ -1,4 +1,5 @@
-//! What a scene uses and povr does not draw: refused by name where it is drawn, but only if it would be seen.
+//! Features that a scene uses and the renderer does not support: errors by name, but only if their effect would be
+//! visible.
 
 use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
@@ -9,12 +10,12 @@ use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// Tells what the objects and the air of the whole scene ask for and do not get. Each thing is told once.
-    pub(crate) fn note_missing(&mut self) {
+    /// Records unsupported features of the objects and the atmosphere of the whole scene, each once.
+    pub(crate) fn note_unsupported(&mut self) {
         let mut found = Vec::new();
         let has_subsurface = self.globals.subsurface.is_some();
         let mut parts = Vec::new();
-        // Copies share their parts, which need to be looked at once.
+        // Copies share their parts, which are visited once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<&Arc<Object>> = self.objects.whole().collect();
         let mut last = None;
@@ -57,7 +58,7 @@ impl Reader<'_> {
             }
         }
         for (at, word) in in_order(found) {
-            self.note_undrawn(&format!("`{word}`"), at);
+            self.record_unsupported(&format!("`{word}`"), at);
         }
         for (at, ()) in in_order(parts) {
             self.record(
@@ -68,14 +69,14 @@ impl Reader<'_> {
     }
 }
 
-/// Each once, as they stand in the files.
+/// Removes duplicates, in the order of the files.
 fn in_order<T: PartialEq>(mut found: Vec<(Span, T)>) -> Vec<(Span, T)> {
     found.sort_by_key(|(at, _)| (at.file, at.start));
     found.dedup();
     found
 }
 
-/// A texture and all that it chooses from.
+/// A texture and all textures it selects from.
 fn all_textures(texture: &Texture) -> Vec<&Texture> {
     let mut all = vec![texture];
     let mut at = 0;

@@ -24,7 +24,7 @@ impl Reader<'_> {
         self.next_branch(index, span)
     }
 
-    /// From a part that is not chosen to the first later one that is.
+    /// Goes from a part that is not taken to the next one that is.
     pub(crate) fn next_branch(&mut self, mut index: usize, span: Span) -> Parse<()> {
         loop {
             self.next_part(index, span)?;
@@ -43,22 +43,21 @@ impl Reader<'_> {
         }
     }
 
-    /// Goes to the next part of the group that `index` belongs to. A group that its file does not end may end in the
-    /// file that includes it.
+    /// Goes to the next part of the group of `index`. A group that its file leaves open may end in the including file.
     pub(crate) fn next_part(&mut self, index: usize, span: Span) -> Parse<()> {
         let (next, _) = self.group(index);
         if next != u32::MAX {
             self.here.at = next as usize;
             return Ok(());
         }
-        self.find_on(span, |word| {
+        self.find_directive(span, |word| {
             matches!(word, Word::End | Word::Else | Word::Elseif)
         })
     }
 
-    /// Goes to the first directive that `is_it` likes and that is in no group which begins from here on, in this file,
-    /// or in the file that includes it or one further out.
-    pub(crate) fn find_on(&mut self, span: Span, is_it: impl Fn(Word) -> bool) -> Parse<()> {
+    /// Goes to the first directive accepted by `is_it` outside of the groups that begin after the cursor, in this file
+    /// or one that includes it.
+    pub(crate) fn find_directive(&mut self, span: Span, is_it: impl Fn(Word) -> bool) -> Parse<()> {
         let mut depth = 0_usize;
         loop {
             let token = self.raw();
@@ -76,15 +75,14 @@ impl Reader<'_> {
             }
             match token.kind {
                 Kind::End => {}
-                // There are no directives in it.
-                Kind::More => self.leave_stretch(),
+                // Data holds no directives.
+                Kind::More => self.leave_segment(),
                 _ => self.here.at += 1,
             }
         }
     }
 
-    /// `#else` reached from a chosen part: everything to the `#end` is left out, but in a `#switch`, which falls
-    /// through.
+    /// `#else` reached from a part that was taken: skips to `#end`, except in a `#switch`, which falls through.
     pub(crate) fn run_else(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
         match self.innermost_group() {
             Some(Entered::If) => {}
@@ -101,7 +99,7 @@ impl Reader<'_> {
             }
         }
         match self.group(index) {
-            (u32::MAX, u32::MAX) => self.find_on(span, |word| word == Word::End)?,
+            (u32::MAX, u32::MAX) => self.find_directive(span, |word| word == Word::End)?,
             (_, end) => self.jump(end, span)?,
         }
         self.pass();
@@ -109,7 +107,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `#switch (value)`: what stands before its first part is read, then its parts tell whether they are chosen.
+    /// `#switch (value)`: reads the text before its first part, then the parts decide whether they are taken.
     pub(crate) fn run_switch(&mut self, index: usize) -> Parse<()> {
         let value = self.number_in_parentheses()?;
         let is_chosen = false;
@@ -117,7 +115,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `#case` or `#range`. Reached from a chosen part above it, it falls through.
+    /// `#case` or `#range`. Reached from a part above that was taken, it falls through.
     pub(crate) fn run_case(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
         let Some(&Entered::Switch { value, is_chosen }) = self.innermost() else {
             return Err(self.with_trace(Diagnostic::error(

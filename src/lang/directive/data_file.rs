@@ -1,7 +1,7 @@
-//! A file of values as `#read` sees it: numbers, vectors and strings with commas between them.
+//! A file of values for `#read`: numbers, vectors and strings with commas between them.
 //!
-//! POV-Ray takes the token behind each value for its comma, whatever it is: of `1 2 3` it reads 1 and 3. So does this
-//! reader, and warns.
+//! POV-Ray takes the token after each value for its comma, whatever it is: of `1 2 3` it reads 1 and 3. This reader
+//! does the same, and warns.
 
 use crate::base::source::Diagnostic;
 use crate::lang::expr::value::{Number, Value};
@@ -33,7 +33,7 @@ impl DataFile {
         &self.name
     }
 
-    /// Whether the end was met: behind a value without a comma, or where a value was asked for.
+    /// True once the end was reached: after a value without a comma, or where a value was expected.
     pub(crate) fn is_at_end(&self) -> bool {
         self.is_at_end
     }
@@ -133,7 +133,7 @@ mod tests {
     use crate::base::source::FileId;
     use crate::lang::syntax::{Names, tokenize};
 
-    /// The values of a file and how many warnings they gave.
+    /// The values of a file, and the number of warnings they gave.
     fn values(text: &str) -> (Vec<String>, usize) {
         let tokens = tokenize(FileId(0), &String::from(text).into(), &mut Names::new()).unwrap();
         let mut file = DataFile::new("d".to_owned(), Rc::new(tokens));
@@ -168,14 +168,14 @@ mod tests {
     }
 
     #[test]
-    fn behind_a_comma_the_end_is_met_by_a_further_read() {
+    fn behind_a_comma_the_end_is_reached_by_a_further_read() {
         assert_eq!(values("1,<2,-3 4>,\"a\\n\"").0.len(), 3);
         assert_eq!(values("1, // last\n").0, ["[1.0]", "None"]);
         assert_eq!(values("").0, ["None"]);
     }
 
     #[test]
-    fn what_is_no_value_is_told() {
+    fn other_tokens_are_errors() {
         let told = "expected a number, a vector or a string, found ";
         assert_eq!(values("1,foo").0[1], format!("{told}`foo`"));
         assert_eq!(values("1,-<1,2,3>").0[1], format!("{told}`<`"));

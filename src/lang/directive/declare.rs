@@ -10,37 +10,37 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol, Token};
 use std::rc::Rc;
 
-/// What `deprecated` says of a name.
+/// The attributes of `deprecated` for a name.
 #[derive(Debug)]
 pub(crate) struct Deprecation {
     is_once: bool,
     message: Option<String>,
 }
 
-/// What a name holds, as far as it matters to what it may hold next.
+/// Kind of a name's value, as far as it restricts the next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kept {
+enum BoundKind {
     Function,
     Macro,
     Poison,
     Other,
 }
 
-impl Kept {
+impl BoundKind {
     fn of(value: &Value) -> Self {
         match value {
-            Value::Macro(_) => Kept::Macro,
-            Value::Element(element) if element.name == FUNCTION => Kept::Function,
-            Value::Poison(_) => Kept::Poison,
-            _ => Kept::Other,
+            Value::Macro(_) => BoundKind::Macro,
+            Value::Element(element) if element.name == FUNCTION => BoundKind::Function,
+            Value::Poison(_) => BoundKind::Poison,
+            _ => BoundKind::Other,
         }
     }
 
-    /// Functions and macros stay what they are, and nothing else becomes a function that is written there.
-    fn keeps_out(self, next: Kept) -> bool {
-        self != Kept::Poison
-            && next != Kept::Poison
-            && (self != Kept::Other || next == Kept::Function)
+    /// Functions and macros keep their kind, and no other name becomes a function by its definition.
+    fn excludes(self, next: BoundKind) -> bool {
+        self != BoundKind::Poison
+            && next != BoundKind::Poison
+            && (self != BoundKind::Other || next == BoundKind::Function)
     }
 }
 
@@ -81,79 +81,79 @@ impl Reader<'_> {
             return Err(error);
         }
         let outer = self.declaring.take();
-        let mut place = self.declaring_here(symbol, is_local);
+        let mut declaring = self.declaring_here(symbol, is_local);
         let known = if is_local {
-            self.scopes.bound_at(symbol, place.scope)
+            self.scopes.bound_at(symbol, declaring.scope)
         } else {
             self.scopes.get(symbol)
         };
-        let known = known.map(Kept::of);
+        let known = known.map(BoundKind::of);
         let mut start = name;
         let value = self.replayed(Level::Value, |reader| {
-            // Directives before the value run before it and may enter a file or a macro where it is then read:
-            // `#declare N = #declare A = 1; N + A;`.
+            // Directives before the value run before it and may enter a file or a macro, in which the value is then
+            // read: `#declare N = #declare A = 1; N + A;`.
             reader.peek()?;
-            place = Declaring {
-                scope: place.scope,
+            declaring = Declaring {
+                scope: declaring.scope,
                 ..reader.declaring_here(symbol, is_local)
             };
             start = reader.start_here();
-            reader.declaring = Some(place);
+            reader.declaring = Some(declaring);
             reader.read_value("a value")
         });
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {
-                // The name has its value before the `;` is looked for: a directive may stand there and use it.
+                // The name has its value before the `;` is looked for: a directive there may use it.
                 let is_number = self.is_like_number(&value);
-                // A function that is copied may stand in for anything but a function.
+                // A copied function may replace anything but a function.
                 let next = if is_number {
-                    Kept::Other
+                    BoundKind::Other
                 } else {
-                    Kept::of(&value)
+                    BoundKind::of(&value)
                 };
                 if let Some(known) = known
-                    && known.keeps_out(next)
+                    && known.excludes(next)
                 {
                     let error = self.name_is_taken(symbol, name);
                     self.record(*error);
                 }
-                self.assign(&place, value);
+                self.assign(&declaring, value);
                 let outer = self.declaring.replace(Declaring {
                     is_complete: true,
-                    ..place
+                    ..declaring
                 });
                 let end = self.end_of_declaration(is_number);
                 self.declaring = outer;
                 end
             }
             Ok(None) => {
-                self.assign(&place, Value::Poison(None));
+                self.assign(&declaring, Value::Poison(None));
                 let spelling = self.names.spelling(symbol).to_owned();
                 let error = self.expected_here(&format!("a value for `{spelling}`"));
                 let name = self.span_of(name);
                 Err(Box::new(error.with_label(name, "declared here")))
             }
             Err(error) if error.code == Some(Code::NotBuilt) => {
-                // A directive may stand behind the value and use the name.
-                self.assign(&place, Value::Poison(Some(Rc::new(*error))));
+                // A directive after the value may use the name.
+                self.assign(&declaring, Value::Poison(Some(Rc::new(*error))));
                 self.has_faulty_directive = false;
-                self.skip_value(place, start)
+                self.skip_value(declaring, start)
             }
             Err(error) => {
-                self.assign(&place, Value::Poison(None));
+                self.assign(&declaring, Value::Poison(None));
                 Err(error)
             }
         }
     }
 
-    /// Tells whether a value that has been read ends as a number does: it is one, or a function or spline by its name.
+    /// True if a value ends as a number does: it is one, or a function or spline by name.
     pub(crate) fn is_like_number(&self, value: &Value) -> bool {
         let is_written = || self.last.tokens.tokens[self.last.at].is_mark('}');
         matches!(value, Value::Number(_)) || is_callable(value) && !is_written()
     }
 
-    /// The error for a name that holds a function or a macro, or shall hold one and is something else.
+    /// The error for redeclaring a function or a macro as something else, or something else as a function.
     pub(crate) fn name_is_taken(&self, symbol: Symbol, name: Start) -> Box<Diagnostic> {
         let spelling = self.names.spelling(symbol);
         let known = self.scopes.get(symbol);
@@ -167,8 +167,8 @@ impl Reader<'_> {
         )))
     }
 
-    /// Goes behind the value that is being declared, in which something is not built yet.
-    fn skip_value(&mut self, place: Declaring, start: Start) -> Parse<()> {
+    /// Skips the value being declared, which holds something unsupported.
+    fn skip_value(&mut self, declaring: Declaring, start: Start) -> Parse<()> {
         let is_expression = match self.raw().kind {
             Kind::Name | Kind::Word if self.start_here() == start => {
                 let next = self.raw_ahead(1);
@@ -179,22 +179,22 @@ impl Reader<'_> {
             Kind::Word => false,
             _ => true,
         };
-        if is_expression && self.blocks.len() <= place.blocks {
+        if is_expression && self.blocks.len() <= declaring.blocks {
             while !self.peek()?.is_mark(';') && self.raw().kind != Kind::End {
                 self.pass();
             }
         } else {
-            self.skip_blocks(place.blocks)?;
+            self.skip_blocks(declaring.blocks)?;
         }
-        self.depth = place.depth;
+        self.depth = declaring.depth;
         if self.raw().is_mark(';') {
             self.pass();
         }
         Ok(())
     }
 
-    /// Goes behind a value or an object in which something is not built yet, to where so many blocks were open. Nothing
-    /// is wrong with it: directives in it run.
+    /// Skips a value or an object that holds something unsupported, until `outside` blocks are open. It is valid
+    /// otherwise: directives in it run.
     pub(crate) fn skip_blocks(&mut self, outside: usize) -> Parse<()> {
         let mut open = self.blocks.len().saturating_sub(outside);
         loop {
@@ -211,7 +211,7 @@ impl Reader<'_> {
             } else if token.is_mark('}') {
                 open -= 1;
             }
-            // The word that is not built may stand before its block, and further layers of a texture behind it.
+            // The unsupported word may stand before its block, and further layers of a texture after it.
             let next = self.raw();
             if open == 0 && !next.is_mark('{') && next.word() != Some(Word::Texture) {
                 break;
@@ -221,7 +221,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `deprecated [once] ["message"]` before a name that is declared.
+    /// `deprecated [once] ["message"]` before a declared name.
     fn deprecation(&mut self) -> Parse<Option<Deprecation>> {
         if self.raw().word() != Some(Word::Deprecated) {
             return Ok(None);
@@ -239,7 +239,7 @@ impl Reader<'_> {
         Ok(Some(Deprecation { is_once, message }))
     }
 
-    /// Warns where a deprecated name is used, or only where it is used first.
+    /// Warns of the use of a deprecated name, or of its first use only.
     pub(crate) fn warn_of_deprecated(&mut self, symbol: Symbol) {
         let Some(deprecation) = self.deprecated.get(&symbol) else {
             return;
@@ -255,7 +255,7 @@ impl Reader<'_> {
         self.warning(Diagnostic::warning(self.here_span(), message));
     }
 
-    /// A declaration whose value begins here.
+    /// A declaration whose value begins at the cursor.
     pub(crate) fn declaring_here(&self, symbol: Symbol, is_local: bool) -> Declaring {
         Declaring {
             symbol,
@@ -270,13 +270,13 @@ impl Reader<'_> {
         }
     }
 
-    /// Looks at what follows a value that may be complete. A directive or a macro call there may use the name that is
-    /// being declared, so it gets what it has until now.
-    pub(crate) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
-        let place = (self.depth, self.blocks.len());
+    /// Peeks after a value that may be complete. A directive or a macro call there may use the name being declared, so
+    /// it gets the value so far.
+    pub(crate) fn peek_after(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
+        let level = (self.depth, self.blocks.len());
         let open = self
             .declaring
-            .filter(|open| (open.depth, open.blocks) == place);
+            .filter(|open| (open.depth, open.blocks) == level);
         if let Some(open) = open {
             let next = self.raw();
             let is_run = match next.kind {
@@ -300,7 +300,7 @@ impl Reader<'_> {
         token
     }
 
-    /// Gives a name its value. A macro may have been entered since the name was read, and may end behind the value.
+    /// Assigns a value to a name. A macro may have been entered since the name was read, and may end after the value.
     pub(crate) fn assign(&mut self, to: &Declaring, value: Value) {
         if to.scope < self.scopes.depth() {
             self.scopes
@@ -317,7 +317,7 @@ impl Reader<'_> {
         token.kind == Kind::Mark && token.value == mark as u32
     }
 
-    /// Whether no macro or file has been entered, and nothing left, since so many frames were open.
+    /// True if no macro or file was entered, and no frame left, since this number of frames was open.
     pub(crate) fn is_within(&self, frames: usize) -> bool {
         let is_macro_or_file =
             |frame: &Frame| matches!(frame.kind, Entered::Macro { .. } | Entered::Include { .. });
@@ -350,7 +350,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The bracketed name of `#ifdef`, perhaps an item of an array.
+    /// The name in the parentheses of `#ifdef`, perhaps an item of an array.
     pub(crate) fn is_defined(&mut self) -> Parse<bool> {
         self.expect_mark('(', "`(` after `#ifdef`")?;
         self.pass_hash();
@@ -364,7 +364,7 @@ impl Reader<'_> {
         Ok(is_defined)
     }
 
-    /// Whether the identifier at hand, with its indices, has a value.
+    /// True if the next identifier, with its indices, has a value.
     pub(crate) fn names_a_value(&mut self) -> Parse<bool> {
         self.pass_hash();
         let symbol = self.identifier("a name")?;

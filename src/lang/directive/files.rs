@@ -1,8 +1,8 @@
 //! `#fopen`, `#fclose`, `#read` and `#write`: files that a scene reads values from and writes text to.
 //!
-//! What is written goes to a nameless file, which takes its name at `#fclose`, at the end of the scene, or as soon as
-//! the scene looks for any file; a scene that fails before leaves what was there. Only [`ReadOptions::writable`] folders
-//! are written to. POV-Ray on Debian is configured alike, but 3.7.0.10 keeps no scene from writing anywhere.
+//! Output goes to an unnamed file, which gets its name at `#fclose`, at the end of the scene, or as soon as the scene
+//! accesses any file; a scene that fails before leaves the old file as it was. Only [`ReadOptions::writable`] folders
+//! are written to. POV-Ray on Debian is configured the same, but 3.7.0.10 does not enforce it.
 //!
 //! [`ReadOptions::writable`]: crate::base::options::ReadOptions::writable
 
@@ -94,7 +94,7 @@ impl Reader<'_> {
         Ok(DataFile::new(name.to_owned(), self.tokens_of(file)?))
     }
 
-    /// Makes all that the scene has written visible, before it looks for any file.
+    /// Makes all output of the scene visible, before it accesses any file.
     pub(crate) fn publish_files(&mut self, span: Span) -> Parse<()> {
         for handle in 0..self.files.all.len() {
             if matches!(self.files.all[handle], Some(OpenFile::Write(_))) {
@@ -116,7 +116,7 @@ impl Reader<'_> {
         }
     }
 
-    /// At the end of a scene without errors: what is still open for writing is complete.
+    /// At the end of a scene without errors: publishes the files still open for writing.
     pub(crate) fn close_files(&mut self) {
         let span = self.taken_span();
         if let Err(error) = self.publish_files(span) {
@@ -144,14 +144,14 @@ impl Reader<'_> {
         }
     }
 
-    /// Closes a file whose name is gone.
+    /// Closes a file whose name is undefined.
     pub(crate) fn close_file(&mut self, handle: usize, span: Span) -> Parse<()> {
         self.publish(handle, span)?;
         self.files.all[handle] = None;
         Ok(())
     }
 
-    /// The `(` and the file of `#read` and `#write`.
+    /// Reads the `(` and the file of `#read` and `#write`.
     fn file_in_parentheses(&mut self, word: Word) -> Parse<(Symbol, usize)> {
         self.expect_mark('(', &format!("`(` after `#{word}`"))?;
         let what = format!("the name of an open file in `#{word}`");
@@ -215,8 +215,8 @@ impl Reader<'_> {
         result.map_err(|message| self.with_trace(Diagnostic::error(span, message)))
     }
 
-    /// `#read(Name, A, B, ...)`. At the end of the file the names that are left keep what they hold, and the file is
-    /// closed and its name gone, which `defined` tells.
+    /// `#read(Name, A, B, ...)`. At the end of the file the remaining names keep their values, and the file is closed
+    /// and its name undefined, which `defined` tests.
     pub(crate) fn run_read(&mut self) -> Parse<()> {
         let (symbol, handle) = self.file_in_parentheses(Word::Read)?;
         let span = self.taken_span();
@@ -266,7 +266,7 @@ impl Reader<'_> {
     }
 }
 
-/// A number as `#write` writes it: a vector with a blank behind it.
+/// A number in the format of `#write`: a vector has a blank after it.
 fn written(number: &Number) -> String {
     if number.len == 1 {
         return general(number.v[0]);

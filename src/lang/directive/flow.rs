@@ -1,19 +1,19 @@
-//! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
+//! Directives that control the flow of reading: conditions, loops, `#switch`, the `#end` of macros.
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
-use crate::lang::cursor::{Entered, Frame, Place};
+use crate::lang::cursor::{Entered, Frame, Position};
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token, Tokens};
 use std::rc::Rc;
 
-/// How far two floats may differ and still be equal to the language.
+/// Floats that differ by no more than this are equal in the language.
 pub(crate) const EQUAL: f64 = 1e-10;
 
 impl Reader<'_> {
-    /// Runs the directive at hand and leaves the cursor where reading goes on.
+    /// Runs the next directive and leaves the cursor where reading goes on.
     pub(crate) fn run_directive(&mut self, token: Token) -> Parse<()> {
         let index = self.here.at;
         let span = self.here_span();
@@ -23,15 +23,15 @@ impl Reader<'_> {
         };
         let frames = self.frames.len();
         let home = Rc::clone(&self.here.tokens);
-        // What a directive reads is no part of the value that is declared around it.
+        // The text of a directive is not part of the value being declared around it.
         let declaring = self.declaring.take();
-        let result = self.nested(|reader| reader.run_known(word, index, span));
+        let result = self.nested(|reader| reader.dispatch_directive(word, index, span));
         self.declaring = declaring;
         match result {
             Err(error) if crate::lang::diagnose::hints::opens_group(word) && !self.is_over => self
-                .go_on_in_group(
+                .resume_in_group(
                     error,
-                    &Place {
+                    &Position {
                         tokens: home,
                         at: index,
                     },
@@ -41,12 +41,12 @@ impl Reader<'_> {
         }
     }
 
-    /// After an error in the head of a directive that opens a group: tells it and goes on in the first part of an
-    /// `#if`, behind the `#end` of anything else, so that the `#end` is not taken for one too many.
-    fn go_on_in_group(
+    /// After an error in the head of a directive that opens a group: reports it and goes on in the first part of an
+    /// `#if`, after the `#end` of anything else, so that this `#end` does not count as unmatched.
+    fn resume_in_group(
         &mut self,
         error: Box<Diagnostic>,
-        opener: &Place,
+        opener: &Position,
         frames: usize,
     ) -> Parse<()> {
         let directives = &opener.tokens.directives;
@@ -71,7 +71,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Goes behind the parentheses at hand, or, where they are missing, to the next object or statement; not past a
+    /// Skips the next parentheses, or, where they are missing, everything up to the next object, statement or
     /// directive.
     fn pass_parentheses(&mut self) {
         let begins = |token: Token| {
@@ -99,7 +99,7 @@ impl Reader<'_> {
         }
     }
 
-    fn run_known(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
+    fn dispatch_directive(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
         if changes_values(word) {
             self.changes += 1;
         }
@@ -166,7 +166,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Goes to the token behind the directive that follows in its group; an error where the group is not closed.
+    /// Goes past the next directive of the group; an error where the group is not closed.
     pub(crate) fn jump(&mut self, to: u32, span: Span) -> Parse<()> {
         if to == u32::MAX {
             return Err(self.with_trace(
@@ -178,7 +178,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Enters the group of the directive at `index` of the file at hand.
+    /// Enters the group of the directive at `index` of the current file.
     pub(crate) fn enter(&mut self, index: usize, kind: Entered) {
         let (_, end) = self.group(index);
         self.enter_frame(Rc::clone(&self.here.tokens), end, kind);
@@ -188,7 +188,7 @@ impl Reader<'_> {
         self.frames.last().map(|frame| &frame.kind)
     }
 
-    /// The next part and the `#end` of the group of a directive of the file at hand.
+    /// The next part and the `#end` of the group of a directive of the current file.
     pub(crate) fn group(&self, index: usize) -> (u32, u32) {
         let tokens = &self.here.tokens;
         let token = tokens.tokens.get(index);
@@ -198,7 +198,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The innermost group, which may have begun in a file that includes the one at hand.
+    /// The innermost group, which may have begun in a file that includes the current one.
     pub(crate) fn innermost_group(&mut self) -> Option<&mut Entered> {
         let is_group = |frame: &&mut Frame| !matches!(frame.kind, Entered::Include { .. });
         let mut frames = self.frames.iter_mut().rev();
@@ -241,7 +241,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
+    /// `#end` closes the innermost group: a loop starts its next round, a macro returns to its call.
     pub(crate) fn run_end(&mut self) -> Parse<()> {
         if matches!(self.innermost(), Some(Entered::Include { .. }))
             && matches!(
@@ -269,7 +269,7 @@ impl Reader<'_> {
                 self.run_while(self.here.at - 1)
             }
             Entered::For(run) => {
-                // The body may have changed the variable: POV-Ray counts on from what it holds.
+                // The body may have changed the variable: POV-Ray counts on from its current value.
                 let now = match self.scopes.get(run.variable()) {
                     Some(Value::Number(now)) => Some(now.v[0]),
                     _ => None,
@@ -314,7 +314,7 @@ impl Reader<'_> {
         )
     }
 
-    /// After a condition was read: it must have ended in the file where it began.
+    /// Checks that a condition ended in the file where it began.
     pub(crate) fn stay_in(&mut self, home: &Rc<Tokens>, span: Span) -> Parse<()> {
         if Rc::ptr_eq(home, &self.here.tokens) {
             return Ok(());
@@ -325,7 +325,7 @@ impl Reader<'_> {
         )))
     }
 
-    /// The bracketed condition of `#if`, `#elseif` or `#while`.
+    /// The condition in parentheses of `#if`, `#elseif` or `#while`.
     pub(crate) fn condition(&mut self) -> Parse<bool> {
         Ok(self.number_in_parentheses()?.abs() > EQUAL)
     }
@@ -351,12 +351,12 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the text at hand ends, or what comes next is not all of it.
+/// True where the current text ends, or its next token is not all of it.
 fn ends_text(token: Token) -> bool {
     matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
 }
 
-/// Whether a directive may change what an expression gives.
+/// True if a directive may change the value of an expression.
 fn changes_values(word: Word) -> bool {
     matches!(
         word,

@@ -1,7 +1,7 @@
 //! `#` before anything but a directive.
 //!
-//! It is passed over, as if it did not stand there, unless a float follows: a number, a name of one, or a function that
-//! gives one. The lexer keeps it where that has to be looked at.
+//! It is ignored unless a float follows: a number, a name of one, or a function that gives one. The lexer keeps the `#`
+//! where that has to be checked.
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
@@ -10,8 +10,8 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
 
 impl Reader<'_> {
-    /// Runs a `#` that has been passed and begins no directive. A name behind it that is not declared is taken for a
-    /// misspelt directive.
+    /// Handles a `#` that begins no directive and has been taken. An undeclared name after it is taken for a misspelt
+    /// directive.
     pub(crate) fn run_hash(&mut self, hash: Span) -> Parse<()> {
         let name = self.raw().symbol();
         if name.is_some_and(|name| self.scopes.get(name).is_none()) {
@@ -40,7 +40,7 @@ impl Reader<'_> {
         self.with_trace(error.with_hint(hint))
     }
 
-    /// Tells if a float begins with this token.
+    /// True if a float begins with this token.
     fn is_float(&self, token: Token) -> bool {
         match token.kind {
             Kind::Number => true,
@@ -53,14 +53,14 @@ impl Reader<'_> {
         }
     }
 
-    /// Passes a `#` before the name that follows, which need not be declared.
+    /// Skips a `#` before a name, declared or not.
     pub(crate) fn pass_hash(&mut self) {
         if self.here.tokens.is_hash(self.raw()) {
             self.pass();
         }
     }
 
-    /// The same only before a name that is not declared: one that a loop or a function makes.
+    /// Skips a `#` before a name that is not declared: one that a loop or a function introduces.
     pub(crate) fn pass_hash_of_new_name(&mut self) {
         let name = self.raw_ahead(1).symbol();
         if name.is_some_and(|name| self.scopes.get(name).is_none()) {

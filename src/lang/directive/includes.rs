@@ -1,8 +1,8 @@
-//! Other files, the version, and what a scene says to people: `#include`, `#version`, `#debug` and its kin.
+//! `#include`, `#version`, and the messages of a scene: `#debug` and the like.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::lang::cursor::{Entered, Place};
+use crate::lang::cursor::{Entered, Position};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use std::rc::Rc;
@@ -42,7 +42,7 @@ impl Reader<'_> {
         self.enter_file(file, from)
     }
 
-    /// Enters the file that the command line asks to include before the scene.
+    /// Enters the file that the command line includes before the scene.
     pub(crate) fn enter_header(&mut self) {
         let Some(header) = &self.options.include_header else {
             return;
@@ -69,12 +69,12 @@ impl Reader<'_> {
         };
         self.enter_frame(Rc::clone(&tokens), u32::MAX, kind);
         self.scopes.enter();
-        self.here = Place { tokens, at: 0 };
+        self.here = Position { tokens, at: 0 };
         Ok(())
     }
 
     pub(crate) fn run_version(&mut self) -> Parse<()> {
-        // It holds at once, for a directive behind it as well.
+        // It holds at once, for a directive after it as well.
         self.is_in_version = true;
         let version = self.float();
         self.is_in_version = false;
@@ -90,8 +90,8 @@ impl Reader<'_> {
             ));
         }
         if (version < 3.5) != (self.version < 3.5) {
-            // Macros behind a number are read in another way.
-            self.replays.forget();
+            // Macros after a number are parsed differently.
+            self.replays.clear();
         }
         self.version = version;
         self.has_version = true;
@@ -103,7 +103,7 @@ impl Reader<'_> {
         let text = self.string()?;
         match word {
             Word::Error => {
-                // What follows was written for a scene that is right so far.
+                // The rest was written for a scene without this error.
                 self.is_over = true;
                 let text = match text.trim_end() {
                     "" => "the scene stops itself here",

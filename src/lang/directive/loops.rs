@@ -22,7 +22,7 @@ pub(crate) struct For {
 }
 
 impl For {
-    /// Where its body begins, behind its head.
+    /// The start of its body, after its head.
     pub(crate) fn body(&self) -> usize {
         self.body
     }
@@ -32,18 +32,18 @@ impl For {
         self.variable
     }
 
-    /// Whether this is not its first round.
+    /// True after the first round.
     pub(crate) fn has_gone_round(&self) -> bool {
         (self.value - self.start).abs() > EQUAL
     }
 
-    /// Counts on from what the variable holds now; gives its next value.
+    /// Adds the step to the current value of the variable; returns the next value.
     pub(crate) fn count_on(&mut self, now: Option<f64>) -> f64 {
         self.value = now.unwrap_or(self.value) + self.step;
         self.value
     }
 
-    /// Whether no further round follows.
+    /// True if no further round follows.
     pub(crate) fn is_over(&self) -> bool {
         if self.step > 0.0 {
             self.value > self.end + EQUAL
@@ -70,7 +70,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// At the condition of a `#while`: an error if the round behind it has changed nothing that the next one could read.
+    /// At the condition of a `#while`: an error if the last round changed nothing that the next one could read.
     fn look_for_change(&mut self, home: &Tokens, index: usize) -> Parse<()> {
         let changes = self.changes + self.streams.changes();
         let Some(Frame {
@@ -119,7 +119,7 @@ impl Reader<'_> {
             end,
             step,
         };
-        // The variable is local to the macro or file, whoever else has that name.
+        // The variable is local to the macro or file, even if an outer one has its name.
         self.scopes
             .local(variable, Value::Number(Number::float(start)));
         if run.is_over() {
@@ -132,10 +132,10 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Counts the tokens from `from` to the `#end` of a loop, which are read once more.
+    /// Counts the tokens from `from` to the `#end` of a loop, which are read again.
     pub(crate) fn count_round(&mut self, from: usize, end: u32, at: Start) -> Parse<()> {
         let end = (end as usize).min(self.here.tokens.tokens.len());
-        self.count_again(end.saturating_sub(from), at)
+        self.count_reread(end.saturating_sub(from), at)
     }
 }
 
@@ -194,7 +194,7 @@ mod tests {
         }
     }
 
-    /// Each round opens a stream; the time of a round must not grow with them.
+    /// Each round opens a stream; the time of a round must not grow with their number.
     #[test]
     fn a_loop_that_opens_streams_without_end_is_stopped() {
         let expected = "the loops and macros of this scene do not come to an end";

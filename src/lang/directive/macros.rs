@@ -1,8 +1,8 @@
-//! Macros: text that is put in place of its call.
+//! Macros: text substituted for its call.
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::{Entered, Place, Start};
+use crate::lang::cursor::{Entered, Position, Start};
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::replay::Source;
 use crate::lang::limits;
@@ -23,19 +23,19 @@ pub(crate) struct Macro {
 }
 
 impl Macro {
-    /// The names of what it is given.
+    /// The names of the parameters.
     pub(crate) fn parameters(&self) -> &[Symbol] {
         &self.parameters
     }
 }
 
-/// What a call gives for one parameter.
+/// The argument of a call for one parameter.
 pub(crate) enum Argument {
     Reference(Target),
     Value(Value),
 }
 
-/// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
+/// The arguments of a call, and where a recorded expression finds each of them. Few macros have more than six.
 #[derive(Default)]
 pub(crate) struct Arguments {
     pub(crate) values: SmallVec<[Argument; 6]>,
@@ -43,12 +43,12 @@ pub(crate) struct Arguments {
 }
 
 impl Reader<'_> {
-    /// `#macro Name(A, B) ... #end`: keeps the place of the body and goes behind its `#end`.
+    /// `#macro Name(A, B) ... #end`: records the position of the body and goes past its `#end`.
     pub(crate) fn define_macro(&mut self, index: usize, span: Span) -> Parse<()> {
         let token = self.here.tokens.tokens[index];
         let end = self.here.tokens.directives[token.value as usize].end;
         if end == u32::MAX {
-            // All that follows is the macro's.
+            // The macro takes the rest of the file.
             self.here.at = self.here.tokens.tokens.len() - 1;
             return Err(self.with_trace(
                 Diagnostic::error(span, "this `#macro` has no matching `#end`")
@@ -66,7 +66,7 @@ impl Reader<'_> {
         if !self.take_raw_mark('(') {
             let name = self.taken_span();
             let text = self.source_text(name).to_owned();
-            let error = self.expected_behind(name, "`(` after the macro's name");
+            let error = self.expected_after(name, "`(` after the macro's name");
             return Err(Box::new(error.with_hint(format!(
                 "Write `#macro {text}()` if it takes nothing."
             ))));
@@ -100,13 +100,13 @@ impl Reader<'_> {
         is_it
     }
 
-    /// The call at hand: reads its arguments and enters the body.
+    /// Calls a macro, whose name is next: reads its arguments and enters the body.
     pub(crate) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
         self.pass();
         let call = self.start_taken();
         let mut arguments = Arguments::default();
         if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
-            // The arguments are no part of the value that is declared around the call, or before it without a `;`.
+            // The arguments are not part of the value being declared around the call, or before it without a `;`.
             let declaring = self.declaring.take();
             let read = self.nested(|reader| reader.macro_arguments(name, called, call));
             self.declaring = declaring;
@@ -122,8 +122,8 @@ impl Reader<'_> {
             ));
         }
         let length = (called.end as usize).saturating_sub(called.body);
-        self.count_again(length, call)?;
-        let body = Place {
+        self.count_reread(length, call)?;
+        let body = Position {
             tokens: Rc::clone(&called.tokens),
             at: called.body,
         };
@@ -192,14 +192,14 @@ impl Reader<'_> {
         Ok(arguments)
     }
 
-    /// How a macro is called.
+    /// The call syntax of a macro, for messages.
     fn call_form(&self, name: Symbol, called: &Macro) -> String {
         let spelling = |&symbol: &Symbol| self.names.spelling(symbol);
         let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
         format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
 
-    /// A bare identifier goes by reference, everything else by value.
+    /// A bare identifier is passed by reference, everything else by value.
     fn macro_argument(&mut self, arguments: &mut Arguments) -> Parse<()> {
         let token = self.peek()?;
         let behind = self.raw_ahead(1);
@@ -234,12 +234,12 @@ impl Reader<'_> {
         }
     }
 
-    /// The item of an array, if the argument is no more than that; otherwise nothing is taken.
+    /// An item of an array as a reference, if the argument is nothing else; otherwise nothing is taken.
     fn item_by_reference(&mut self, symbol: Symbol) -> Parse<Option<Target>> {
         if !matches!(self.scopes.get(symbol), Some(Value::Array(_))) {
             return Ok(None);
         }
-        self.spoil();
+        self.discard_recording();
         let before = self.here.clone();
         self.pass();
         let path = self.item_path(symbol)?;
@@ -255,7 +255,7 @@ impl Reader<'_> {
         Ok(None)
     }
 
-    /// An identifier as it is written, whatever it holds; no macro of that name is called.
+    /// An identifier as it is written, whatever it holds; a macro of that name is not called.
     pub(crate) fn identifier(&mut self, what: &str) -> Parse<Symbol> {
         let token = self.raw();
         match token.kind {

@@ -1,4 +1,4 @@
-//! A file that a scene writes to, and where it may.
+//! Output files of a scene, and the folders they may be in.
 
 use crate::base::args::{Parse, Word};
 use crate::base::options::Writes;
@@ -11,7 +11,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// A file that is written to.
+/// An output file.
 #[derive(Debug)]
 pub(crate) struct Output {
     pub(crate) name: String,
@@ -19,7 +19,7 @@ pub(crate) struct Output {
     to: To,
 }
 
-/// The destination of the bytes: a file that has not its name yet, one that has, or memory.
+/// The destination of the bytes: a file without its final name, one that has it, or memory.
 #[derive(Debug)]
 enum To {
     Pending(BufWriter<Pending>),
@@ -54,7 +54,7 @@ impl Output {
         Ok(Output { name, path, to })
     }
 
-    /// True where what is written takes memory.
+    /// True if the output is held in memory.
     pub(crate) fn is_in_memory(&self) -> bool {
         matches!(self.to, To::Memory(_))
     }
@@ -93,7 +93,7 @@ impl Output {
 
 impl Reader<'_> {
     pub(crate) fn open_output(&mut self, name: String, mode: Word, span: Span) -> Parse<Output> {
-        self.ask_to_write(&name, span)?;
+        self.check_writable(&name, span)?;
         let opened = match self.options.writes {
             Writes::ToDisk => Output::new(name.clone(), mode),
             Writes::InMemory => Output::in_memory(name.clone(), mode, self.sources),
@@ -101,8 +101,8 @@ impl Reader<'_> {
         opened.map_err(|error| self.not_written(&name, &error, span))
     }
 
-    /// Refuses a file that the scene may not write.
-    pub(crate) fn ask_to_write(&mut self, name: &str, span: Span) -> Parse<()> {
+    /// Rejects a file that the scene may not write.
+    pub(crate) fn check_writable(&mut self, name: &str, span: Span) -> Parse<()> {
         if self.may_write(Path::new(name)) {
             return Ok(());
         }
@@ -117,21 +117,21 @@ impl Reader<'_> {
         let message = format!("this scene may not write to `{name}`");
         let mut error = Diagnostic::error(span, message);
         if allowed.is_empty() {
-            // Whoever lets no scene write may draw it again and let it: what follows is of no use.
+            // The user may run the scene again and allow it: the rest is of no use.
             error.code = Some(Code::WritesFiles);
             self.is_over = true;
         }
         Err(self.with_trace(error.with_hint(hint)))
     }
 
-    /// Tells whether a file lies in a folder that scenes may write to, links and `..` resolved.
+    /// True if a file lies in a writable folder, with links and `..` resolved.
     fn may_write(&self, path: &Path) -> bool {
-        let place = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
+        let resolved = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
             let folder = match path.parent() {
                 Some(folder) if !folder.as_os_str().is_empty() => folder,
                 _ => Path::new("."),
             };
-            // A link to a file that is not there yet has a name, and so could lead anywhere.
+            // A dangling link can point anywhere.
             if fs::symlink_metadata(path).is_ok() {
                 return Err(io::ErrorKind::InvalidInput.into());
             }
@@ -140,17 +140,20 @@ impl Reader<'_> {
                 None => Err(io::ErrorKind::InvalidInput.into()),
             }
         });
-        // In a folder that is not there, opening tells what is wrong.
-        let place = match place {
+        // In a missing folder, opening reports the error.
+        let resolved = match resolved {
             Err(error) if error.kind() == io::ErrorKind::NotFound => path
                 .ancestors()
                 .find_map(|folder| fs::canonicalize(folder).ok())
                 .or_else(|| fs::canonicalize(".").ok()),
-            place => place.ok(),
+            resolved => resolved.ok(),
         };
-        let Some(place) = place else { return false };
+        let Some(resolved) = resolved else {
+            return false;
+        };
         let mut allowed = self.options.writable.iter();
-        allowed.any(|folder| fs::canonicalize(folder).is_ok_and(|folder| place.starts_with(folder)))
+        allowed
+            .any(|folder| fs::canonicalize(folder).is_ok_and(|folder| resolved.starts_with(folder)))
     }
 
     pub(crate) fn not_written(&self, name: &str, error: &io::Error, span: Span) -> Box<Diagnostic> {

@@ -1,7 +1,7 @@
-//! The `;` behind what is declared.
+//! The `;` after declarations.
 //!
-//! A number, a vector, a colour and a function that is named must have one from version 3.5 on, and may have two; anything
-//! else may have one. Each may stand behind the end of the macro or the file in which the value ends, as in
+//! A number, a vector, a colour and a named function need one from version 3.5 on, and may have two; anything else may
+//! have one. Each may stand after the end of the macro or file in which the value ends, as in
 //! `#macro M() #declare A = 1 #end  M();`, but no directive may stand before it.
 
 use crate::base::args::Parse;
@@ -12,9 +12,9 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
 
 impl Reader<'_> {
-    /// The token behind the ends of macros and files that follow each other from a token of the current text on, and how
-    /// many ends these are.
-    pub(crate) fn behind_ends(&self, from: usize) -> (u32, Token) {
+    /// The token after consecutive ends of macros and files, from a token of the current text on, and the number of
+    /// these ends.
+    pub(crate) fn after_ends(&self, from: usize) -> (u32, Token) {
         let (mut tokens, mut at) = (&self.here.tokens, from);
         let mut ends = 0;
         for frame in self.frames.iter().rev() {
@@ -30,9 +30,9 @@ impl Reader<'_> {
         (ends, tokens.tokens[at])
     }
 
-    /// Takes a `;` that comes next, or behind the ends of macros and files that come next, which are left then.
+    /// Takes a `;` that is next, or that follows ends of macros and files, which are then left.
     pub(crate) fn take_semicolon(&mut self) -> bool {
-        let (ends, token) = self.behind_ends(self.here.at);
+        let (ends, token) = self.after_ends(self.here.at);
         let is_it = token.is_mark(';');
         if is_it {
             for _ in 0..ends {
@@ -44,7 +44,7 @@ impl Reader<'_> {
     }
 
     fn leave_macro_or_file(&mut self) {
-        self.spoil();
+        self.discard_recording();
         if let Some(Frame {
             kind: Entered::Macro { back, .. } | Entered::Include { back, .. },
             ..
@@ -55,17 +55,17 @@ impl Reader<'_> {
         }
     }
 
-    /// Behind a part of a number that is being declared: if a directive follows, a `;` is probably missing. The directive
-    /// runs before the name has its value, and must not find the name undeclared.
+    /// After a part of a number that is being declared: if a directive follows, a `;` is probably missing. The
+    /// directive runs before the name has its value, and must not report the name as undeclared.
     pub(crate) fn look_for_semicolon(&mut self) {
         let next = self.raw();
         if !matches!(next.kind, Kind::Directive | Kind::End | Kind::Name) {
             return;
         }
-        let place = (self.depth, self.blocks.len());
+        let level = (self.depth, self.blocks.len());
         let Some(open) = self
             .declaring
-            .filter(|open| (open.depth, open.blocks) == place)
+            .filter(|open| (open.depth, open.blocks) == level)
         else {
             return;
         };
@@ -88,16 +88,15 @@ impl Reader<'_> {
         }
     }
 
-    /// Tells if a number ends before the next token because a macro is called there, which may use its name: so before
-    /// 3.5, where it needs no `;`.
+    /// True if a number ends here because a macro call follows, which may use its name: before 3.5 it needs no `;`.
     fn ends_before_macro(&self, next: Token) -> bool {
         self.version < 3.5 && next.symbol().is_some_and(|name| self.scopes.is_macro(name))
     }
 
-    /// Tells if the macro or file in which a name is declared ends next, and the number with it: then the name must get
-    /// its value before it is left, for it may be a parameter.
+    /// True if the macro or file that declares a name ends next, and the number with it: the name, which may be a
+    /// parameter, must get its value before the scope closes.
     fn ends_with_scope(&self, open: &Declaring) -> bool {
-        let (ends, behind) = self.behind_ends(self.here.at);
+        let (ends, behind) = self.after_ends(self.here.at);
         let goes_on = || {
             ['+', '-', '*', '/', '.']
                 .into_iter()
@@ -114,7 +113,7 @@ impl Reader<'_> {
                 self.take_semicolon();
             }
             if let Some((last, ..)) = self.without_semicolon.take() {
-                self.miss_semicolon(last);
+                self.report_missing_semicolon(last);
             }
             return Ok(());
         }
@@ -131,22 +130,22 @@ impl Reader<'_> {
             return Err(self.expected_here("an operator or `;` behind the value"));
         }
         let last = match self.without_semicolon.take() {
-            Some((last, place, frames)) => {
-                // The directive has run without the value; from here on it is there.
+            Some((last, position, frames)) => {
+                // The directive ran without the value; from here on the value is there.
                 if self.is_within(frames) {
                     self.frames.truncate(frames);
-                    self.here = place;
+                    self.here = position;
                 }
                 last
             }
             None => self.taken_span(),
         };
-        self.miss_semicolon(last);
+        self.report_missing_semicolon(last);
         Ok(())
     }
 
-    /// Tells that a `;` is missing behind the number that ends there.
-    pub(crate) fn miss_semicolon(&mut self, last: Span) {
+    /// Reports a missing `;` after a number.
+    pub(crate) fn report_missing_semicolon(&mut self, last: Span) {
         let behind = Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.version >= 3.5 {

@@ -1,4 +1,4 @@
-//! The reader as elements see it.
+//! [`Args`] for [`Reader`]: how elements read their parameters.
 
 use crate::base::args::{Args, Interner, Parse, Sampled, Word};
 use crate::base::color::{Color, Gamma};
@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
 
-/// From this version on there is gamma handling even if a scene does not ask for it.
+/// First version with gamma handling in scenes that set no gamma.
 const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
@@ -114,8 +114,8 @@ impl Args for Reader<'_> {
             && let scene::Kind::Shape(shape) = &object.kind
             && let Shape::Mesh(mesh) = &**shape
         {
-            let place = Transform::from_steps(&object.steps);
-            return Ok(Arc::new(PlacedMesh::new(mesh.clone(), place)));
+            let transform = Transform::from_steps(&object.steps);
+            return Ok(Arc::new(PlacedMesh::new(mesh.clone(), transform)));
         }
         let message = "this is not a mesh".to_owned();
         Err(self.with_trace(Diagnostic::error(at, message)))
@@ -232,7 +232,7 @@ impl Args for Reader<'_> {
 
     fn span(&mut self) -> Span {
         if let Err(error) = self.peek() {
-            // A faulty directive before the token has been passed: nobody meets it again.
+            // A faulty directive before the token has been passed, so its error is recorded now.
             let error = self.with_trace(*error);
             self.record(*error);
         }
@@ -272,7 +272,7 @@ impl Reader<'_> {
         Ok(number)
     }
 
-    /// What reaches an element must be finite: no ray meets an infinite sphere, and a picture has no infinite colour.
+    /// Elements take finite numbers only: no ray hits an infinite sphere, and an image has no infinite colour.
     pub(crate) fn finite(&self, numbers: &[f64], start: Start) -> Parse<()> {
         let Some(bad) = numbers.iter().find(|number| !number.is_finite()) else {
             return Ok(());
@@ -285,8 +285,7 @@ impl Reader<'_> {
                 "It comes of a division by zero, or of a number too large to hold.",
             )
         };
-        let place = self.span_from(start);
-        Err(self
-            .with_trace(Diagnostic::error(place, format!("this value is {is}")).with_hint(hint)))
+        let span = self.span_from(start);
+        Err(self.with_trace(Diagnostic::error(span, format!("this value is {is}")).with_hint(hint)))
     }
 }

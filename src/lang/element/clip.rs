@@ -1,4 +1,4 @@
-//! `clipped_by` and `bounded_by`: the objects that cut an object or lie around it.
+//! `clipped_by` and `bounded_by`: objects that clip or bound an object.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::lang::reader::Reader;
@@ -6,8 +6,8 @@ use crate::scene::{Attached, Object};
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// `clipped_by { objects transforms }`, `bounded_by { objects transforms }`, and either `{ the other }`. The transforms
-    /// move all of the objects.
+    /// `clipped_by { objects transforms }`, `bounded_by { objects transforms }`, and `{ the other }` in either. The
+    /// transforms move all of the objects.
     pub(crate) fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
         self.pass();
         let start = self.taken_span();

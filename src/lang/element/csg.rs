@@ -9,7 +9,7 @@ use crate::scene::{Kind, Object, Operation};
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// A combination, or the object of the name that comes first in its block.
+    /// A CSG object, or the object whose name comes first in the block.
     pub(crate) fn csg(&mut self, operation: Operation) -> Parse<Object> {
         self.pass();
         let word = self.source_text(self.taken_span()).to_owned();
@@ -36,7 +36,7 @@ impl Reader<'_> {
         Ok(object)
     }
 
-    /// The objects that follow, in words and by their names alone, in any order.
+    /// The objects that follow, written out or by name, in any order.
     pub(crate) fn children(&mut self) -> Parse<Vec<Arc<Object>>> {
         let mut children = Vec::new();
         loop {
@@ -49,7 +49,7 @@ impl Reader<'_> {
         }
     }
 
-    /// An error if a further object stands behind the name that comes first.
+    /// An error if another object follows the name at the start of the block.
     fn check_no_part_follows(&mut self, word: &str) -> Parse<()> {
         let token = self.peek()?;
         let is_part = match token.word() {

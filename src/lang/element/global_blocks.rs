@@ -1,4 +1,4 @@
-//! The blocks of `global_settings`: radiosity, photons, subsurface light. They are read and checked as POV-Ray does.
+//! The blocks of `global_settings`: radiosity, photons and subsurface, read and checked as POV-Ray does.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
@@ -6,38 +6,38 @@ use crate::lang::reader::Reader;
 use crate::render::photons;
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 
-/// The directions that radiosity has unless a scene says how many.
+/// Number of stored radiosity directions unless a scene sets it.
 const ALL_DIRECTIONS: u32 = 1600;
 
-/// Values that a setting may have, and how a person says it.
+/// Range of a setting, and its description for messages.
 struct Range {
     is_in: fn(f64) -> bool,
-    told: &'static str,
+    description: &'static str,
 }
 
 const POSITIVE: Range = Range {
     is_in: |value| value > 0.0,
-    told: "a positive number",
+    description: "a positive number",
 };
 const SHARE: Range = Range {
     is_in: |value| value > 0.0 && value <= 1.0,
-    told: "a number above 0 and up to 1",
+    description: "a number above 0 and up to 1",
 };
 const UP_TO_ONE: Range = Range {
     is_in: |value| (0.0..=1.0).contains(&value),
-    told: "a number from 0 to 1",
+    description: "a number from 0 to 1",
 };
 const UP_TO_TWENTY: Range = Range {
     is_in: |value| (1.0..21.0).contains(&value),
-    told: "a number from 1 to 20",
+    description: "a number from 1 to 20",
 };
 const COUNT: Range = Range {
     is_in: |value| (0.0..=4e9).contains(&value),
-    told: "a number that is not negative",
+    description: "a number that is not negative",
 };
 
 impl Reader<'_> {
-    /// `radiosity { ... }`. What an earlier block has set stays.
+    /// `radiosity { ... }`. Settings of an earlier block stay.
     pub(crate) fn radiosity(&mut self) -> Parse<()> {
         self.pass();
         let start = self.taken_span();
@@ -130,7 +130,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `photons { ... }` of the whole scene. By itself it shoots none: objects ask for photons.
+    /// `photons { ... }` of the whole scene. By itself it shoots none: objects request photons.
     pub(crate) fn photons(&mut self) -> Parse<()> {
         self.pass();
         self.open_block()?;
@@ -208,7 +208,7 @@ impl Reader<'_> {
             Word::SaveFile => {
                 self.pass();
                 let name = self.file_name()?;
-                self.ask_to_write(&name, self.taken_span())?;
+                self.check_writable(&name, self.taken_span())?;
                 settings.save_file = Some(name);
             }
             _ => return Err(self.expected_here("a setting or `}` in `photons`")),
@@ -234,7 +234,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `subsurface { ... }` of the whole scene. By itself it changes nothing: finishes ask for it.
+    /// `subsurface { ... }` of the whole scene. By itself it changes nothing: finishes request it.
     pub(crate) fn subsurface(&mut self) -> Parse<()> {
         self.pass();
         self.open_block()?;
@@ -254,7 +254,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `radiosity { importance value }` of an object or of all.
+    /// `radiosity { importance value }` of an object, or the default of all.
     pub(crate) fn importance(&mut self) -> Parse<Option<Importance>> {
         self.pass();
         self.open_block()?;
@@ -271,7 +271,7 @@ impl Reader<'_> {
         Ok(importance)
     }
 
-    /// Says that the light gathered will not be quite POV-Ray's because of some setting.
+    /// Warns of a setting with which the radiosity differs from POV-Ray's.
     fn warn_of(&mut self, at: Span, setting: &str) {
         let message = format!("{setting} is not obeyed as by POV-Ray: its radiosity will differ");
         self.warn(Diagnostic::warning(at, message));
@@ -284,12 +284,12 @@ impl Reader<'_> {
         if (range.is_in)(value) {
             return Ok(value);
         }
-        let message = format!("expected {}, found {value}", range.told);
+        let message = format!("expected {}, found {value}", range.description);
         Err(self.with_trace(Diagnostic::error(start.to(self.taken_span()), message)))
     }
 
-    /// Says that drawing cannot do yet what stands here.
-    pub(crate) fn note_undrawn(&mut self, what: &str, at: Span) {
+    /// Records that rendering does not support a setting yet.
+    pub(crate) fn record_unsupported(&mut self, what: &str, at: Span) {
         let error = Diagnostic::error(at, format!("{what} is not built yet"));
         let hint = "With `+Q8` the scene is drawn without it.";
         let error = error.with_code(Code::NotBuilt);

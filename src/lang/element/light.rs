@@ -1,4 +1,4 @@
-//! `light_source`: a light with the objects that it may hold. `light_group`: lights with the objects that they shine on.
+//! `light_source`: a light with the objects attached to it. `light_group`: lights with the objects they illuminate.
 
 use super::object::fold_steps;
 use crate::base::args::{Args, Parse, Word, transform_step};
@@ -10,7 +10,7 @@ use crate::scene::light::Light;
 use crate::scene::{Kind, LightGroup, Object, Operation};
 use std::sync::Arc;
 
-/// The objects that a light holds.
+/// The objects attached to a light.
 #[derive(Default)]
 struct Held {
     looks_like: Option<Arc<Object>>,
@@ -18,7 +18,7 @@ struct Held {
 }
 
 impl Reader<'_> {
-    /// `light_source { ... }`. Behind the name of an object stand the modifiers of any object.
+    /// `light_source { ... }`. After an object's name any object modifiers may stand.
     pub(crate) fn light(&mut self) -> Parse<Object> {
         self.has_light = true;
         self.pass();
@@ -65,8 +65,8 @@ impl Reader<'_> {
         }))
     }
 
-    /// `light_group { ... }`: objects and lights, then transforms, `global_lights` and `photons`, and nothing else. Other
-    /// than in combinations a name may come first.
+    /// `light_group { ... }`: objects and lights, then transforms, `global_lights` and `photons`, and nothing else.
+    /// Unlike in CSG, a name may come first.
     pub(crate) fn light_group(&mut self) -> Parse<Object> {
         self.pass();
         let start = self.taken_span();
@@ -94,7 +94,7 @@ impl Reader<'_> {
         Ok(object)
     }
 
-    /// The error for a token that cannot stand in a light group behind its objects.
+    /// The error for a token that cannot stand in a light group after its objects.
     fn not_of_a_group(&mut self) -> Box<Diagnostic> {
         let wanted = "a transform, `global_lights`, `photons` or `}` in `light_group`";
         let mut error = self.expected_here(wanted);
@@ -123,7 +123,7 @@ impl Reader<'_> {
         };
         let mut object = (*known).clone();
         if is_look {
-            // Its own modifiers come after it has been put into its place, as in POV-Ray.
+            // Its own modifiers apply after the translation to the light, as in POV-Ray.
             object.steps.push(Step::Translate(light.centre));
             object.flags.no_shadow = true;
         }

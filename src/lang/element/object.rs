@@ -1,10 +1,10 @@
-//! Objects and what they carry.
+//! Objects and their modifiers.
 
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::math::shorten;
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::expr::value::Value;
-use crate::lang::fast_path::parallel::{Defaults, Taker};
+use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::fast_path::plain::Read;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind as Tok, Symbol};
@@ -14,11 +14,11 @@ use crate::scene::texture::{Layer, Material, Texture};
 use crate::scene::{Attached, Kind, Object, Operation};
 use std::sync::Arc;
 
-/// The parts of an object.
-impl Taker for Vec<Arc<Object>> {
-    type Kept = Arc<Object>;
+/// Collects the parts of an object.
+impl LiteralSink for Vec<Arc<Object>> {
+    type Item = Arc<Object>;
 
-    fn kept(read: Read, defaults: &Defaults<'_>) -> Arc<Object> {
+    fn item(read: Read, defaults: &Defaults<'_>) -> Arc<Object> {
         Arc::new(read.into_object(defaults.layer))
     }
 
@@ -30,7 +30,7 @@ impl Taker for Vec<Arc<Object>> {
 }
 
 impl Reader<'_> {
-    /// The object that begins at hand, if one does.
+    /// The next object, if one begins at the cursor.
     pub(crate) fn object(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         let Some(word) = token.word() else {
@@ -42,7 +42,7 @@ impl Reader<'_> {
         self.object_of_tokens(word)
     }
 
-    /// The object of a word at hand, read token by token.
+    /// The object of the next word, read token by token.
     pub(crate) fn object_of_tokens(&mut self, word: Word) -> Parse<Option<Arc<Object>>> {
         let mut object = match word {
             Word::Union => self.csg(Operation::Union)?,
@@ -59,7 +59,7 @@ impl Reader<'_> {
         Ok(Some(Arc::new(object)))
     }
 
-    /// The object of the identifier at hand.
+    /// The object of the next identifier.
     pub(crate) fn object_of_name(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         if token.kind != Tok::Name {
@@ -81,7 +81,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The same where a vector may stand as well: an item of an array may be either.
+    /// The same where a vector is allowed as well: an item of an array may be either.
     pub(crate) fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         let name = token.symbol().and_then(|name| self.scopes.get(name));
@@ -92,14 +92,14 @@ impl Reader<'_> {
         match self.array_or_item()? {
             Value::Object(object) => Ok(Some(object)),
             _ => {
-                // It is read once more, as a number.
+                // It is read again, as a number.
                 (self.here, self.streams) = (before, streams);
                 Ok(None)
             }
         }
     }
 
-    /// The object that follows, in words or by its name.
+    /// The next object, written out or by name.
     pub(crate) fn object_or_name(&mut self) -> Parse<Option<Arc<Object>>> {
         match self.object()? {
             Some(object) => Ok(Some(object)),
@@ -107,7 +107,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Moves objects by the transforms that follow.
+    /// Applies the transforms that follow to objects.
     pub(crate) fn move_all(&mut self, objects: &mut [Arc<Object>]) -> Parse<()> {
         let mut steps = Vec::new();
         while let Some(step) = transform_step(self)? {
@@ -160,7 +160,7 @@ impl Reader<'_> {
         Ok(object)
     }
 
-    /// The error with how the object is written, if its parameters are what is wrong.
+    /// Adds the syntax of the object to an error, if its parameters are at fault.
     pub(crate) fn with_usage(
         &mut self,
         error: Box<Diagnostic>,
@@ -188,7 +188,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Everything behind the parameters of an object, up to its `}`.
+    /// Everything after the parameters of an object, up to its `}`.
     pub(crate) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
@@ -211,7 +211,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The inner side has no texture of its own where the outer one has none.
+    /// Rejects an interior texture on an object without a texture.
     fn check_sides(&self, object: &Object) -> Parse<()> {
         if object.texture.is_some() || object.interior_texture().is_none() {
             return Ok(());
@@ -236,7 +236,7 @@ impl Reader<'_> {
         ))
     }
 
-    /// One modifier; false if the word is none.
+    /// Reads one modifier; false if the word is none.
     fn modifier(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
         match word {
             Word::Texture => {
@@ -298,7 +298,7 @@ impl Reader<'_> {
                     Word::NoRadiosity => object.flags.no_radiosity = is_on,
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
-                    // The others change no picture of what is built.
+                    // The others do not affect the image.
                     _ => {}
                 }
                 return Ok(true);
@@ -323,7 +323,7 @@ impl Reader<'_> {
         Ok(true)
     }
 
-    /// `pigment`, `normal` or `finish` straight in an object: they change the top layer of its texture.
+    /// `pigment`, `normal` or `finish` directly in an object: they change the top layer of its texture.
     fn texture_part(&mut self, object: &mut Object, word: Word) -> Parse<()> {
         if let Some(known) = &object.texture
             && known.what.is_patterned()
@@ -336,7 +336,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Gives an object a texture, or a further layer over the one it has.
+    /// Sets the texture of an object, or adds a layer to it.
     fn lay_over(&mut self, object: &mut Object, texture: Texture) -> Parse<()> {
         match &object.texture {
             Some(lower) => {
@@ -364,7 +364,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// "`word` is not built yet" at the token at hand.
+    /// "`word` is not built yet" at the next token.
     pub(crate) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
         let message = format!("`{word}` is not built yet");
         let error = Diagnostic::error(self.here_span(), message);
@@ -372,7 +372,7 @@ impl Reader<'_> {
     }
 }
 
-/// Makes one step of very many, from the last one on before which the object was given something.
+/// Folds a long list of steps into one, as far as they follow the last attached texture or clip object.
 pub(crate) fn fold_steps(object: &mut Object) {
     let textures = object.textures().map(|texture| texture.after);
     let start = textures
@@ -383,7 +383,7 @@ pub(crate) fn fold_steps(object: &mut Object) {
     shorten(&mut object.steps, start);
 }
 
-/// Sees to it that an object has a texture of its own.
+/// Gives an object a texture of its own if it has none.
 fn own_texture(object: &mut Object, default: &Layer) {
     if object.texture.is_none() {
         let texture = Texture::from(default.clone());
@@ -391,7 +391,7 @@ fn own_texture(object: &mut Object, default: &Layer) {
     }
 }
 
-/// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.
+/// The texture of an object that has one, for changes; the steps so far are applied to it first.
 pub(crate) fn baked(object: &mut Object) -> &mut Texture {
     let steps = std::mem::take(&mut object.steps);
     let plain = || Attached {

@@ -7,7 +7,7 @@ use crate::lang::reader::Reader;
 use crate::scene::Charset;
 use crate::scene::pattern::read_noise_generator;
 
-/// How many waves there may be: each costs time at each point.
+/// Range of `number_of_waves`: each costs time at each point.
 const WAVES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// POV-Ray's bounds of `max_trace_level`.
 const TRACE_LEVELS: std::ops::RangeInclusive<f64> = 1.0..=256.0;

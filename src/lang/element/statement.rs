@@ -1,4 +1,4 @@
-//! The statements of a scene file, and going on after a faulty one.
+//! The statements of a scene file, and error recovery between them.
 
 use super::settings::is_old_setting;
 use crate::base::args::{Args, Parse, Word};
@@ -6,7 +6,7 @@ use crate::base::color::Color;
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::cursor::Entered;
 use crate::lang::diagnose::recover::is_part;
-use crate::lang::fast_path::parallel::{Defaults, Taker};
+use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::fast_path::plain::Read;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
@@ -18,13 +18,13 @@ use crate::scene::texture::{Finish, Layer, Texture};
 use crate::scene::{Entry, Look, Object, Plain};
 use std::sync::Arc;
 
-/// The objects of the scene itself.
-struct Whole;
+/// Collects the objects of the scene itself.
+struct TopLevel;
 
-impl Taker for Whole {
-    type Kept = Entry;
+impl LiteralSink for TopLevel {
+    type Item = Entry;
 
-    fn kept(read: Read, defaults: &Defaults<'_>) -> Entry {
+    fn item(read: Read, defaults: &Defaults<'_>) -> Entry {
         match read {
             Read::Object(object) => {
                 Entry::from(Arc::new(object).with_default_texture(defaults.texture))
@@ -45,11 +45,11 @@ impl Taker for Whole {
             }
         }
         reader.objects.append(piece);
-        reader.count_leaves_alone(plain)
+        reader.count_single_shapes(plain)
     }
 }
 
-/// How a shape looks that says a colour, or nothing.
+/// The appearance of a shape with a colour of its own or the default texture.
 fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> Look {
     match color {
         Some(color) => Look::Color(color, Arc::clone(finish)),
@@ -58,7 +58,7 @@ fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> L
 }
 
 impl Reader<'_> {
-    /// Reads the whole scene; findings are recorded.
+    /// Reads the whole scene and records its findings.
     pub(crate) fn statements(&mut self) {
         loop {
             match self.statement() {
@@ -67,10 +67,10 @@ impl Reader<'_> {
                 Err(error) => {
                     let mut is_unbuilt =
                         error.code == Some(Code::NotBuilt) && !self.has_faulty_directive;
-                    self.tell(*error);
+                    self.report(*error);
                     if is_unbuilt && let Err(error) = self.skip_blocks(0) {
                         is_unbuilt = false;
-                        self.tell(*error);
+                        self.report(*error);
                     }
                     if self.is_over {
                         return;
@@ -88,11 +88,11 @@ impl Reader<'_> {
         }
     }
 
-    fn tell(&mut self, error: Diagnostic) {
+    fn report(&mut self, error: Diagnostic) {
         let unended = self.without_semicolon.take();
         if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
-            // What was asked for would be there if the declaration had ended.
-            self.miss_semicolon(last);
+            // The missing value would be there if the declaration had ended.
+            self.report_missing_semicolon(last);
         }
         let error = self.with_trace(error);
         self.record(*error);
@@ -103,7 +103,7 @@ impl Reader<'_> {
         self.blocks.clear();
         self.depth = 0;
         self.has_faulty_directive = false;
-        self.take_literal_objects(&mut Whole)?;
+        self.take_literal_objects(&mut TopLevel)?;
         let token = self.peek()?;
         self.statement_start = self.start_here();
         if token.kind == Kind::End {
@@ -212,7 +212,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// How a shape looks that says a colour, or nothing.
+    /// The appearance of a shape with a colour of its own or the default texture.
     fn look_of(&self, color: Option<Color>) -> Look {
         look(color, &self.default_layer.finish, &self.default_texture)
     }
@@ -224,7 +224,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// An object without a texture takes the default one as it is at the object's end.
+    /// An object without a texture takes the default one at the end of the object.
     pub(crate) fn with_default_texture(&self, object: Arc<Object>) -> Arc<Object> {
         object.with_default_texture(&self.default_texture)
     }

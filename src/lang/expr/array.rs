@@ -11,18 +11,18 @@ use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 
 impl Reader<'_> {
-    /// `[i] = value` behind `#declare` or `#local` and the name of an array, perhaps of arrays.
+    /// `[i] = value` after `#declare` or `#local` and the name of an array, which may hold arrays.
     pub(crate) fn declare_item(&mut self, symbol: Symbol, is_local: bool) -> Parse<()> {
         let start = self.taken_span();
         let item = self.item_path(symbol)?;
         if !self.take_mark('=')? {
             return Err(self.expected_here("`=` after the item of an array"));
         }
-        let place = Declaring {
+        let declaring = Declaring {
             is_item: true,
             ..self.declaring_here(symbol, is_local)
         };
-        let outer = self.declaring.replace(place);
+        let outer = self.declaring.replace(declaring);
         let value = self.value("a value");
         self.declaring = outer;
         let Some(value) = value? else {
@@ -38,14 +38,14 @@ impl Reader<'_> {
         }
         let outer = self.declaring.replace(Declaring {
             is_complete: true,
-            ..place
+            ..declaring
         });
         let end = self.end_of_declaration(is_number);
         self.declaring = outer;
         end
     }
 
-    /// `[i]`, and further ones for items that are arrays themselves, as indices into their items.
+    /// Reads `[i]`, and further indices while the items are arrays: the path of indices into nested arrays.
     pub(crate) fn item_path(&mut self, symbol: Symbol) -> Parse<Vec<usize>> {
         let mut path: Vec<usize> = Vec::new();
         loop {
@@ -61,9 +61,9 @@ impl Reader<'_> {
         }
     }
 
-    /// Gives an item of the array of this name a value.
+    /// Assigns a value to an item of a named array.
     pub(crate) fn set_item(&mut self, symbol: Symbol, path: &[usize], value: Value) -> Parse<()> {
-        // Arrays that have another name as well are copied.
+        // Arrays that are shared with another name are copied.
         let copied = self
             .scopes
             .get(symbol)
@@ -79,7 +79,7 @@ impl Reader<'_> {
         Err(self.mixed(other, &kind))
     }
 
-    /// The error for an item that is not as the others are.
+    /// The error for an item of another kind than the others.
     fn mixed(&self, others: &str, this: &str) -> Box<Diagnostic> {
         let others = others.trim_start_matches("an ").trim_start_matches("a ");
         let message = format!("this array holds values of the kind `{others}`, not {this}");
@@ -87,7 +87,7 @@ impl Reader<'_> {
         Box::new(self.error_taken(message).with_hint(hint))
     }
 
-    /// `[i][j]...` as an index into the row-major items of an array with these sizes.
+    /// `[i][j]...` as an index into the row-major items of an array of these sizes.
     pub(crate) fn array_index(&mut self, sizes: &[usize]) -> Parse<usize> {
         let mut at = 0;
         for &size in sizes {
@@ -126,7 +126,7 @@ impl Reader<'_> {
         let mut sizes = Vec::new();
         loop {
             let so_far = || Value::Array(Rc::new(Array::new(sizes.clone())));
-            if !self.peek_behind(so_far)?.is_mark('[') {
+            if !self.peek_after(so_far)?.is_mark('[') {
                 break;
             }
             self.pass();
@@ -201,7 +201,7 @@ impl Reader<'_> {
     }
 }
 
-/// An index into so many items, without what stands behind its decimal point; `None` if there is no such item.
+/// The index of an item, without its decimals; `None` if the array has no such item.
 pub(crate) fn whole_index(index: f64, size: usize) -> Option<usize> {
     let whole = (index + EQUAL.copysign(index)).trunc();
     #[allow(
@@ -212,7 +212,7 @@ pub(crate) fn whole_index(index: f64, size: usize) -> Option<usize> {
     (whole >= 0.0 && whole < size as f64).then_some(whole as usize)
 }
 
-/// The memory of so many items of an array.
+/// Memory of the items of an array, in bytes.
 fn array_bytes(items: usize) -> u64 {
     (items * size_of::<Option<Value>>()) as u64
 }

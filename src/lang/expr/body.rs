@@ -1,8 +1,7 @@
 //! The formula of a user function.
 //!
-//! It is no expression of the language: it knows numbers only, compares exactly, `&` binds tighter than `|`, and its
-//! parameters have no value while it is read. What it takes from the scene it takes at once: a name that holds a number is
-//! that number.
+//! It is not an expression of the language: it knows only numbers, compares exactly, `&` binds tighter than `|`, and
+//! its parameters have no value while it is read. Names that hold numbers are replaced by their value at once.
 
 use super::function::Callee;
 use super::value::{Number, Value};
@@ -25,7 +24,7 @@ pub(crate) enum Name {
 pub(crate) struct Body {
     pub(crate) graph: Graph,
     parameters: Vec<Name>,
-    /// The variables of the loops around, outermost first.
+    /// The variables of the enclosing loops, outermost first.
     pub(crate) variables: Vec<(Name, Id)>,
 }
 
@@ -39,24 +38,24 @@ impl Body {
         }
     }
 
-    /// The formula that gives `result`.
+    /// The formula whose value is `result`.
     pub(crate) fn finish(self, result: Id) -> Graph {
         self.graph.finish(result)
     }
 
-    /// The value of a name. Of several parameters of one name the first counts, but of words the last.
+    /// The value of a name. Of several parameters with the same name the first counts; of reserved words the last.
     fn value_of(&mut self, name: Name) -> Option<Id> {
         let variable = self.variables.iter().rev().find(|known| known.0 == name);
-        let mut places = (0..self.parameters.len())
-            .filter(|&place| canonical(self.parameters[place]) == canonical(name));
+        let mut indices = (0..self.parameters.len())
+            .filter(|&index| canonical(self.parameters[index]) == canonical(name));
         let parameter = match name {
-            Name::Symbol(_) => places.next(),
-            Name::Word(_) => places.next_back(),
+            Name::Symbol(_) => indices.next(),
+            Name::Word(_) => indices.next_back(),
         };
         match (name, variable, parameter) {
-            // POV-Ray knows `x` and the like as parameters before it looks for variables.
-            (Name::Word(_), _, Some(place)) | (_, None, Some(place)) => {
-                Some(self.graph.parameter(u16::try_from(place).unwrap_or(0)))
+            // POV-Ray looks up `x` and the like as parameters before variables.
+            (Name::Word(_), _, Some(index)) | (_, None, Some(index)) => {
+                Some(self.graph.parameter(u16::try_from(index).unwrap_or(0)))
             }
             (_, Some(&(_, id)), _) => Some(id),
             _ => None,
@@ -64,7 +63,7 @@ impl Body {
     }
 }
 
-/// `u` and `v` are other names of `x` and `y`.
+/// `u` and `v` are aliases of `x` and `y`.
 fn canonical(name: Name) -> Name {
     match name {
         Name::Word(Word::U) => Name::Word(Word::X),
@@ -150,9 +149,9 @@ impl Reader<'_> {
             rest.push((f, self.body_operand(body)?));
         }
         product(&mut body.graph, first, &rest).map_err(|_| {
-            let place = start.to(self.taken_span());
+            let span = start.to(self.taken_span());
             self.with_trace(
-                Diagnostic::error(place, "division by zero")
+                Diagnostic::error(span, "division by zero")
                     .with_hint("Divide by a parameter, or by a number that is not zero."),
             )
         })
@@ -254,7 +253,7 @@ impl Reader<'_> {
         match (&value, Callee::of(&value)) {
             (Value::Number(Number { v, len: 1 }), _) => Ok(Operand::literal(&mut body.graph, v[0])),
             (_, Some(Callee::Function(function))) => {
-                let function = self.as_called(function);
+                let function = self.with_current_noise(function);
                 self.body_call(&function, body)
             }
             (_, Some(Callee::Spline(_))) => Err(self.unfit_in_body(
@@ -271,8 +270,8 @@ impl Reader<'_> {
 
     fn unfit_in_body(&mut self, found: &str, hint: &str) -> Box<Diagnostic> {
         let message = format!("expected {OPERAND}, found {found}");
-        let place = self.taken_span();
-        self.with_trace(Diagnostic::error(place, message).with_hint(hint))
+        let span = self.taken_span();
+        self.with_trace(Diagnostic::error(span, message).with_hint(hint))
     }
 
     fn undeclared_in_body(&mut self, body: &Body) -> Box<Diagnostic> {
@@ -293,5 +292,5 @@ impl Reader<'_> {
     }
 }
 
-/// What a formula is made of, for messages.
+/// Operands of a formula, for messages.
 const OPERAND: &str = "a number, a parameter or a function";

@@ -1,4 +1,4 @@
-//! What a formula calls: other user functions, the built-in ones, `select`, `sum` and `prod`.
+//! Calls in a formula: other user functions, the built-in ones, `select`, `sum` and `prod`.
 
 use super::body::{Body, Name};
 use crate::base::args::{Parse, Word};
@@ -10,7 +10,7 @@ use smallvec::SmallVec;
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// A call of another user function, behind its name.
+    /// A call of another user function, after its name.
     pub(crate) fn body_call(
         &mut self,
         function: &Arc<Function>,
@@ -49,7 +49,7 @@ impl Reader<'_> {
         Ok(arguments)
     }
 
-    /// `.x`, `.red`, ... behind the call of a function that gives a vector of `len` components.
+    /// `.x`, `.red`, ... after the call of a function whose value is a vector of `len` components.
     fn body_component(&mut self, len: u8) -> Parse<Component> {
         const WHAT: &str = "`.` and a component: this function gives no single number";
         self.expect_mark('.', WHAT)?;
@@ -160,7 +160,7 @@ impl Reader<'_> {
         self.expect_mark(',', &comma)?;
         let from = self.body_expression(body)?;
         self.expect_mark(',', &comma)?;
-        // In the last number the variable is the first one.
+        // In the last number the variable stands for the start value.
         body.variables.push((name, from));
         let to = self.body_expression(body)?;
         body.variables.pop();

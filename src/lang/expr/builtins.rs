@@ -1,4 +1,4 @@
-//! What the built-in functions compute: numbers and vectors, whoever holds their arguments.
+//! The values of the built-in functions of numbers and vectors, shared by all evaluators.
 
 use super::value::Number;
 use crate::base::args::Word;
@@ -25,7 +25,7 @@ pub(crate) fn vectors(word: Word, a: DVec3, b: DVec3, degrees: f64) -> Number {
     }
 }
 
-/// Whether a number is outside of where a function is defined, and is taken to the border with a warning.
+/// True if a number is outside the domain of a function; it is clamped with a warning.
 pub(crate) fn is_outside(word: Word, a: f64) -> bool {
     matches!(word, Word::Acos | Word::Asin) && a.abs() > 1.0
 }
@@ -69,7 +69,7 @@ pub(crate) fn is_of_one(word: Word) -> bool {
     )
 }
 
-/// A function of one argument, or what is wrong with the argument.
+/// A function of one argument, or the fault of the argument.
 pub(crate) fn one(word: Word, a: f64) -> Result<f64, String> {
     Ok(match word {
         Word::Abs => a.abs(),
@@ -101,7 +101,7 @@ pub(crate) fn one(word: Word, a: f64) -> Result<f64, String> {
     })
 }
 
-/// A function of two arguments, or what is wrong with them.
+/// A function of two arguments, or the fault of the arguments.
 pub(crate) fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
     Ok(match word {
         Word::Atan2 if a == 0.0 && b == 0.0 => {
@@ -117,7 +117,7 @@ pub(crate) fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
     })
 }
 
-/// A whole number as POV-Ray has it: of 32 bits, and the least of them for all that has no place there.
+/// Truncates to 32 bits as POV-Ray does; values out of range give `i32::MIN`.
 pub(crate) fn whole(value: f64) -> i32 {
     let value = value.trunc();
     if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) {
@@ -138,7 +138,7 @@ pub(crate) fn bits(word: Word, a: f64, b: f64) -> f64 {
     })
 }
 
-/// As C's `strcmp`: the difference of the first letters that differ, where the end of a text is zero.
+/// As C's `strcmp`: the difference of the first letters that differ; the end of a string counts as zero.
 pub(crate) fn difference(left: &str, right: &str) -> i32 {
     let codes =
         |text: &str| -> Vec<i64> { text.chars().map(|c| i64::from(u32::from(c))).collect() };
@@ -149,7 +149,7 @@ pub(crate) fn difference(left: &str, right: &str) -> i32 {
     i32::try_from(first.unwrap_or(0)).unwrap_or(0)
 }
 
-/// The number at the start of a text as C's `atof` finds it, 0 if there is none.
+/// The number at the start of a string by the rules of C's `atof`; 0 if there is none.
 pub(crate) fn leading_number(text: &str) -> f64 {
     let text = text.trim_start();
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);

@@ -14,7 +14,8 @@ use crate::lang::syntax::{Class, Kind, Symbol};
 const LAST_WITH_ALPHA: f64 = 1.55;
 
 impl Reader<'_> {
-    /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
+    /// A colour: words of colour in any order, a colour identifier, or a vector or number that sets all five
+    /// components.
     pub(crate) fn color_value(&mut self) -> Parse<Color> {
         let start = self.start()?;
         let parts = self.color_parts()?;
@@ -61,7 +62,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Warns of `alpha`, the next token, where it is not the word of its time.
+    /// Warns of `alpha`, the next token, in versions where it is deprecated.
     fn warn_of_alpha(&mut self) -> Parse<()> {
         if self.version > LAST_WITH_ALPHA + EQUAL {
             let at = self.start()?;
@@ -87,7 +88,7 @@ impl Reader<'_> {
         Ok(self.sum()?.promoted(5).v)
     }
 
-    /// The components behind `rgb`, `rgbf`, `srgbt` and their like, in the order red, green, blue, filter, transmit.
+    /// The components after `rgb`, `rgbf`, `srgbt` and their like, in the order red, green, blue, filter, transmit.
     fn color_vector(&mut self, word: Word) -> Parse<[f64; 5]> {
         let at = self.start_taken();
         let wanted = match word {
@@ -169,7 +170,7 @@ impl Reader<'_> {
         self.color_value().map(Some)
     }
 
-    /// Whether an expression can begin at the token at hand.
+    /// True if the next token can begin an expression.
     pub(crate) fn begins_number(&mut self) -> Parse<bool> {
         let token = self.peek()?;
         Ok(match token.kind {
@@ -192,7 +193,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether a reserved word begins an expression that gives numbers.
+    /// True if a reserved word begins an expression with a numeric value.
     pub(crate) fn begins_expression(&self, word: Word) -> bool {
         match word.class() {
             Class::Value => true,
@@ -204,7 +205,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a value is a colour, or an array of colours.
+/// True if a value is a colour, or an array of colours.
 fn holds_color(value: &Value) -> bool {
     match value {
         Value::Number(number) => number.len == 5,
@@ -213,7 +214,7 @@ fn holds_color(value: &Value) -> bool {
     }
 }
 
-/// Whether a word sets one component, so that it may follow a colour and change it.
+/// True if a word sets one component, so that it may follow a colour and change it.
 fn is_component(word: Word) -> bool {
     matches!(
         word,

@@ -1,11 +1,11 @@
-//! `datetime`: days since the start of 2000 as text, by C's `strftime` in its plain locale, in UTC.
+//! `datetime`: days since the start of 2000 as text, by C's `strftime` in the C locale, in UTC.
 
 use std::fmt::Write;
 
-/// What `datetime` takes where the scene gives no format.
+/// The format of `datetime` where the scene gives none.
 pub(crate) const DEFAULT: &str = "%Y-%m-%d %H:%M:%SZ";
-/// Days outside of this are taken to its ends: some 270,000 years around 2000, more than a year's four digits need.
-const MOST_DAYS: f64 = 1e8;
+/// Days are clamped to this: some 270,000 years around 2000, more than a year of four digits needs.
+const MAX_DAYS: f64 = 1e8;
 
 const SECONDS_1970_TO_2000: i64 = 946_684_800;
 const SECONDS_A_DAY: i64 = 86_400;
@@ -33,7 +33,7 @@ const MONTHS: [&str; 12] = [
     "December",
 ];
 
-/// A moment as calendars and clocks have it.
+/// A calendar date and time of day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Moment {
     seconds_since_1970: i64,
@@ -53,7 +53,7 @@ struct Moment {
 
 /// The text of a moment; seconds are rounded.
 pub(crate) fn text(days_since_2000: f64, format: &str) -> String {
-    let days = days_since_2000.clamp(-MOST_DAYS, MOST_DAYS);
+    let days = days_since_2000.clamp(-MAX_DAYS, MAX_DAYS);
     #[allow(clippy::cast_possible_truncation, reason = "clamped just above")]
     let seconds = (days * SECONDS_A_DAY as f64 + 0.5).floor() as i64;
     let moment = Moment::new(SECONDS_1970_TO_2000 + seconds);
@@ -106,7 +106,7 @@ impl Moment {
         }
     }
 
-    /// Writes what `%` with this letter stands for; what means nothing stays.
+    /// Writes the field of a `%` letter; an unknown letter stays as it is.
     fn write(&self, letter: char, out: &mut String) {
         let month = MONTHS[self.month % 12];
         let weekday = DAYS[self.weekday % 7];
@@ -157,7 +157,7 @@ impl Moment {
         };
     }
 
-    /// Several letters, with what stands between them.
+    /// Several fields, with the characters between them.
     fn parts(&self, letters: &str, out: &mut String) -> std::fmt::Result {
         for c in letters.chars() {
             if c.is_ascii_alphabetic() {
@@ -169,7 +169,7 @@ impl Moment {
         Ok(())
     }
 
-    /// The week of the year; weeks begin on `first`, and what comes before the first of them is week 0.
+    /// The week of the year; weeks begin on `first`, and days before the first such weekday are in week 0.
     fn week(&self, first: usize) -> i64 {
         let since = (self.weekday + 7 - first) % 7;
         (self.day_of_year + 7 - since as i64) / 7
@@ -200,7 +200,7 @@ mod tests {
 
     /// All measured with POV-Ray.
     #[test]
-    fn moments_are_told_as_by_pov_ray() {
+    fn moments_are_written_as_by_pov_ray() {
         assert_eq!(text(0.0, DEFAULT), "2000-01-01 00:00:00Z");
         assert_eq!(text(7.25, DEFAULT), "2000-01-08 06:00:00Z");
         assert_eq!(text(100.5, "%Y-%m-%d %H:%M:%S"), "2000-04-10 12:00:00");

@@ -1,4 +1,4 @@
-//! The values that identifiers are given: whatever may stand behind `#declare X =`.
+//! Values of identifiers: everything that may stand after `#declare X =`.
 
 use super::function::is_callable;
 use super::value::{Element, Number, Value};
@@ -14,7 +14,7 @@ use crate::scene::pattern::{Keys, Map};
 use crate::scene::texture::{Finish, Material, Normal, Pigment, Texture};
 
 impl Reader<'_> {
-    /// A value of any kind, if one begins at hand: what may stand behind `#declare X =`.
+    /// A value of any kind, if one begins at the next token: anything that may stand after `#declare X =`.
     pub(crate) fn value(&mut self, what: &str) -> Parse<Option<Value>> {
         self.replayed(Level::Value, |reader| reader.read_value(what))
     }
@@ -22,7 +22,7 @@ impl Reader<'_> {
     pub(crate) fn read_value(&mut self, what: &str) -> Parse<Option<Value>> {
         let token = self.peek()?;
         if !self.begins_number()? {
-            self.spoil();
+            self.discard_recording();
         }
         match token.kind {
             Kind::Number => Ok(Some(Value::Number(self.sum()?))),
@@ -48,13 +48,13 @@ impl Reader<'_> {
                 if self.raw_ahead(1).is_mark('[') && !is_copied && self.begins_number()? {
                     return self.number_or_color().map(Some);
                 }
-                self.spoil();
+                self.discard_recording();
                 let before = self.here.clone();
                 let item = self.array_or_item()?;
                 let is_called = is_callable(&item) && self.is_raw_mark('(');
                 match item {
                     _ if is_called || matches!(item, Value::Number(_)) => {
-                        // An item that is a number may begin an expression: read it again as one.
+                        // A numeric item may begin an expression: read it again as one.
                         self.here = before;
                         self.number_or_color().map(Some)
                     }
@@ -75,8 +75,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Tells if the next item of an array is all there is: behind its indices stands neither a call nor an operator, but
-    /// what may stand behind a value.
+    /// True if the next item of an array stands alone: its indices are followed by neither a call nor an operator, but
+    /// by something that may follow a value.
     fn is_item_alone(&self) -> bool {
         let tokens = &self.here.tokens.tokens;
         let mut at = self.here.at + 1;
@@ -90,7 +90,7 @@ impl Reader<'_> {
             }
             at += 1;
         }
-        let (_, behind) = self.behind_ends(at);
+        let (_, behind) = self.after_ends(at);
         match behind.kind {
             Kind::Mark => [';', ',', '}', ')']
                 .into_iter()
@@ -252,13 +252,13 @@ impl Reader<'_> {
                 }
             }
             if let Some(sum) = &sum {
-                self.peek_behind(|| Value::Element(Element::new("texture", sum.clone())))?;
+                self.peek_after(|| Value::Element(Element::new("texture", sum.clone())))?;
             }
         }
         sum.ok_or_else(|| self.expected_here("`texture`"))
     }
 
-    /// Textures that are chosen by a pattern have no layers, and textures that hold themselves twice double theirs.
+    /// Rejects layers on patterned textures, and textures whose layers would double.
     pub(crate) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
         match lower.fault_below(upper) {
             Some(fault) => Err(self.error_taken(fault)),
@@ -267,7 +267,7 @@ impl Reader<'_> {
     }
 }
 
-/// A colour as the five numbers it is in expressions.
+/// A colour as a number of five components, as expressions see it.
 pub(crate) fn color_number(color: Color) -> Number {
     let Color {
         rgb,

@@ -14,19 +14,19 @@ use crate::scene::pattern::{Settings, read_field};
 use crate::scene::texture::{Pigment, PreparedPigment, read_pattern};
 use std::sync::Arc;
 
-/// The word under which functions are kept.
+/// The [`Element`] name of functions.
 pub(crate) const FUNCTION: &str = "function";
-/// The word under which splines are kept.
+/// The [`Element`] name of splines.
 const SPLINE: &str = "spline";
 
-/// What an identifier followed by `(` calls.
+/// A callable value: an identifier followed by `(` calls it.
 pub(crate) enum Callee {
     Function(Arc<Function>),
     Spline(Arc<Spline>),
 }
 
 impl Callee {
-    /// What this value calls, if it can be called.
+    /// The function or spline of a value, if it is one.
     pub(crate) fn of(value: &Value) -> Option<Self> {
         let Value::Element(element) = value else {
             return None;
@@ -40,13 +40,13 @@ impl Callee {
     }
 }
 
-/// Whether a value can be called.
+/// True for functions and splines.
 pub(crate) fn is_callable(value: &Value) -> bool {
     matches!(value, Value::Element(Element { name, .. }) if [FUNCTION, SPLINE].contains(name))
 }
 
 impl Reader<'_> {
-    /// Whether the identifier at hand calls a function or spline: it holds one, and `(` follows.
+    /// True if the next identifier calls a function or spline: it holds one, and `(` follows.
     pub(crate) fn at_call(&self) -> bool {
         let token = self.raw();
         token.kind == Kind::Name
@@ -57,12 +57,12 @@ impl Reader<'_> {
                 .is_some_and(is_callable)
     }
 
-    /// The value of the call at hand, behind the name of what it calls.
+    /// The value of a call, whose `(` is next.
     pub(crate) fn call(&mut self, callee: &Callee) -> Parse<Number> {
         let name = self.taken_span();
         match callee {
             Callee::Function(function) => {
-                let function = self.as_called(Arc::clone(function));
+                let function = self.with_current_noise(Arc::clone(function));
                 self.call_user_function(&function, name)
             }
             Callee::Spline(spline) => self.call_spline(spline),
@@ -94,12 +94,12 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether a further argument begins at hand.
+    /// True if another argument begins at the next token.
     pub(crate) fn begins_argument(&mut self) -> Parse<bool> {
         Ok(self.peek()?.is_mark(',') || self.begins_number()?)
     }
 
-    /// The error for a call that has `found` arguments and perhaps more.
+    /// The error for a call with `found` arguments or more.
     pub(crate) fn wrong_count(
         &mut self,
         name: Span,
@@ -113,9 +113,9 @@ impl Reader<'_> {
             "found a further one".to_owned()
         };
         let plural = if wanted == 1 { "" } else { "s" };
-        let place = name.to(self.here_span());
+        let span = name.to(self.here_span());
         self.with_trace(Diagnostic::error(
-            place,
+            span,
             format!("`{called}` takes {wanted} argument{plural}, {found}"),
         ))
     }
@@ -141,7 +141,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The kind of spline at hand, if a word names one.
+    /// The kind of spline, if the next word names one.
     fn spline_kind(&mut self) -> Parse<Option<SplineKind>> {
         let kind = match self.peek()?.word() {
             Some(Word::LinearSpline) => SplineKind::Linear,
@@ -154,7 +154,7 @@ impl Reader<'_> {
         Ok(Some(kind))
     }
 
-    /// `{ declared_spline kind  t, value, ... }`, behind `spline`.
+    /// `{ declared_spline kind  t, value, ... }`, after `spline`.
     pub(crate) fn spline_block(&mut self) -> Parse<Arc<Spline>> {
         self.open_block()?;
         let known = crate::base::args::declared::<Spline>(self)?;
@@ -200,7 +200,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// `(a, b, ...) { ... }`, behind `function`.
+    /// `(a, b, ...) { ... }`, after `function`.
     pub(crate) fn function_block(&mut self) -> Parse<Arc<Function>> {
         let start = self.taken_span();
         let named = if self.take_mark('(')? {
@@ -211,15 +211,15 @@ impl Reader<'_> {
         self.open_block()?;
         self.pass_hash_of_new_name();
         if self.peek()?.kind == Kind::String {
-            // A name for messages, which POV-Ray takes as well.
+            // POV-Ray accepts a name for messages here.
             self.string()?;
         }
         if let Some(computes) = self.function_without_formula()? {
             let is_internal = matches!(computes, Computes::Internal(_) | Computes::Noise(_));
-            if let (Some((_, place)), false) = (&named, is_internal) {
+            if let (Some((_, span)), false) = (&named, is_internal) {
                 return Err(self.with_trace(
                     Diagnostic::error(
-                        start.to(*place),
+                        start.to(*span),
                         "the parameters of this kind of function cannot be named",
                     )
                     .with_hint("Remove the names and their parentheses."),
@@ -245,14 +245,14 @@ impl Reader<'_> {
             return Err(self.expected_here("an operator or `}` at the end of the function"));
         }
         let graph = body.finish(result);
-        let place = start.to(self.taken_span());
+        let span = start.to(self.taken_span());
         match Function::formula(graph, count) {
             Ok(function) => Ok(Arc::new(function)),
-            Err(refusal) => Err(self.refused(refusal, place)),
+            Err(refusal) => Err(self.refused(refusal, span)),
         }
     }
 
-    fn refused(&self, refusal: Refusal, place: Span) -> Box<Diagnostic> {
+    fn refused(&self, refusal: Refusal, span: Span) -> Box<Diagnostic> {
         let (message, hint) = match refusal {
             Refusal::TooLarge => (
                 "this function is too large to be computed",
@@ -263,10 +263,10 @@ impl Reader<'_> {
                 "Let `sum` and `prod` run over fewer numbers, or call fewer functions.",
             ),
         };
-        self.with_trace(Diagnostic::error(place, message).with_hint(hint))
+        self.with_trace(Diagnostic::error(span, message).with_hint(hint))
     }
 
-    /// `a, b, ...)`, behind `(`.
+    /// `a, b, ...)`, after `(`.
     fn parameters(&mut self) -> Parse<Vec<Name>> {
         const WHAT: &str = "a parameter of the function";
         let mut names = Vec::new();
@@ -300,8 +300,8 @@ impl Reader<'_> {
         }
     }
 
-    /// The function as a caller at this place means it: `f_noise3d` has the noise that the scene has by now.
-    pub(crate) fn as_called(&self, function: Arc<Function>) -> Arc<Function> {
+    /// The function as called from here: `f_noise3d` uses the noise generator that is set at the call.
+    pub(crate) fn with_current_noise(&self, function: Arc<Function>) -> Arc<Function> {
         let noise = self.pattern_settings().noise_generator;
         match function.kind() {
             Computes::Noise(known) if *known != noise => {
@@ -311,7 +311,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What the function is if its block holds something other than a formula.
+    /// The content of a function block that holds no formula.
     fn function_without_formula(&mut self) -> Parse<Option<Computes>> {
         let computes = match self.peek()?.word() {
             Some(Word::Internal) => {
@@ -348,7 +348,7 @@ impl Reader<'_> {
         Ok(Some(computes))
     }
 
-    /// `(n)`, behind `internal`.
+    /// `(n)`, after `internal`.
     fn internal_function(&mut self) -> Parse<&'static Internal> {
         let start = self.taken_span();
         self.expect_mark('(', "`(` after `internal`")?;

@@ -1,26 +1,26 @@
-//! `function W, H { ... }`: the values of a function as a picture.
+//! `function W, H { ... }`: the values of a function as an image.
 
 use crate::base::args::{Args, Parse, Sampled};
 use crate::base::color::Color;
 use crate::base::source::Diagnostic;
 use crate::lang::reader::Reader;
 
-/// Most pixels of such a picture: each is a call of the function.
-const MOST_PIXELS: f64 = 67_108_864.0;
+/// Pixel limit of such an image: each pixel is a call of the function.
+const MAX_PIXELS: f64 = 67_108_864.0;
 
 impl Reader<'_> {
-    /// Reads the sizes and the function behind the word and calls it for each pixel.
+    /// Reads the sizes and the function, and calls it for each pixel.
     pub(crate) fn picture_of_function(&mut self) -> Parse<Sampled> {
         let start = self.start()?;
         let columns = self.float()?.trunc();
         self.comma()?;
         let rows = self.float()?.trunc();
-        let place = self.span_of(start).to(self.taken_span());
-        if !(columns >= 1.0 && rows >= 1.0 && columns * rows <= MOST_PIXELS) {
+        let span = self.span_of(start).to(self.taken_span());
+        if !(columns >= 1.0 && rows >= 1.0 && columns * rows <= MAX_PIXELS) {
             let message = format!(
-                "a picture of a function has 1 to {MOST_PIXELS} pixels, found {columns} by {rows}"
+                "a picture of a function has 1 to {MAX_PIXELS} pixels, found {columns} by {rows}"
             );
-            return Err(self.with_trace(Diagnostic::error(place, message)));
+            return Err(self.with_trace(Diagnostic::error(span, message)));
         }
         #[allow(
             clippy::cast_possible_truncation,
@@ -31,7 +31,7 @@ impl Reader<'_> {
         let function = self.function_block()?;
         if function.parameters() != 3 {
             let message = "the function of a picture takes x, y and z";
-            return Err(self.with_trace(Diagnostic::error(place, message)));
+            return Err(self.with_trace(Diagnostic::error(span, message)));
         }
         let is_grey = function.is_scalar();
         let mut colors = Vec::with_capacity(width * height);
@@ -55,7 +55,7 @@ impl Reader<'_> {
     }
 }
 
-/// Where from 0 to 1 a pixel of a row lies.
+/// Position of a pixel in its row or column, from 0 to 1.
 fn share(at: usize, count: usize) -> f64 {
     if count > 1 {
         at as f64 / (count - 1) as f64
@@ -64,12 +64,12 @@ fn share(at: usize, count: usize) -> f64 {
     }
 }
 
-/// A number as POV-Ray keeps it in the picture: sixteen bits, of which the higher ones are lost.
+/// A value as POV-Ray stores it in the image: the low sixteen bits.
 fn stored_number(value: f64) -> f64 {
     (value * 65535.0).trunc().rem_euclid(65536.0) / 65535.0
 }
 
-/// A colour as POV-Ray keeps it in the picture: each channel so, and how opaque it is; what passes tinted is lost.
+/// A colour as POV-Ray stores it in the image: sixteen bits a channel, and its opacity; `filter` is lost.
 fn stored_color(color: Color) -> Color {
     let stored = |channel: f32| (channel * 65535.0).trunc().rem_euclid(65536.0) / 65535.0;
     Color {

@@ -1,4 +1,4 @@
-//! The built-in functions that give numbers and vectors.
+//! Built-in functions with numeric and vector values.
 
 use super::builtins::{
     bits, difference, is_of_one, is_of_two, is_outside, leading_number, one, two, vector, vectors,
@@ -16,12 +16,12 @@ use crate::lang::syntax::{Kind, Symbol};
 use glam::DVec3;
 
 impl Reader<'_> {
-    /// The call that begins with the function word at hand.
+    /// The value of a call, whose function word is next.
     pub(crate) fn call_function(&mut self, word: Word) -> Parse<Number> {
         self.pass();
         let op = Op::of_call(word);
         if op.is_none() && !matches!(word, Word::Min | Word::Max) {
-            self.spoil();
+            self.discard_recording();
         }
         let name = self.taken_span();
         self.expect_call(word)?;
@@ -131,21 +131,21 @@ impl Reader<'_> {
             )));
         }
         let a = self.condition_value()?;
-        let place = name.to(self.taken_span());
+        let span = name.to(self.taken_span());
         if is_outside(word, a) {
             self.warning(Diagnostic::warning(
-                place,
+                span,
                 format!("`{word}` of {a}: the argument is taken as {}", a.signum()),
             ));
         }
-        // What does not exist is the NaN that processors make of it, which C writes with a sign.
+        // Undefined values are the NaN of the processor, which C prints with a sign.
         let with_sign = |value: f64| if value.is_nan() { -f64::NAN } else { value };
         one(word, a)
             .map(|value| Number::float(with_sign(value)))
-            .map_err(|message| self.with_trace(Diagnostic::error(place, message)))
+            .map_err(|message| self.with_trace(Diagnostic::error(span, message)))
     }
 
-    /// A corner of the box around a declared object.
+    /// A corner of the bounding box of a declared object.
     fn extent(&mut self, word: Word) -> Parse<Number> {
         let Some(object) = self.object_of_name()? else {
             return Err(self.expected_here("an object identifier"));
@@ -267,7 +267,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `seed(n)` opens a stream of random numbers and gives its handle.
+    /// `seed(n)` opens a stream of random numbers; its value is the handle.
     fn seed(&mut self) -> Parse<Number> {
         let start = self.number_at_sum()?;
         self.count_stream()?;
@@ -295,7 +295,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// A bare identifier that holds a string, or anything else that begins one.
+    /// True if a string begins: a bare identifier that holds one, or a string expression.
     pub(crate) fn at_string(&mut self) -> Parse<bool> {
         let token = self.peek()?;
         Ok(match token.kind {

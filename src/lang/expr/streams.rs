@@ -1,7 +1,7 @@
 //! Streams of random numbers: `seed` opens them, `rand` draws from them.
 //!
-//! A stream never closes: its handle is a number, which a scene may compute. Most scenes open a few, but a loop may open
-//! one in each round, so nothing here takes longer the more of them there are.
+//! A stream never closes: its handle is a number, which a scene may compute. Most scenes open a few, but a loop may
+//! open one in each round, so the cost of every operation is independent of their number.
 
 use crate::lang::cursor::Start;
 use std::rc::Rc;
@@ -9,11 +9,11 @@ use std::rc::Rc;
 /// All streams of a run, by their handles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Streams {
-    /// Shared with the copy that a reader keeps while it tries one way of reading, so that copies cost nothing.
+    /// Shared with the copy that the reader holds while it tries a parse, so that copies are free.
     states: Rc<Vec<u32>>,
     /// See [`Streams::changes`].
     changes: u64,
-    /// Where the call that opened the newest stream has its parentheses.
+    /// The parentheses of the call that opened the newest stream.
     newest: Option<Call>,
 }
 
@@ -27,7 +27,7 @@ pub(crate) struct Call {
 }
 
 impl Streams {
-    /// Opens a stream and gives its handle.
+    /// Opens a stream and returns its handle.
     pub(crate) fn open(&mut self, seed: u32) -> f64 {
         let states = Rc::make_mut(&mut self.states);
         states.push(seed);
@@ -35,7 +35,7 @@ impl Streams {
         (states.len() - 1) as f64
     }
 
-    /// Notes which call has opened the newest stream.
+    /// Notes the call that opened the newest stream.
     pub(crate) fn opened_by(&mut self, call: Call) {
         self.newest = Some(call);
     }
@@ -60,28 +60,28 @@ impl Streams {
 
     /// The same where the whole argument of `rand` is a call, as in `rand(seed(1))`.
     ///
-    /// If that call has opened the newest stream, nobody else knows its handle and nothing later depends on it: it counts
-    /// as no change. So a loop that does nothing else is seen not to end.
+    /// If that call opened the newest stream, its handle is unknown to everybody else and nothing later depends on it:
+    /// it counts as no change. So a loop that does nothing else is detected as endless.
     pub(crate) fn draw_by(&mut self, argument: Call, stream: usize) -> f64 {
         let number = self.draw(stream);
         if self.newest.take() == Some(argument) && stream + 1 == self.states.len() {
-            // That of opening it and that of drawing.
+            // The changes of opening and of drawing.
             self.changes -= 2;
         }
         number
     }
 
-    /// How often a stream was opened or drawn from in a way that what is read later may notice.
+    /// Number of streams opened and numbers drawn with an effect on what is read later.
     pub(crate) fn changes(&self) -> u64 {
         self.changes
     }
 
-    /// Where a stream is.
+    /// The state of a stream.
     pub(crate) fn state(&self, stream: usize) -> u32 {
         self.states[stream]
     }
 
-    /// Puts a stream back to where it was.
+    /// Resets a stream to an earlier state.
     pub(crate) fn put_back(&mut self, stream: usize, state: u32) {
         Rc::make_mut(&mut self.states)[stream] = state;
     }
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_stream_that_nobody_holds_is_no_change() {
+    fn drawing_from_an_unreferenced_stream_is_no_change() {
         let mut streams = Streams::default();
         streams.open(1);
         streams.opened_by(call(5));
@@ -113,7 +113,7 @@ mod tests {
             (streams.draw_by(call(5), 0) > 0.0, streams.changes()),
             (true, 0)
         );
-        // The same call, but the stream is not the one it has opened just now.
+        // The same call, but the stream is not the one it has just opened.
         streams.draw_by(call(5), 0);
         assert_eq!(streams.changes(), 1);
         streams.open(1);

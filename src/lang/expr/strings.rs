@@ -1,4 +1,4 @@
-//! Strings and the functions that make them.
+//! Strings and the functions that return them.
 
 use super::datetime;
 use super::value::Value;
@@ -10,7 +10,7 @@ use crate::lang::syntax::{Kind, Symbol};
 use crate::scene::Charset;
 
 impl Reader<'_> {
-    /// Whether a word begins a string.
+    /// True if a word begins a string.
     pub(crate) fn begins_string(&self, word: Word) -> bool {
         use Word::{Chr, Concat, Datetime, Str, Strlwr, Strupr, Substr, Vstr};
         matches!(
@@ -144,7 +144,7 @@ impl Reader<'_> {
     fn vstr(&mut self) -> Parse<String> {
         let count = self.number_at_sum()?;
         self.take_mark(',')?;
-        // A float stands for one component only here.
+        // Only here a float is a single component.
         let vector = self.sum()?;
         self.take_mark(',')?;
         let between = self.string()?;
@@ -176,7 +176,7 @@ impl Reader<'_> {
         Ok(datetime::text(days, &format))
     }
 
-    /// `string, first, count`, both cut to whole numbers. From letter 0 on there is nothing, however much is asked for.
+    /// `string, first, count`, both truncated. From letter 0 on the result is empty, whatever the count.
     fn substr(&mut self) -> Parse<String> {
         let text: Vec<char> = self.string()?.chars().collect();
         self.take_mark(',')?;
@@ -202,7 +202,7 @@ impl Reader<'_> {
     }
 }
 
-/// A string ends where its code is 0.
+/// Cuts a string at its first NUL.
 fn up_to_nul(mut text: String) -> String {
     if let Some(end) = text.find('\0') {
         text.truncate(end);
@@ -226,7 +226,7 @@ fn formatted(value: f64, width: i32, digits: i32) -> String {
     }
 }
 
-/// As C's `%g`: six digits, without zeros at the end, in whichever form is shorter.
+/// As C's `%g`: six digits, without trailing zeros, in the shorter form.
 pub(crate) fn general(value: f64) -> String {
     const DIGITS: i32 = 6;
     if !value.is_finite() {

@@ -1,4 +1,4 @@
-//! What identifiers hold and expressions give.
+//! Values of identifiers and expressions.
 
 use crate::base::source::Diagnostic;
 use crate::lang::directive::macros::Macro;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub(crate) struct Number {
     /// The components; those from `len` on are zero.
     pub(crate) v: [f64; 5],
-    /// How many there are: 1 for a float, 2 to 4 for a vector, 5 for a colour.
+    /// Their number: 1 for a float, 2 to 4 for a vector, 5 for a colour.
     pub(crate) len: u8,
 }
 
@@ -59,7 +59,7 @@ impl Number {
         self
     }
 
-    /// What a person calls it.
+    /// Its kind in the author's words.
     pub(crate) fn kind(&self) -> &'static str {
         match self.len {
             1 => "a number",
@@ -71,7 +71,7 @@ impl Number {
     }
 }
 
-/// As a scene writes it.
+/// Formats as a scene writes it.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts: Vec<String> = self.v[..usize::from(self.len)]
@@ -85,10 +85,10 @@ impl fmt::Display for Number {
     }
 }
 
-/// Numbers are told with six digits behind the point.
+/// Messages show numbers with six decimals.
 const ROUNDED: f64 = 1e6;
 
-/// What an identifier can hold.
+/// A value of an identifier.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     /// A float, vector or colour.
@@ -101,16 +101,16 @@ pub(crate) enum Value {
     Array(Rc<Array>),
     /// An object or CSG.
     Object(Arc<Object>),
-    /// An open file, by its place among those of the run.
+    /// An open file, by its handle.
     File(usize),
     /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
     Element(Element),
-    /// The result of something that failed: using it fails without a further message, or where something is not built
-    /// yet, with the message that declaring it did not bring.
+    /// The result of something that failed: using it fails without a further message, or, for an unsupported feature,
+    /// with the message that its declaration withheld.
     Poison(Option<Rc<Diagnostic>>),
 }
 
-/// A scene element behind an identifier.
+/// A scene element of an identifier.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     /// Its word: "texture", "finish".
@@ -141,7 +141,7 @@ pub(crate) struct Array {
     pub(crate) sizes: Vec<usize>,
     /// The elements; `None` is not initialised.
     pub(crate) items: Vec<Option<Value>>,
-    /// What all the elements are, once one has been given.
+    /// The kind of all elements, once one has been set.
     pub(crate) holds: Option<&'static str>,
 }
 
@@ -156,7 +156,7 @@ impl Array {
     }
 }
 
-/// Arrays may hold arrays as deep as a loop likes, and the stack of the dropping thread may be small.
+/// Arrays may be nested as deep as a loop makes them, and the stack of the dropping thread may be small.
 impl Drop for Array {
     fn drop(&mut self) {
         let mut open = std::mem::take(&mut self.items);
@@ -171,7 +171,7 @@ impl Drop for Array {
 }
 
 impl Value {
-    /// The item of an array, or of arrays in arrays, by the indices from the outermost on.
+    /// The item of an array, or of nested arrays, by the indices from the outermost on.
     pub(crate) fn item(&self, path: &[usize]) -> Option<&Value> {
         path.iter().try_fold(self, |value, &at| match value {
             Value::Array(array) => array.items.get(at)?.as_ref(),
@@ -179,7 +179,7 @@ impl Value {
         })
     }
 
-    /// The place of an item, to be changed; arrays on the way that have other names as well are copied.
+    /// An item, for changes; arrays on the path that are shared with other names are copied.
     pub(crate) fn item_mut(&mut self, path: &[usize]) -> Option<&mut Option<Value>> {
         let (&first, rest) = path.split_first()?;
         let Value::Array(array) = self else {
@@ -192,7 +192,7 @@ impl Value {
         item.as_mut()?.item_mut(rest)
     }
 
-    /// Gives an item of an array a value; if the items are of another kind, that is given back and nothing changes.
+    /// Assigns an item of an array; if the items are of another kind, returns that kind and changes nothing.
     pub(crate) fn put(&mut self, path: &[usize], value: Value) -> Option<&'static str> {
         let (&first, rest) = path.split_first()?;
         let Value::Array(array) = self else {
@@ -213,7 +213,7 @@ impl Value {
         None
     }
 
-    /// How many items [`Value::item_mut`] copies on the way.
+    /// Number of items that [`Value::item_mut`] copies.
     pub(crate) fn copied_by(&self, path: &[usize]) -> usize {
         let Value::Array(array) = self else {
             return 0;
@@ -227,7 +227,7 @@ impl Value {
         own + item.map_or(0, |item| item.copied_by(&path[1..]))
     }
 
-    /// What it is to arrays, whose items are all the same. Nothing is known of what could not be read.
+    /// Its kind for arrays, whose items are all of one kind; `None` for a value that could not be read.
     pub(crate) fn sort(&self) -> Option<&'static str> {
         Some(match self {
             Value::Number(n) => n.kind(),
@@ -241,12 +241,12 @@ impl Value {
         })
     }
 
-    /// Whether it is an element of this Rust type.
+    /// True if it is an element of this Rust type.
     pub(crate) fn is_element(&self, kind: TypeId) -> bool {
         matches!(self, Value::Element(element) if element.kind() == kind)
     }
 
-    /// What a person calls it, with an article.
+    /// Its kind in the author's words, with an article.
     pub(crate) fn kind(&self) -> String {
         match self {
             Value::Number(n) => n.kind().to_owned(),

@@ -1,7 +1,7 @@
-//! What identifiers hold, for literals: found in the scopes of the run, or among what these have told before.
+//! Values of identifiers in literals, from the scopes of the run or from a map of earlier look-ups.
 //!
-//! While literals are read nothing is declared. So what the scopes have told once stays true to the end of the data, and
-//! threads that have no scopes can go by it.
+//! Nothing is declared while literals are read. So a value that the scopes gave once is valid to the end of the data,
+//! and threads without access to the scopes can use it.
 
 use crate::lang::expr::value::Value;
 use crate::lang::scope::Scopes;
@@ -12,41 +12,41 @@ use std::any::Any;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// What an identifier can hold that literals take.
+/// A value that literals accept by name.
 #[derive(Clone, Debug)]
-pub(crate) enum Held {
+pub(crate) enum KnownValue {
     Object(Arc<Object>),
     /// A texture, finish, camera, ...
     Element(Arc<dyn Any + Send + Sync>),
 }
 
-/// Identifiers by their spelling, and what they hold.
-pub(crate) type Told = FxHashMap<String, Held>;
+/// Values by the spelling of their identifier.
+pub(crate) type NotedValues = FxHashMap<String, KnownValue>;
 
-/// Where literals find what identifiers hold.
+/// The source of these values.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Known<'a> {
-    /// In the scopes of the run; it is noted for later.
-    Scopes(&'a Names, &'a Scopes, &'a RefCell<Told>),
-    /// Among what was noted.
-    Told(&'a Told),
+    /// The scopes of the run; values are noted for other threads.
+    Scopes(&'a Names, &'a Scopes, &'a RefCell<NotedValues>),
+    /// The values noted before.
+    Noted(&'a NotedValues),
 }
 
 impl Known<'_> {
-    /// What an identifier holds, if literals take it and it is known.
-    pub(crate) fn get(self, spelling: &str) -> Option<Held> {
-        let (names, scopes, told) = match self {
-            Known::Told(told) => return told.get(spelling).cloned(),
-            Known::Scopes(names, scopes, told) => (names, scopes, told),
+    /// The value of an identifier, if literals accept it and it is known.
+    pub(crate) fn get(self, spelling: &str) -> Option<KnownValue> {
+        let (names, scopes, noted) = match self {
+            Known::Noted(noted) => return noted.get(spelling).cloned(),
+            Known::Scopes(names, scopes, noted) => (names, scopes, noted),
         };
         let held = match scopes.get(names.symbol(spelling)?)? {
-            Value::Object(object) => Held::Object(Arc::clone(object)),
-            Value::Element(element) => Held::Element(Arc::clone(&element.value)),
+            Value::Object(object) => KnownValue::Object(Arc::clone(object)),
+            Value::Element(element) => KnownValue::Element(Arc::clone(&element.value)),
             _ => return None,
         };
-        let mut told = told.borrow_mut();
-        if !told.contains_key(spelling) {
-            told.insert(spelling.to_owned(), held.clone());
+        let mut noted = noted.borrow_mut();
+        if !noted.contains_key(spelling) {
+            noted.insert(spelling.to_owned(), held.clone());
         }
         Some(held)
     }

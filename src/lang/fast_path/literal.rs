@@ -1,10 +1,10 @@
-//! Parameters written as plain literals, read straight from the text: data of which no tokens are made.
+//! Parameters written as plain literals, parsed straight from the text, without tokens.
 //!
-//! Only what can mean nothing else is read: numbers with a sign, vectors and colours of them, axes and their multiples,
-//! reserved words, and identifiers that hold objects or elements. At anything else, at a fault and at a warning it gives
-//! up, without a message: then the same text is read by its tokens, which have the whole of the language.
+//! Only the unambiguous is parsed: numbers with a sign, vectors and colours of them, axes and their multiples, reserved
+//! words, and identifiers that hold objects or elements. At anything else, at an error or a warning, the parser gives
+//! up without a message, and the same text is read again as tokens, with the whole language.
 
-use super::known::{Held, Known};
+use super::known::{Known, KnownValue};
 use crate::base::args::{Args, Interner, Parse, Word};
 use crate::base::color::Color;
 use crate::base::source::{Diagnostic, FileId, Span};
@@ -15,23 +15,23 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 /// The most components of a vector.
-const MOST: usize = 5;
+const MAX_COMPONENTS: usize = 5;
 
-/// A cursor over text that holds no strings, comments and directives.
+/// A cursor over text without strings, comments and directives.
 pub(crate) struct Literal<'a> {
     text: &'a str,
     at: usize,
     file: FileId,
     known: Known<'a>,
     version: f64,
-    /// The reserved word looked up last, with its first byte and the byte behind it.
+    /// The reserved word looked up last, with its first byte and the byte after it.
     last_word: Option<(usize, Word, usize)>,
     memory: &'a Memory,
-    /// Whether something was found that only the tokens can tell.
-    is_doubtful: Cell<bool>,
+    /// True if something was read that only the tokens can decide.
+    needs_tokens: Cell<bool>,
 }
 
-/// For each first letter the reserved word that was met last. Data say the same few words again and again.
+/// The last reserved word for each first letter. Data repeat the same few words.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
     words: [Cell<Option<Word>>; 32],
@@ -58,8 +58,8 @@ impl Memory {
     }
 }
 
-/// The place and the surroundings of a literal.
-pub(crate) struct Ground<'a> {
+/// The context in which literals are read.
+pub(crate) struct LiteralContext<'a> {
     pub(crate) file: FileId,
     pub(crate) known: Known<'a>,
     pub(crate) version: f64,
@@ -75,36 +75,36 @@ fn nothing() -> Box<Diagnostic> {
 }
 
 impl<'a> Literal<'a> {
-    /// A cursor at a byte of a text; it does not go beyond the end of `text`.
-    pub(crate) fn new(text: &'a str, at: usize, ground: &Ground<'a>) -> Self {
+    /// A cursor at a byte of a text, limited to the end of `text`.
+    pub(crate) fn new(text: &'a str, at: usize, context: &LiteralContext<'a>) -> Self {
         Literal {
             text,
             at,
-            file: ground.file,
-            known: ground.known,
-            version: ground.version,
-            memory: ground.memory,
+            file: context.file,
+            known: context.known,
+            version: context.version,
+            memory: context.memory,
             last_word: None,
-            is_doubtful: Cell::new(false),
+            needs_tokens: Cell::new(false),
         }
     }
 
-    /// Where it has come to, if all that it read is sure.
+    /// The position of the cursor, if nothing read so far needs the tokens.
     pub(crate) fn reached(&self) -> Option<usize> {
-        (!self.is_doubtful.get()).then_some(self.at)
+        (!self.needs_tokens.get()).then_some(self.at)
     }
 
-    /// The byte it has come to.
+    /// The position of the cursor.
     pub(crate) fn at(&self) -> usize {
         self.at
     }
 
-    /// The text from there on.
+    /// The text after the cursor.
     pub(crate) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
 
-    /// Passes by so many bytes, which are known to be whole.
+    /// Skips `len` bytes, which hold whole items.
     pub(crate) fn pass(&mut self, len: usize) {
         self.at += len;
     }
@@ -114,11 +114,11 @@ impl<'a> Literal<'a> {
     fn byte(&mut self) -> u8 {
         match self.text.as_bytes().get(self.at) {
             Some(&byte) if byte > b' ' => byte,
-            _ => self.byte_behind_blanks(),
+            _ => self.byte_after_blanks(),
         }
     }
 
-    fn byte_behind_blanks(&mut self) -> u8 {
+    fn byte_after_blanks(&mut self) -> u8 {
         let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
         match rest.iter().position(|byte| !is_blank(*byte)) {
             Some(blanks) => {
@@ -141,7 +141,7 @@ impl<'a> Literal<'a> {
         true
     }
 
-    /// The reserved word at hand; `None` if there is none, or an identifier.
+    /// The next reserved word; `None` at an identifier or anything else.
     fn reserved(&mut self) -> Option<Word> {
         if !is_letter(self.byte()) {
             return None;
@@ -156,14 +156,14 @@ impl<'a> Literal<'a> {
         Some(word)
     }
 
-    /// The letters, digits and `_` at hand.
+    /// The letters, digits and `_` at the cursor.
     fn spelling(&self) -> &'a str {
         let end = word_end(self.text.as_bytes(), self.at);
         &self.text[self.at..end]
     }
 
-    /// What the identifier at hand holds.
-    fn held(&mut self) -> Parse<Held> {
+    /// The value of the next identifier.
+    fn held(&mut self) -> Parse<KnownValue> {
         let spelling = self.spelling();
         let Some(held) = self.known.get(spelling) else {
             return give_up();
@@ -176,8 +176,8 @@ impl<'a> Literal<'a> {
         Ok(held)
     }
 
-    /// Whether what is at hand begins something new, so that no expression goes on with it.
-    fn is_at_seam(&mut self) -> bool {
+    /// True if the next byte begins something new, so that no expression continues there.
+    fn is_at_boundary(&mut self) -> bool {
         match self.byte() {
             b',' | b'}' | b'0'..=b'9' => true,
             b'<' | b'>' => self.text.as_bytes().get(self.at + 1) != Some(&b'='),
@@ -188,10 +188,10 @@ impl<'a> Literal<'a> {
         }
     }
 
-    /// The components of a vector, or of a number alone or times an axis, and how many they are.
+    /// The components of a vector, a number or a multiple of an axis, and their number.
     #[inline]
-    fn components(&mut self) -> Option<([f64; MOST], usize)> {
-        let mut vector = [0.0; MOST];
+    fn components(&mut self) -> Option<([f64; MAX_COMPONENTS], usize)> {
+        let mut vector = [0.0; MAX_COMPONENTS];
         let mut len = 0;
         let is_vector = self.byte() == b'<';
         let bytes = self.text.as_bytes();
@@ -203,12 +203,12 @@ impl<'a> Literal<'a> {
             (*vector.get_mut(len)?, at) = (component, end);
             len += 1;
             if !is_vector {
-                if bytes.get(behind_blanks(bytes, at)) == Some(&b'*') {
-                    return self.axis(component, behind_blanks(bytes, at) + 1);
+                if bytes.get(after_blanks(bytes, at)) == Some(&b'*') {
+                    return self.axis(component, after_blanks(bytes, at) + 1);
                 }
                 break;
             }
-            at = behind_blanks(bytes, at);
+            at = after_blanks(bytes, at);
             match bytes.get(at)? {
                 b',' => at += 1,
                 b'>' => {
@@ -220,17 +220,17 @@ impl<'a> Literal<'a> {
             }
         }
         self.at = at;
-        self.is_at_seam().then_some((vector, len))
+        self.is_at_boundary().then_some((vector, len))
     }
 
-    /// So many times the axis that stands at a byte, or minus the axis.
+    /// `times` the axis named at a byte, or its negative.
     #[cold]
-    fn axis(&mut self, mut times: f64, at: usize) -> Option<([f64; MOST], usize)> {
+    fn axis(&mut self, mut times: f64, at: usize) -> Option<([f64; MAX_COMPONENTS], usize)> {
         let bytes = self.text.as_bytes();
-        let mut at = behind_blanks(bytes, at);
+        let mut at = after_blanks(bytes, at);
         if bytes.get(at) == Some(&b'-') {
             times = -times;
-            at = behind_blanks(bytes, at + 1);
+            at = after_blanks(bytes, at + 1);
         }
         let axis = match bytes.get(at)? {
             b'x' => 0,
@@ -243,14 +243,14 @@ impl<'a> Literal<'a> {
         }
         self.at = at + 1;
         // A product, as in an expression: its zeros have a sign.
-        let mut vector = [0.0; MOST];
+        let mut vector = [0.0; MAX_COMPONENTS];
         for (component, of_axis) in vector.iter_mut().zip([0, 1, 2]) {
             *component = times * f64::from(u8::from(of_axis == axis));
         }
-        self.is_at_seam().then_some((vector, 3))
+        self.is_at_boundary().then_some((vector, 3))
     }
 
-    /// A vector of `N` components; a number stands for all of them, and missing ones are zero.
+    /// A vector of `N` components; a number is repeated, and missing components are zero.
     fn vector_of<const N: usize>(&mut self) -> Parse<[f64; N]> {
         match self.components() {
             Some((vector, 1)) => Ok([vector[0]; N]),
@@ -259,9 +259,8 @@ impl<'a> Literal<'a> {
         }
     }
 
-    /// Takes a vector of `len` components with an optional comma before it, if it is followed by what ends an item of
-    /// a list.
-    pub(crate) fn item(&mut self, len: usize) -> Option<[f64; MOST]> {
+    /// Takes a vector of `len` components with an optional comma before it, if an item of a list ends there.
+    pub(crate) fn item(&mut self, len: usize) -> Option<[f64; MAX_COMPONENTS]> {
         let start = self.at;
         self.take(b',');
         let item = match self.byte() {
@@ -276,13 +275,13 @@ impl<'a> Literal<'a> {
     }
 }
 
-/// A number with or without a sign, whatever follows, and where it ends.
+/// A number with an optional sign, and its end.
 #[inline]
 fn signed(text: &[u8], at: usize) -> Option<(f64, usize)> {
-    let mut at = behind_blanks(text, at);
+    let mut at = after_blanks(text, at);
     let is_negative = text.get(at) == Some(&b'-');
     if is_negative {
-        at = behind_blanks(text, at + 1);
+        at = after_blanks(text, at + 1);
     }
     let (value, end) = number(text, at);
     let value = value.filter(|value| value.is_finite())?;
@@ -290,14 +289,14 @@ fn signed(text: &[u8], at: usize) -> Option<(f64, usize)> {
 }
 
 #[inline]
-fn behind_blanks(text: &[u8], mut at: usize) -> usize {
+fn after_blanks(text: &[u8], mut at: usize) -> usize {
     while text.get(at).is_some_and(|byte| is_blank(*byte)) {
         at += 1;
     }
     at
 }
 
-/// Whether a number is finite in single precision, as colours are.
+/// True if a number is finite in single precision, the precision of colours.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "colours are single precision"
@@ -441,7 +440,7 @@ impl Args for Literal<'_> {
         Ok(char::from(self.byte()) == mark && mark != '\0')
     }
 
-    // Inlined into its caller, rustc 1.95 forgets the step behind the `{` in optimised builds.
+    // Inlined into its caller by rustc 1.95, the step after the `{` is lost in optimised builds.
     #[inline(never)]
     fn open(&mut self) -> Parse<()> {
         if self.take(b'{') { Ok(()) } else { give_up() }
@@ -471,7 +470,7 @@ impl Args for Literal<'_> {
             return Ok(None);
         }
         match self.held()? {
-            Held::Element(element) if (*element).type_id() == kind => Ok(Some(element)),
+            KnownValue::Element(element) if (*element).type_id() == kind => Ok(Some(element)),
             _ => give_up(),
         }
     }
@@ -481,13 +480,13 @@ impl Args for Literal<'_> {
             return give_up();
         }
         match self.held()? {
-            Held::Object(object) => Ok(object),
-            Held::Element(_) => give_up(),
+            KnownValue::Object(object) => Ok(object),
+            KnownValue::Element(_) => give_up(),
         }
     }
 
     fn default_any(&self, _: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
-        self.is_doubtful.set(true);
+        self.needs_tokens.set(true);
         None
     }
 
@@ -506,7 +505,7 @@ impl Args for Literal<'_> {
     }
 
     fn warn(&mut self, _: Diagnostic) {
-        self.is_doubtful.set(true);
+        self.needs_tokens.set(true);
     }
 
     fn version(&self) -> f64 {

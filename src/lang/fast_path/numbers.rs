@@ -1,21 +1,20 @@
-//! Literal numbers and vectors, straight from the tokens: most of what programs write is nothing else, and the lists
-//! of a mesh hold millions of them.
+//! Literal numbers and vectors, straight from the tokens: they are most of a generated scene, and the lists of a mesh
+//! hold millions of them.
 //!
-//! Only what can mean nothing else is taken: numbers with a sign, commas between them, and behind the vector something
-//! that cannot go on with an expression. Everything else (a name, an operator, a directive) is left to the reader of
-//! expressions.
+//! Only the unambiguous is taken: numbers with a sign, commas between them, and after the vector a token that cannot
+//! continue an expression. Everything else (a name, an operator, a directive) is left to the expression reader.
 
-use crate::lang::cursor::{Place, is_bare_directive};
+use crate::lang::cursor::{Position, is_bare_directive};
 use crate::lang::expr::value::Number;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
 
 /// The most components of a vector.
-const MOST: usize = 5;
+const MAX_COMPONENTS: usize = 5;
 
 impl Reader<'_> {
-    /// Takes the literal number or vector at hand if it is a whole expression.
+    /// Takes the next literal number or vector if it is a whole expression.
     #[inline]
     pub(crate) fn take_literal(&mut self) -> Option<Number> {
         if self.recording.is_some() {
@@ -27,7 +26,7 @@ impl Reader<'_> {
         Some(number)
     }
 
-    /// Takes literal vectors of `len` components, each with an optional comma before it, as long as `take` wants them.
+    /// Takes literal vectors of `len` components, each with an optional comma before it, until `take` returns false.
     pub(crate) fn take_literal_vectors(
         &mut self,
         len: usize,
@@ -43,7 +42,7 @@ impl Reader<'_> {
             }
         }
         if self.here.at > start {
-            self.last = Place {
+            self.last = Position {
                 tokens,
                 at: self.here.at - 1,
             };
@@ -64,7 +63,7 @@ impl Reader<'_> {
             return None;
         }
         self.here.at = after;
-        self.last = Place {
+        self.last = Position {
             tokens,
             at: after - 1,
         };
@@ -72,7 +71,7 @@ impl Reader<'_> {
     }
 }
 
-/// The literal number or vector at a token if it is a whole expression, and the token behind it.
+/// The literal number or vector at a token if it is a whole expression, and the index after it.
 #[inline]
 pub(crate) fn literal_at(tokens: &Tokens, at: usize) -> Option<(Number, usize)> {
     let first = tokens.tokens[at];
@@ -87,7 +86,7 @@ pub(crate) fn literal_at(tokens: &Tokens, at: usize) -> Option<(Number, usize)> 
     ends_expression(*tokens.tokens.get(after)?).then_some((number, after))
 }
 
-/// The number at a token, perhaps with a sign, and the token behind it.
+/// The number at a token, with an optional sign, and the index after it.
 fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
     let is_negative = tokens.tokens.get(at)?.is_mark('-');
     at += usize::from(is_negative);
@@ -99,12 +98,12 @@ fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
     Some((if is_negative { -value } else { value }, at + 1))
 }
 
-/// Whether no expression can go on with this token.
+/// True if no expression can continue with this token.
 fn ends_item(behind: Token) -> bool {
     [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark))
 }
 
-/// Whether no expression at the additive level can go on with this token, whatever identifiers stand for.
+/// True if no expression at the additive level can continue with this token, whatever identifiers hold.
 fn ends_expression(behind: Token) -> bool {
     match behind.kind {
         Kind::Mark => !['+', '-', '*', '/', '.']
@@ -117,10 +116,10 @@ fn ends_expression(behind: Token) -> bool {
     }
 }
 
-/// The vector of two to five literal components at a token, and the token behind it.
+/// The vector of two to five literal components at a token, and the index after it.
 fn components(tokens: &Tokens, start: usize) -> Option<(Number, usize)> {
     let mut number = Number {
-        v: [0.0; MOST],
+        v: [0.0; MAX_COMPONENTS],
         len: 0,
     };
     let mut at = start;
@@ -136,8 +135,12 @@ fn components(tokens: &Tokens, start: usize) -> Option<(Number, usize)> {
     None
 }
 
-/// The vector at a token and the token behind it.
-fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; MOST], usize)> {
+/// The vector of `len` components at a token, and the index after it.
+fn literal_vector(
+    tokens: &Tokens,
+    mut at: usize,
+    len: usize,
+) -> Option<([f64; MAX_COMPONENTS], usize)> {
     let token = |at: usize| tokens.tokens.get(at).copied();
     if token(at)?.is_mark(',') {
         at += 1;
@@ -145,7 +148,7 @@ fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; M
     if !token(at)?.is_mark('<') {
         return None;
     }
-    let mut vector = [0.0; MOST];
+    let mut vector = [0.0; MAX_COMPONENTS];
     for (i, component) in vector.get_mut(..len)?.iter_mut().enumerate() {
         (*component, at) = signed(tokens, at + 1)?;
         let separator = if i + 1 == len { '>' } else { ',' };

@@ -1,10 +1,10 @@
-//! Reading long data by all threads: pieces of the text are read side by side, and what they come to is taken in turn.
+//! Parallel reading of long data: threads parse pieces of the text, and the results are taken in order.
 //!
-//! A piece counts only if the one before it ends where it begins. Where something in a piece is more than literals, what
-//! lies behind that place is read again.
+//! A piece counts only if the one before it ends where it begins. Where a piece holds more than literals, the text
+//! after that position is read again.
 
-use super::known::{Known, Told};
-use super::literal::{Ground, Literal, Memory};
+use super::known::{Known, NotedValues};
+use super::literal::{Literal, LiteralContext, Memory};
 use super::part_cache::Parts;
 use super::plain::{Read, literal_object};
 use crate::base::args::Parse;
@@ -15,79 +15,79 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A piece has about so many bytes.
-const PIECE: usize = 1 << 14;
-/// So many pieces are read at once.
-const AT_ONCE: usize = 24;
+/// Approximate size of a piece in bytes.
+const PIECE_BYTES: usize = 1 << 14;
+/// Number of pieces read at once.
+const PIECES_AT_ONCE: usize = 24;
 /// Shorter data are read by one thread.
-pub(crate) const LONG: usize = PIECE * AT_ONCE / 4;
-/// So much is read by one thread first: by then the data have shown what they are, and which identifiers they use.
-pub(crate) const FIRST: usize = PIECE;
-/// Braces are counted in runs of so many bytes.
-const RUN: usize = 128;
+pub(crate) const MIN_PARALLEL_BYTES: usize = PIECE_BYTES * PIECES_AT_ONCE / 4;
+/// Bytes read by one thread first: by then the kind of the data and their identifiers are known.
+pub(crate) const FIRST_BYTES: usize = PIECE_BYTES;
+/// Braces are counted in runs of this many bytes, so that a count fits into a byte.
+const BRACE_RUN: usize = 128;
 
-/// What becomes of objects that are written as plain literals.
-pub(crate) trait Taker {
-    /// What is kept of one.
-    type Kept: Send;
+/// Receives objects that are written as plain literals.
+pub(crate) trait LiteralSink {
+    /// The stored form of an object.
+    type Item: Send;
 
-    /// What is kept of an object; any thread may ask for it.
-    fn kept(read: Read, defaults: &Defaults<'_>) -> Self::Kept;
+    /// Converts an object; any thread may call it.
+    fn item(read: Read, defaults: &Defaults<'_>) -> Self::Item;
 
-    /// Takes what is kept of the objects of a piece.
-    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Self::Kept>) -> Parse<()>;
+    /// Takes the objects of a piece.
+    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Self::Item>) -> Parse<()>;
 }
 
-/// What objects have that say nothing else.
+/// Attributes of objects that set none.
 pub(crate) struct Defaults<'a> {
     pub(crate) layer: &'a Layer,
     pub(crate) texture: &'a Arc<Texture>,
-    /// That of the layer. Each piece has its own, for threads that count who has it would wait for each other.
+    /// The finish of the layer. Each piece has its own: threads would contend for one reference count.
     pub(crate) finish: Arc<Finish>,
 }
 
-/// What a piece needs.
+/// The context of a piece.
 #[derive(Clone, Copy)]
-pub(crate) struct Around<'a> {
-    pub(crate) of_all: OfAll<'a>,
+pub(crate) struct PieceContext<'a> {
+    pub(crate) shared: SharedContext<'a>,
     pub(crate) known: Known<'a>,
 }
 
-/// What is the same for all pieces, whoever reads them.
+/// Context that all pieces share, on any thread.
 #[derive(Clone, Copy)]
-pub(crate) struct OfAll<'a> {
+pub(crate) struct SharedContext<'a> {
     pub(crate) file: FileId,
     pub(crate) version: f64,
     pub(crate) layer: &'a Layer,
     pub(crate) texture: &'a Arc<Texture>,
 }
 
-/// What a piece of the text came to.
+/// The parsed objects or numbers of a piece of text.
 pub(crate) struct Piece<T> {
     pub(crate) read: Vec<T>,
-    /// How many objects there are in those read.
+    /// Number of objects in `read`, with their parts.
     pub(crate) parts: u64,
-    /// Where it begins and how far it was read.
+    /// From the start of the piece to where parsing ended.
     pub(crate) range: Range<usize>,
 }
 
-/// Whether reading by all threads is worth while.
-pub(crate) fn is_worth_while() -> bool {
+/// True if there are several threads.
+pub(crate) fn has_many_threads() -> bool {
     rayon::current_num_threads() > 1
 }
 
 /// The objects of a range, as far as they are written as plain literals.
-pub(crate) fn piece_of_objects<T: Taker>(
+pub(crate) fn piece_of_objects<T: LiteralSink>(
     text: &str,
     range: Range<usize>,
-    around: &Around<'_>,
+    context: &PieceContext<'_>,
     memory: &Memory,
-) -> Piece<T::Kept> {
-    let ground = around.ground(memory);
+) -> Piece<T::Item> {
+    let literal_context = context.literal_context(memory);
     let defaults = Defaults {
-        layer: around.of_all.layer,
-        texture: around.of_all.texture,
-        finish: Arc::new((*around.of_all.layer.finish).clone()),
+        layer: context.shared.layer,
+        texture: context.shared.texture,
+        finish: Arc::new((*context.shared.layer.finish).clone()),
     };
     let mut parts = Parts::default();
     let mut piece = Piece {
@@ -96,50 +96,55 @@ pub(crate) fn piece_of_objects<T: Taker>(
         range: range.start..range.start,
     };
     while piece.range.end < range.end
-        && let Some(object) =
-            literal_object(text, piece.range.end, &ground, (defaults.layer, &mut parts))
+        && let Some(object) = literal_object(
+            text,
+            piece.range.end,
+            &literal_context,
+            defaults.layer,
+            &mut parts,
+        )
     {
         piece.range.end = object.end;
         piece.parts += u64::from(object.parts);
-        piece.read.push(T::kept(object.read, &defaults));
+        piece.read.push(T::item(object.read, &defaults));
     }
     piece.read.shrink_to_fit();
     piece
 }
 
-/// Reads the pieces of data from a byte on, at which an object begins, while `take` takes those before them; until
-/// `take` says to stop, or what is left is no more than one thread reads.
-pub(crate) fn objects<T: Taker>(
+/// Reads objects in pieces, from a byte at which an object begins, while `take` receives the pieces before; until
+/// `take` returns false, or the rest is short enough for one thread.
+pub(crate) fn objects<T: LiteralSink>(
     text: &str,
     from: usize,
-    told: &Told,
-    of_all: OfAll<'_>,
-    take: impl FnMut(Piece<T::Kept>) -> bool,
+    noted: &NotedValues,
+    shared: SharedContext<'_>,
+    take: impl FnMut(Piece<T::Item>) -> bool,
 ) {
     let read = |range: &Range<usize>| {
-        let known = Known::Told(told);
-        let around = Around { of_all, known };
-        piece_of_objects::<T>(text, range.clone(), &around, &Memory::default())
+        let known = Known::Noted(noted);
+        let context = PieceContext { shared, known };
+        piece_of_objects::<T>(text, range.clone(), &context, &Memory::default())
     };
-    batch_by_batch(text, from, behind_object, read, take);
+    batch_by_batch(text, from, end_of_object, read, take);
 }
 
-/// The same with the vectors of `len` components of a list, one after the other; one begins at `from`, with or without a
-/// comma before it.
+/// The same with the vectors of `len` components of a list; one begins at `from`, with or without a comma before it.
 pub(crate) fn vectors(
     text: &str,
     from: usize,
-    (len, file): (usize, FileId),
+    len: usize,
+    file: FileId,
     take: impl FnMut(Piece<f64>) -> bool,
 ) {
     let read = |range: &Range<usize>| {
-        let ground = Ground {
+        let literal_context = LiteralContext {
             file,
-            known: Known::Told(&Told::default()),
+            known: Known::Noted(&NotedValues::default()),
             version: 0.0,
             memory: &Memory::default(),
         };
-        let mut args = Literal::new(text, range.start, &ground);
+        let mut args = Literal::new(text, range.start, &literal_context);
         let mut read = Vec::new();
         while args.at() < range.end
             && let Some(vector) = args.item(len)
@@ -152,7 +157,7 @@ pub(crate) fn vectors(
             range: range.start..args.at(),
         }
     };
-    batch_by_batch(text, from, behind_vector, read, take);
+    batch_by_batch(text, from, end_of_vector, read, take);
 }
 
 /// Reads batches of pieces, each while the one before it is taken.
@@ -169,10 +174,10 @@ fn batch_by_batch<T: Send>(
         let read: Vec<Piece<T>> = ranges.par_iter().map(&read).collect();
         (read, end)
     };
-    let mut next = (text.len() - from >= LONG).then(|| batch(from));
+    let mut next = (text.len() - from >= MIN_PARALLEL_BYTES).then(|| batch(from));
     while let Some((pieces, end)) = next.take() {
         let goes_on = rayon::in_place_scope(|scope| {
-            if text.len() - end >= LONG {
+            if text.len() - end >= MIN_PARALLEL_BYTES {
                 scope.spawn(|_| next = Some(batch(end)));
             }
             pieces.into_iter().all(&mut take)
@@ -183,28 +188,28 @@ fn batch_by_batch<T: Send>(
     }
 }
 
-impl<'a> Around<'a> {
-    pub(crate) fn ground(&self, memory: &'a Memory) -> Ground<'a> {
-        Ground {
-            file: self.of_all.file,
+impl<'a> PieceContext<'a> {
+    pub(crate) fn literal_context(&self, memory: &'a Memory) -> LiteralContext<'a> {
+        LiteralContext {
+            file: self.shared.file,
             known: self.known,
-            version: self.of_all.version,
+            version: self.shared.version,
             memory,
         }
     }
 }
 
-/// The ranges of the next pieces; `behind` finds the end of what stands at a byte, in a range that begins with something
-/// whole.
+/// The ranges of the next pieces; `behind` finds the end of the item at the end of a range that begins with a whole
+/// one.
 fn pieces(
     text: &str,
     from: usize,
     behind: impl Fn(&[u8], Range<usize>) -> usize,
 ) -> Vec<Range<usize>> {
-    let mut ranges = Vec::with_capacity(AT_ONCE);
+    let mut ranges = Vec::with_capacity(PIECES_AT_ONCE);
     let mut start = from;
-    while ranges.len() < AT_ONCE && start < text.len() {
-        let near = text.len().min(start + PIECE);
+    while ranges.len() < PIECES_AT_ONCE && start < text.len() {
+        let near = text.len().min(start + PIECE_BYTES);
         let end = behind(text.as_bytes(), start..near);
         ranges.push(start..end);
         start = end;
@@ -213,8 +218,11 @@ fn pieces(
 }
 
 /// The end of the object in which a range ends.
-fn behind_object(text: &[u8], range: Range<usize>) -> usize {
-    let mut depth: i64 = text[range.clone()].chunks(RUN).map(deepening).sum();
+fn end_of_object(text: &[u8], range: Range<usize>) -> usize {
+    let mut depth: i64 = text[range.clone()]
+        .chunks(BRACE_RUN)
+        .map(brace_balance)
+        .sum();
     let braces = memchr::memchr2_iter(b'{', b'}', &text[range.end..]);
     for brace in braces {
         let at = range.end + brace;
@@ -226,8 +234,8 @@ fn behind_object(text: &[u8], range: Range<usize>) -> usize {
     text.len()
 }
 
-/// How many more braces a run opens than it closes.
-fn deepening(run: &[u8]) -> i64 {
+/// Opening minus closing braces of a run.
+fn brace_balance(run: &[u8]) -> i64 {
     let count = |brace: u8| {
         run.iter()
             .fold(0_u8, |count, byte| count + u8::from(*byte == brace))
@@ -236,7 +244,7 @@ fn deepening(run: &[u8]) -> i64 {
 }
 
 /// The end of the vector in which a range ends.
-fn behind_vector(text: &[u8], range: Range<usize>) -> usize {
+fn end_of_vector(text: &[u8], range: Range<usize>) -> usize {
     memchr::memchr(b'>', &text[range.end..]).map_or(text.len(), |at| range.end + at + 1)
 }
 
@@ -246,10 +254,10 @@ mod tests {
 
     struct Nothing;
 
-    impl Taker for Nothing {
-        type Kept = ();
+    impl LiteralSink for Nothing {
+        type Item = ();
 
-        fn kept(_: Read, _: &Defaults<'_>) {}
+        fn item(_: Read, _: &Defaults<'_>) {}
 
         fn take(&mut self, _: &mut Reader<'_>, _: Vec<()>) -> Parse<()> {
             Ok(())
@@ -260,8 +268,8 @@ mod tests {
     fn pieces_end_behind_objects_and_follow_each_other() {
         let one =
             "sphere { <1, 2, 3>, 0.5 pigment { rgb <0.1, 0.2, 0.3> }\n finish { phong 1 } }\n";
-        let text = one.repeat(3 * PIECE / one.len());
-        let pieces = pieces(&text, 0, behind_object);
+        let text = one.repeat(3 * PIECE_BYTES / one.len());
+        let pieces = pieces(&text, 0, end_of_object);
         assert!(pieces.len() >= 3);
         let mut at = 0;
         for piece in pieces {
@@ -273,20 +281,20 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_written_as_literals_is_read_and_no_more() {
+    fn only_literal_objects_are_read() {
         let one = "sphere { <1, 2, 3>, 0.5 }\n";
         let text = one.repeat(1000) + "sphere { <1, 2, 3>, sin(2) }\n" + &one.repeat(9000);
         let layer = Layer::default();
         let texture = Arc::new(Texture::from(layer.clone()));
-        let told = Told::default();
-        let of_all = OfAll {
+        let noted = NotedValues::default();
+        let shared = SharedContext {
             file: FileId(0),
             version: 3.7,
             layer: &layer,
             texture: &texture,
         };
         let mut pieces = Vec::new();
-        objects::<Nothing>(&text, 0, &told, of_all, |piece| {
+        objects::<Nothing>(&text, 0, &noted, shared, |piece| {
             pieces.push(piece);
             true
         });

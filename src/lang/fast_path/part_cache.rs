@@ -1,32 +1,32 @@
-//! The parts of combinations that were read last, by how they are written: programs that write scenes write the same part
-//! again and again, and what is written alike is read once and shared.
+//! A cache of the last parts of CSG objects by their text: generated scenes repeat the same part, which is then parsed
+//! once and shared.
 
 use crate::scene::Object;
 use std::sync::Arc;
 
-/// So many parts are known.
-const MOST: usize = 8;
+/// Capacity of the cache.
+const CAPACITY: usize = 8;
 
-/// Parts that were read a little while ago.
+/// The cache.
 #[derive(Debug, Default)]
 pub(crate) struct Parts<'a> {
     known: Vec<Part<'a>>,
-    /// The oldest, which gives way next.
+    /// The oldest entry, which is replaced next.
     oldest: usize,
 }
 
-/// A part of a combination.
+/// A part of a CSG object.
 #[derive(Clone, Debug)]
 pub(crate) struct Part<'a> {
-    /// How it is written.
+    /// Its text.
     pub(crate) text: &'a str,
     pub(crate) object: Arc<Object>,
-    /// How many objects there are in it, itself not counted.
+    /// Number of objects in it, itself not counted.
     pub(crate) parts: u32,
 }
 
 impl<'a> Parts<'a> {
-    /// The part that stands at the beginning of a text, if it is known.
+    /// The part at the beginning of a text, if it is cached.
     pub(crate) fn find(&self, text: &str) -> Option<Part<'a>> {
         let known = self.known.iter();
         known
@@ -35,13 +35,13 @@ impl<'a> Parts<'a> {
             .cloned()
     }
 
-    /// Takes note of a part.
+    /// Adds a part.
     pub(crate) fn note(&mut self, part: Part<'a>) {
-        if self.known.len() < MOST {
+        if self.known.len() < CAPACITY {
             self.known.push(part);
         } else {
             self.known[self.oldest] = part;
-            self.oldest = (self.oldest + 1) % MOST;
+            self.oldest = (self.oldest + 1) % CAPACITY;
         }
     }
 }

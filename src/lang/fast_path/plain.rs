@@ -1,8 +1,8 @@
-//! Objects that are written without anything unusual, from whoever gives their parameters.
+//! Objects in their common form, from any source of parameters.
 //!
-//! What is read here is read as the statements of a scene read it; at anything else it is left to them.
+//! The result is the one that the statements of a scene give; anything unusual is left to them.
 
-use super::literal::{Ground, Literal};
+use super::literal::{Literal, LiteralContext};
 use super::part_cache::{Part, Parts};
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::color::Color;
@@ -15,37 +15,37 @@ use crate::scene::texture::{Family, Layer, Pigment, Texture};
 use crate::scene::{Kind, Object, Operation};
 use std::sync::Arc;
 
-/// What is written without anything unusual.
+/// An object in its common form.
 pub(crate) enum Read {
     /// A shape and nothing else, of one colour or with the default texture.
     Shape {
         /// The shape.
         shape: Shape,
-        /// Its colour, if it says one.
+        /// Its colour, if it has one.
         color: Option<Color>,
     },
-    /// An object with more to it.
+    /// Any other object.
     Object(Object),
 }
 
 /// An object that is written as plain literals.
 pub(crate) struct LiteralObject {
     pub(crate) read: Read,
-    /// How many objects there are in it.
+    /// Number of objects in it.
     pub(crate) parts: u32,
-    /// The byte behind it.
+    /// The byte after it.
     pub(crate) end: usize,
 }
 
-/// Longer combinations are read by their tokens, and their parts as literals: not much is read in vain where a
-/// combination is almost, but not quite, all literals.
-const LONGEST_COMBINATION: usize = 1 << 12;
+/// Longer CSG objects are read as tokens, and their parts as literals: not much is parsed in vain where almost all of
+/// an object is literal.
+const MAX_CSG_BYTES: usize = 1 << 12;
 
-/// Nor are combinations with more combinations inside each other.
-const DEEPEST_COMBINATION: u32 = 8;
+/// So are CSG objects that are nested deeper than this.
+const MAX_CSG_DEPTH: u32 = 8;
 
 impl Read {
-    /// It as an object; an object without a texture gets none.
+    /// Converts it into an object; one without a texture gets none.
     pub(crate) fn into_object(self, default: &Layer) -> Object {
         let (shape, color) = match self {
             Read::Object(object) => return object,
@@ -60,7 +60,7 @@ impl Read {
     }
 }
 
-/// The default with one colour in place of what it has.
+/// The default layer with a plain pigment.
 fn colored(color: Color, default: &Layer) -> Layer {
     Layer {
         pigment: Pigment::plain(color),
@@ -68,23 +68,24 @@ fn colored(color: Color, default: &Layer) -> Layer {
     }
 }
 
-/// A combination as it is read.
+/// A CSG object while it is read.
 struct Outermost<'k, 'a> {
     start: usize,
-    /// How many objects there are in it so far.
+    /// Number of objects in it so far.
     parts: u32,
     known: &'k mut Parts<'a>,
 }
 
-/// The object that begins at a byte, if it is written as plain literals; `known` are parts of those before it in the same
-/// text.
+/// The object that begins at a byte, if it is written as plain literals; `known` caches parts of the objects before it
+/// in the same text.
 pub(crate) fn literal_object<'a>(
     text: &'a str,
     at: usize,
-    ground: &Ground<'a>,
-    (default, known): (&Layer, &mut Parts<'a>),
+    context: &LiteralContext<'a>,
+    default: &Layer,
+    known: &mut Parts<'a>,
 ) -> Option<LiteralObject> {
-    let mut args = Literal::new(text, at, ground);
+    let mut args = Literal::new(text, at, context);
     let mut whole = Outermost {
         start: at,
         parts: 0,
@@ -99,7 +100,7 @@ pub(crate) fn literal_object<'a>(
     })
 }
 
-/// A shape, a copy or a combination.
+/// A shape, a copy or a CSG object.
 fn shape_or_combination<'a>(
     args: &mut Literal<'a>,
     default: &Layer,
@@ -114,7 +115,7 @@ fn shape_or_combination<'a>(
         Some(Word::Difference) => Operation::Difference,
         _ => return plain_object(args, default),
     };
-    if depth == DEEPEST_COMBINATION {
+    if depth == MAX_CSG_DEPTH {
         return Ok(None);
     }
     word.map(|word| args.accept(word)).transpose()?;
@@ -125,7 +126,7 @@ fn shape_or_combination<'a>(
         && (matches!(word.class(), Class::Shape | Class::Csg) || word == Word::Object)
     {
         let child = part(args, default, whole, depth + 1)?;
-        let Some(child) = child.filter(|_| args.at() < whole.start + LONGEST_COMBINATION) else {
+        let Some(child) = child.filter(|_| args.at() < whole.start + MAX_CSG_BYTES) else {
             return Ok(None);
         };
         children.push(child);
@@ -144,7 +145,7 @@ fn shape_or_combination<'a>(
     modified(object, args, default)
 }
 
-/// The part of a combination that is at hand.
+/// The next part of a CSG object.
 fn part<'a>(
     args: &mut Literal<'a>,
     default: &Layer,
@@ -170,7 +171,7 @@ fn part<'a>(
     Ok(Some(object))
 }
 
-/// An object with its modifiers: a shape, or a copy of an object with a name. `None` if something else stands here.
+/// An object with its modifiers: a shape, or a copy of a named object. `None` for anything else.
 pub(crate) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Option<Read>> {
     let Some(word) = args.word()? else {
         return Ok(None);
@@ -222,7 +223,7 @@ pub(crate) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Opti
     }
 }
 
-/// An object with what stands behind its parameters.
+/// An object with the modifiers after its parameters.
 fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse<Option<Read>> {
     while !args.accept_close()? {
         let Some(word) = args.word()? else {

@@ -1,47 +1,47 @@
-//! Reading through long stretches of data, of which tokens are made only where they are needed.
+//! Reading through long segments of data, which are tokenized only where needed.
 //!
-//! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
-//! tokens are made for the piece at hand.
+//! Objects and lists written as plain literals are parsed straight from the text ([`Literal`]); anything else is
+//! tokenized in pieces.
 
-use super::known::{Known, Told};
+use super::known::{Known, NotedValues};
 use super::literal::Literal;
-use super::parallel::{self, Around, OfAll, Piece, Taker};
+use super::parallel::{self, LiteralSink, Piece, PieceContext, SharedContext};
 use crate::base::args::Parse;
-use crate::lang::cursor::Place;
+use crate::lang::cursor::Position;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::{Kind, behind_more, more_from, tokenize_more};
+use crate::lang::syntax::{Kind, after_more, more_from, tokenize_more};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Tokens are made of pieces of about so many bytes: few where literals are interrupted, more where they end.
-pub(crate) const SHORTEST_PIECE: usize = 1 << 10;
-const LONGEST_PIECE: usize = 1 << 15;
+/// Bytes of a piece to tokenize: short where literals are interrupted, longer where they end.
+pub(crate) const MIN_PIECE: usize = 1 << 10;
+const MAX_PIECE: usize = 1 << 15;
 
 impl Reader<'_> {
-    /// At a [`Kind::More`]: goes on to the tokens of the next piece, or behind the stretch.
+    /// At a [`Kind::More`]: goes on to the tokens of the next piece, or after the segment.
     pub(crate) fn read_on(&mut self) {
         let (tokens, at, faults) =
             tokenize_more(&self.here.tokens, self.here.at, self.piece, &mut self.names);
-        self.piece = LONGEST_PIECE.min(2 * self.piece);
-        self.here = Place { tokens, at };
+        self.piece = MAX_PIECE.min(2 * self.piece);
+        self.here = Position { tokens, at };
         for fault in faults {
             let fault = self.with_trace(fault);
             self.record(*fault);
         }
     }
 
-    /// Goes behind the stretch at hand.
-    pub(crate) fn leave_stretch(&mut self) {
-        let (tokens, at) = behind_more(&self.here.tokens, self.here.at);
-        self.here = Place { tokens, at };
+    /// Goes past the current data segment.
+    pub(crate) fn leave_segment(&mut self) {
+        let (tokens, at) = after_more(&self.here.tokens, self.here.at);
+        self.here = Position { tokens, at };
     }
 
-    /// Whether objects and lists may be read from the text here.
+    /// True if objects and lists may be parsed from the text here.
     fn is_at_data(&self) -> bool {
         self.raw().kind == Kind::More && self.deprecated.is_empty()
     }
 
-    /// Where in which text the data at hand lies.
+    /// The text with the data at the cursor, and their range in it.
     fn data(&self) -> Option<(Arc<String>, std::ops::Range<usize>)> {
         let tokens = &self.here.tokens;
         let rest = tokens.more(self.here.at)?;
@@ -49,16 +49,16 @@ impl Reader<'_> {
         Some((Arc::clone(tokens.text()), range))
     }
 
-    /// Goes to a byte of the stretch at hand.
+    /// Goes to a byte of the current data segment.
     fn go_to(&mut self, from: usize) {
         let tokens = more_from(&self.here.tokens, self.here.at, from);
-        self.last = Place { tokens, at: 0 };
+        self.last = Position { tokens, at: 0 };
         self.here = self.last.clone();
         self.here.at = 1;
     }
 
-    /// Gives `taker` the objects at hand, as long as they are written as plain literals.
-    pub(crate) fn take_literal_objects(&mut self, taker: &mut impl Taker) -> Parse<()> {
+    /// Passes the next objects to `sink`, as long as they are written as plain literals.
+    pub(crate) fn take_literal_objects(&mut self, sink: &mut impl LiteralSink) -> Parse<()> {
         if !self.is_at_data() {
             return Ok(());
         }
@@ -66,51 +66,52 @@ impl Reader<'_> {
             return Ok(());
         };
         let mut at = range.start;
-        let result = self.take_objects_of(&text[..range.end], &mut at, taker);
+        let result = self.take_objects_of(&text[..range.end], &mut at, sink);
         if at > range.start {
             self.go_to(at);
-            self.piece = SHORTEST_PIECE;
+            self.piece = MIN_PIECE;
         }
         result
     }
 
-    /// Gives `taker` the objects of a text from a byte on, which moves behind what has been taken.
-    fn take_objects_of<T: Taker>(
+    /// Passes the objects of a text from a byte on to `sink`, and moves the byte past them.
+    fn take_objects_of<T: LiteralSink>(
         &mut self,
         text: &str,
         at: &mut usize,
-        taker: &mut T,
+        sink: &mut T,
     ) -> Parse<()> {
-        let told = RefCell::default();
-        let mut take = |reader: &mut Self, piece: Piece<T::Kept>, at: &mut usize| {
+        let noted = RefCell::default();
+        let mut take = |reader: &mut Self, piece: Piece<T::Item>, at: &mut usize| {
             *at = piece.range.end;
             reader.count_objects(piece.parts)?;
-            taker.take(reader, piece.read)
+            sink.take(reader, piece.read)
         };
         loop {
-            let first = *at..*at + parallel::FIRST;
-            let around = self.around(&told);
-            let piece = parallel::piece_of_objects::<T>(text, first.clone(), &around, &self.memory);
+            let first = *at..*at + parallel::FIRST_BYTES;
+            let piece_context = self.piece_context(&noted);
+            let piece =
+                parallel::piece_of_objects::<T>(text, first.clone(), &piece_context, &self.memory);
             if !piece.range.is_empty() {
                 take(self, piece, at)?;
             }
             if *at < first.end {
                 return Ok(());
             }
-            if !parallel::is_worth_while() {
+            if !parallel::has_many_threads() {
                 continue;
             }
             let (layer, texture) = (
                 self.default_layer.clone(),
                 Arc::clone(&self.default_texture),
             );
-            let of_all = OfAll {
+            let shared = SharedContext {
                 layer: &layer,
                 texture: &texture,
-                ..self.of_all()
+                ..self.shared()
             };
             let mut result = Ok(());
-            parallel::objects::<T>(text, *at, &told.borrow(), of_all, |piece| {
+            parallel::objects::<T>(text, *at, &noted.borrow(), shared, |piece| {
                 let follows = piece.range.start == *at;
                 if follows {
                     result = take(self, piece, at);
@@ -121,15 +122,15 @@ impl Reader<'_> {
         }
     }
 
-    fn around<'a>(&'a self, told: &'a RefCell<Told>) -> Around<'a> {
-        Around {
-            of_all: self.of_all(),
-            known: Known::Scopes(&self.names, &self.scopes, told),
+    fn piece_context<'a>(&'a self, noted: &'a RefCell<NotedValues>) -> PieceContext<'a> {
+        PieceContext {
+            shared: self.shared(),
+            known: Known::Scopes(&self.names, &self.scopes, noted),
         }
     }
 
-    fn of_all(&self) -> OfAll<'_> {
-        OfAll {
+    fn shared(&self) -> SharedContext<'_> {
+        SharedContext {
             file: self.here.tokens.file,
             version: self.version,
             layer: &self.default_layer,
@@ -137,8 +138,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the literal vectors that come next as [`crate::base::args::Args::literal_vectors`] does, if the data go on
-    /// here, or behind the next comma.
+    /// Takes the literal vectors that come next as [`crate::base::args::Args::literal_vectors`] does, if a data segment
+    /// begins here, or after the next comma.
     pub(crate) fn take_vectors_of_data(
         &mut self,
         len: usize,
@@ -152,7 +153,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the vectors of the data at hand, if these begin so; says whether there were any.
+    /// Takes the vectors of the data at the cursor, if these start with `begins`; true if there were any.
     fn take_vectors_here(
         &mut self,
         len: usize,
@@ -176,7 +177,7 @@ impl Reader<'_> {
         at > range.start
     }
 
-    /// Gives `take` the vectors of a text from a byte on, which moves behind what has been taken.
+    /// Passes the vectors of a text from a byte on to `take`, and moves the byte past them.
     fn take_vectors_of(
         &self,
         text: &str,
@@ -184,23 +185,23 @@ impl Reader<'_> {
         len: usize,
         take: &mut dyn FnMut(&[f64]) -> bool,
     ) {
-        let told = RefCell::default();
-        let around = self.around(&told);
-        let ground = around.ground(&self.memory);
+        let noted = RefCell::default();
+        let piece_context = self.piece_context(&noted);
+        let literal_context = piece_context.literal_context(&self.memory);
         loop {
-            let mut args = Literal::new(text, *at, &ground);
+            let mut args = Literal::new(text, *at, &literal_context);
             let first = *at;
-            while *at < first + parallel::FIRST {
+            while *at < first + parallel::FIRST_BYTES {
                 if !args.item(len).is_some_and(|vector| take(&vector[..len])) {
                     return;
                 }
                 *at = args.at();
             }
-            if !parallel::is_worth_while() {
+            if !parallel::has_many_threads() {
                 continue;
             }
             let mut is_wanted = true;
-            parallel::vectors(text, *at, (len, around.of_all.file), |piece| {
+            parallel::vectors(text, *at, len, piece_context.shared.file, |piece| {
                 if piece.range.start != *at {
                     return false;
                 }
@@ -211,7 +212,7 @@ impl Reader<'_> {
                     *at = piece.range.end;
                     return true;
                 }
-                let mut args = Literal::new(text, *at, &ground);
+                let mut args = Literal::new(text, *at, &literal_context);
                 for _ in 0..taken {
                     args.item(len);
                 }
@@ -231,22 +232,23 @@ mod tests {
     use crate::base::options::ReadOptions;
     use crate::base::source::{FileId, Sources};
     use crate::lang::evaluate;
-    use crate::lang::fast_path::literal::{Ground, Memory};
+    use crate::lang::fast_path::literal::{LiteralContext, Memory};
     use crate::lang::fast_path::part_cache::Parts;
     use crate::lang::fast_path::plain::literal_object;
     use crate::scene::Kind;
     use crate::scene::texture::Layer;
 
-    /// How much of a text is read as one object of literals.
+    /// Length of the text that is parsed as one object of literals.
     fn reached(text: &str) -> Option<usize> {
-        let ground = Ground {
+        let literal_context = LiteralContext {
             file: FileId(0),
-            known: Known::Told(&Told::default()),
+            known: Known::Noted(&NotedValues::default()),
             version: 3.7,
             memory: &Memory::default(),
         };
         let mut parts = Parts::default();
-        literal_object(text, 0, &ground, (&Layer::default(), &mut parts)).map(|object| object.end)
+        literal_object(text, 0, &literal_context, &Layer::default(), &mut parts)
+            .map(|object| object.end)
     }
 
     #[test]
@@ -267,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_more_than_literals_is_left_to_the_tokens() {
+    fn non_literals_are_left_to_the_tokens() {
         for text in [
             "sphere { x + y, 0.5 }",
             "sphere { 2*x*3, 0.5 }",
@@ -288,17 +290,17 @@ mod tests {
         let text = "difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 2 } } scale 2 }
             difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 3 } } sphere { y, 1 } }
             difference { box { -1, 1 pigment { rgb 1 } } intersection { sphere { 0, 1 } box { 0, 2 } } }";
-        let ground = Ground {
+        let literal_context = LiteralContext {
             file: FileId(0),
-            known: Known::Told(&Told::default()),
+            known: Known::Noted(&NotedValues::default()),
             version: 3.7,
             memory: &Memory::default(),
         };
         let (mut known, mut at) = (Parts::default(), 0);
         let mut objects = Vec::new();
         while at < text.len() {
-            let around = (&Layer::default(), &mut known);
-            let object = literal_object(text, at, &ground, around).unwrap();
+            let layer = Layer::default();
+            let object = literal_object(text, at, &literal_context, &layer, &mut known).unwrap();
             at = object.end;
             objects.push((object.parts, object.read.into_object(&Layer::default())));
         }
@@ -313,8 +315,8 @@ mod tests {
         assert_eq!([0, 1, 2].map(|number| objects[number].0), [4, 5, 4]);
     }
 
-    /// What a text says, told whole.
-    fn told(text: &str) -> String {
+    /// The result of reading a text, in full.
+    fn reading_text(text: &str) -> String {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov".to_owned(), text);
         let reading = evaluate(file, &mut sources, &ReadOptions::default());
@@ -347,10 +349,10 @@ mod tests {
             (0..6000).map(object).collect()
         };
         let (plain, commented) = (data(""), data(" /**/"));
-        assert!(plain.len() > 2 * crate::lang::fast_path::parallel::LONG);
+        assert!(plain.len() > 2 * crate::lang::fast_path::parallel::MIN_PARALLEL_BYTES);
         let (one, other) = (
-            told(&(head.to_owned() + &plain)),
-            told(&(head.to_owned() + &commented)),
+            reading_text(&(head.to_owned() + &plain)),
+            reading_text(&(head.to_owned() + &commented)),
         );
         assert!(one == other);
     }
@@ -366,7 +368,7 @@ mod tests {
                 "mesh2 {{ vertex_vectors {{ 12000, {vectors} }} face_indices {{ 9000, {faces} }} }}"
             )
         };
-        assert!(mesh("").len() > 2 * crate::lang::fast_path::parallel::LONG);
-        assert!(told(&mesh("")) == told(&mesh(" /**/")));
+        assert!(mesh("").len() > 2 * crate::lang::fast_path::parallel::MIN_PARALLEL_BYTES);
+        assert!(reading_text(&mesh("")) == reading_text(&mesh(" /**/")));
     }
 }

@@ -1,10 +1,10 @@
-//! What is said about text of which no token can be made.
+//! Messages about text that cannot be tokenized.
 
 use super::token::Tokens;
 use crate::base::source::{Diagnostic, FileId, Span};
 
-/// What stands at `at`, of which no token can be made: a string or a comment that is not closed. `before` holds the
-/// tokens before it.
+/// The error for the text at `at`, which cannot be tokenized: a string or a comment that is not closed. `before` holds
+/// the tokens before it.
 pub(super) fn unclosed(before: &Tokens, at: usize) -> Diagnostic {
     match &before.text.as_bytes()[at..] {
         [b'/', b'*', ..] => unclosed_comment(&before.text, before.file, at),
@@ -29,8 +29,8 @@ pub(super) fn bad_number(text: &str, span: Span) -> Diagnostic {
     }
 }
 
-/// A missing quote turns all the later strings inside out, and the last quote of the text is the one left over. So the
-/// first string that spans lines is the likely place.
+/// A missing quote turns all later strings inside out, and the last quote of the text is the unmatched one. So the
+/// first string that spans lines is the likely fault.
 fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
     let (text, file) = (&before.text, before.file);
     let span = Span::new(file, offset(at), offset(line_end(text, at)));
@@ -54,7 +54,7 @@ fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
     error
 }
 
-/// Comments nest, so it is the outermost one that stays open, mostly because of an inner `/*` without its `*/`.
+/// Comments nest, so the outermost one stays open, mostly because of an inner `/*` without its `*/`.
 fn unclosed_comment(text: &str, file: FileId, at: usize) -> Diagnostic {
     let mark = |start: usize| Span::new(file, offset(start), offset(start + 2));
     let mut error = Diagnostic::error(mark(at), "no `*/` for this comment");
@@ -81,7 +81,7 @@ fn unclosed_comment(text: &str, file: FileId, at: usize) -> Diagnostic {
     error
 }
 
-/// Where the comments begin that are open at the end of the text, outermost first.
+/// The starts of the comments that are open at the end of the text, outermost first.
 fn open_comments(text: &[u8], start: usize) -> Vec<usize> {
     let mut open = Vec::new();
     let mut at = start;

@@ -1,7 +1,7 @@
 //! Links the directives of each group: `#if` with its `#else` and `#end`, a loop or a macro with its `#end`.
 //!
-//! Groups need not balance within a file: an `#end` without an opener stays alone, and a group that the file does not
-//! close keeps [`END_OF_FILE`] as its end. What that means is for the language to say when it gets there.
+//! Groups need not balance within a file: an `#end` without an opener stays alone, and the end of a group that the file
+//! does not close is [`END_OF_FILE`]. The cursor decides what that means when it gets there.
 
 use super::token::{Directive, END_OF_FILE, Kind, Tokens};
 use crate::base::word::Word;
@@ -57,7 +57,7 @@ pub(super) fn link(tokens: &mut Tokens) {
     }
 }
 
-/// Whether a directive is a part of the group that `opener` begins.
+/// True if a directive is a part of the group that `opener` begins.
 fn is_part(word: Word, opener: Word) -> bool {
     match opener {
         Word::If | Word::Ifdef | Word::Ifndef => matches!(word, Word::Else | Word::Elseif),
@@ -66,7 +66,7 @@ fn is_part(word: Word, opener: Word) -> bool {
     }
 }
 
-/// Tells every part of a group where its `#end` is.
+/// Sets the `end` of every part of a group.
 fn close(directives: &mut [Directive], tokens: &[super::Token], group: &Open, end: u32) {
     let mut at = group.first;
     loop {

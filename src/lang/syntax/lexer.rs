@@ -1,9 +1,9 @@
-//! Drives the grammar over a text, one slice after the other, and makes tokens of what it finds.
+//! Runs the grammar over a text, one slice after the other, and makes tokens of its pairs.
 //!
-//! Plain text, in which no comment, string or directive can begin, is split into words, numbers and marks here, ten times
-//! as fast as by pest, which gets the rest of the line behind it. A slice may end within a token: what touches its end is
-//! read again at the start of the next slice, and a slice that holds not even one whole token grows. Both keep the time
-//! linear in the length of the text.
+//! Plain text, in which no comment, string or directive can begin, is split into words, numbers and marks here, ten
+//! times as fast as by pest, which gets the rest of the line after it. A slice may end within a token: what touches
+//! its end is read again at the start of the next slice, and a slice that holds not even one whole token grows. Both
+//! bound the time to linear in the length of the text.
 
 use super::faults;
 use super::groups;
@@ -30,19 +30,19 @@ mod grammar {
     pub(super) struct Grammar;
 }
 
-/// Bytes of a slice: pest's pairs for one stay in the cache of a core.
+/// Bytes of a slice: pest's pairs for one fit into the cache of a core.
 const SLICE: usize = 1 << 15;
 
 /// Bytes of a slice of plain text, of which pest makes a single pair.
 const PLAIN_SLICE: usize = 1 << 20;
 
-/// Shorter stretches of plain text than this get their tokens at once: they are the scenes that people write.
+/// Shorter segments of plain text are tokenized at once: those are the scenes that people write.
 const PLAIN_MIN: usize = 1 << 16;
 
-/// How many faults of one text are told; a file that is no scene has thousands.
+/// Faults reported of one text; a file that is no scene has thousands.
 const MAX_FAULTS: usize = 20;
 
-/// The tokens of a text, with its groups of directives linked; identifiers go to `names`.
+/// Tokenizes a text and links its groups of directives; identifiers go to `names`.
 ///
 /// # Errors
 /// All strings and comments that are not closed and all numbers with two points, skipped regions included, up to 20 of
@@ -55,26 +55,26 @@ pub fn tokenize(
     tokenize_by(file, text, names, Data::Tokens)
 }
 
-/// The same, but in the place of long stretches of data there is [`Kind::More`], and their tokens are made when reading
-/// gets there, by [`super::tokenize_more`]. They hold no strings, comments and directives.
+/// The same, but long data segments become a [`Kind::More`] each, and their tokens are made when reading gets there, by
+/// [`super::tokenize_more`]. They hold no strings, comments and directives.
 ///
 /// # Errors
-/// As [`tokenize`], without numbers in those stretches.
+/// As [`tokenize`], without numbers in those segments.
 pub fn tokenize_around_data(
     file: FileId,
     text: &Arc<String>,
     names: &mut Names,
 ) -> Result<Tokens, Vec<Diagnostic>> {
-    tokenize_by(file, text, names, Data::Waits)
+    tokenize_by(file, text, names, Data::Deferred)
 }
 
-/// What becomes of long stretches of data.
+/// Treatment of long data segments.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Data {
-    /// Their tokens are made at once.
+    /// They are tokenized at once.
     Tokens,
-    /// They get one [`Kind::More`].
-    Waits,
+    /// They become one [`Kind::More`].
+    Deferred,
 }
 
 fn tokenize_by(
@@ -104,7 +104,7 @@ fn tokenize_by(
     Ok(tokens)
 }
 
-/// The tokens of a range of a text that holds no string, comment or directive, and what is wrong there.
+/// Tokenizes a range of a text that holds no string, comment or directive; also returns the faults there.
 pub(super) fn tokenize_data(
     file: FileId,
     text: &Arc<String>,
@@ -133,9 +133,9 @@ struct Lexer<'a> {
 #[derive(Clone, Copy)]
 struct Slice<'a> {
     text: &'a str,
-    /// Where it begins in the whole text.
+    /// Its start in the whole text.
     base: usize,
-    /// Whether more text follows.
+    /// True if more text follows.
     is_cut: bool,
 }
 
@@ -153,7 +153,7 @@ impl<'a> Slice<'a> {
         }
     }
 
-    /// Whether a token that ends here might go on behind the slice.
+    /// True if a token that ends here might go on after the slice.
     fn cuts(&self, end: usize) -> bool {
         self.is_cut && end == self.text.len()
     }
@@ -171,7 +171,7 @@ impl<'a> Lexer<'a> {
                 directives: Vec::new(),
                 text: Arc::clone(text),
                 strings: Vec::new(),
-                stretches: Vec::new(),
+                segments: Vec::new(),
                 part: None,
             },
             faults: Vec::new(),
@@ -211,13 +211,13 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Where the line with this place ends.
+    /// The end of the line of a byte.
     fn line_end(&self, at: usize) -> usize {
         let rest = &self.text.as_bytes()[at..];
         at + memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())
     }
 
-    /// Reads a comment within which another begins, or a directive with one before its word.
+    /// Reads a comment within which another begins, or a directive with a comment before its word.
     fn read_hard(&mut self, at: usize) -> usize {
         let rest = Slice::new(self.text, at, usize::MAX);
         match rest.text.as_bytes() {
@@ -227,21 +227,21 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Reads plain text; gives where to go on.
+    /// Reads plain text; returns where to go on.
     fn read_plain(&mut self, start: usize) -> usize {
         let mut at = start;
         while at < self.text.len() {
             let slice = Slice::new(self.text, at, PLAIN_SLICE);
             let bytes = slice.text.as_bytes();
             let plain = memchr::memchr3(b'#', b'"', b'/', bytes).unwrap_or(bytes.len());
-            let reached = match self.stretch(at..at + plain) {
-                Some(stretch) => {
-                    self.push_plain(slice, 0..stretch.start - at);
+            let reached = match self.data_segment(at..at + plain) {
+                Some(segment) => {
+                    self.push_plain(slice, 0..segment.start - at);
                     if stretch::is_in_parentheses(&self.out.tokens) {
-                        slice.base + self.push_plain(slice, stretch.start - at..plain)
+                        slice.base + self.push_plain(slice, segment.start - at..plain)
                     } else {
-                        self.push_stretch(stretch.clone());
-                        stretch.end
+                        self.push_segment(segment.clone());
+                        segment.end
                     }
                 }
                 None => slice.base + self.push_plain(slice, 0..plain),
@@ -254,33 +254,33 @@ impl<'a> Lexer<'a> {
         at
     }
 
-    /// What of a range of plain text can wait.
-    fn stretch(&self, plain: Range<usize>) -> Option<Range<usize>> {
+    /// The part of a range of plain text to tokenize later.
+    fn data_segment(&self, plain: Range<usize>) -> Option<Range<usize>> {
         match self.data {
-            Data::Waits if plain.len() >= PLAIN_MIN => {
-                stretch::between_seams(self.text.as_bytes(), plain)
+            Data::Deferred if plain.len() >= PLAIN_MIN => {
+                stretch::between_split_points(self.text.as_bytes(), plain)
             }
-            Data::Tokens | Data::Waits => None,
+            Data::Tokens | Data::Deferred => None,
         }
     }
 
-    fn push_stretch(&mut self, stretch: Range<usize>) {
-        let (start, end) = (offset(stretch.start), offset(stretch.end));
+    fn push_segment(&mut self, segment: Range<usize>) {
+        let (start, end) = (offset(segment.start), offset(segment.end));
         if let (Some(Kind::More), Some(last)) = (
             self.out.tokens.last().map(|token| token.kind),
-            self.out.stretches.last_mut(),
+            self.out.segments.last_mut(),
         ) && last.end == start
         {
             last.end = end;
             return;
         }
-        let index = offset(self.out.stretches.len());
-        self.push(Kind::More, index, stretch.start);
-        self.out.stretches.push(start..end);
+        let index = offset(self.out.segments.len());
+        self.push(Kind::More, index, segment.start);
+        self.out.segments.push(start..end);
     }
 
-    /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
-    /// with a token that it does not hold whole.
+    /// Makes tokens of pest's pairs in a slice; returns where to go on, which is the start of the slice if it begins
+    /// with a token that is cut off.
     fn read_rule(&mut self, slice: Slice<'a>, rule: Rule) -> usize {
         let Ok(pairs) = Grammar::parse(rule, slice.text) else {
             return slice.base;
@@ -331,7 +331,7 @@ impl<'a> Lexer<'a> {
         slice.base + skip_blanks(slice.text, done)
     }
 
-    /// Whether a comment begins here, be it within the slice or not.
+    /// True if a comment begins at a byte of the text, in the slice or after it.
     fn has_comment(&self, at: usize) -> bool {
         matches!(self.text.as_bytes().get(at..at + 2), Some(b"/*" | b"//"))
     }
@@ -373,12 +373,12 @@ impl<'a> Lexer<'a> {
         self.push(Kind::String, index, start);
     }
 
-    /// `#` with its word, if it has one. What is no directive's word is a token of its own, and the `#` is passed over, but
-    /// for one that the reader has to judge.
-    fn push_directive(&mut self, slice: Slice, place: Range<usize>, head: Option<(usize, usize)>) {
-        let (start, end) = (slice.base + place.start, slice.base + place.end);
+    /// `#` with its word, if it has one. A word that is no directive becomes a token of its own, and the `#` is
+    /// skipped, except where the reader has to decide.
+    fn push_directive(&mut self, slice: Slice, span: Range<usize>, head: Option<(usize, usize)>) {
+        let (start, end) = (slice.base + span.start, slice.base + span.end);
         let Some((head_start, head_end)) = head else {
-            if before_number_or_semicolon(&self.text.as_bytes()[end..]) {
+            if begins_number_or_semicolon(&self.text.as_bytes()[end..]) {
                 self.push_hash(None, start, start + 1);
             }
             return;
@@ -405,26 +405,21 @@ impl<'a> Lexer<'a> {
         self.push(Kind::Directive, index, start);
     }
 
-    /// Makes tokens of a stretch without comments, strings and directives; gives where in the slice that ended, before
-    /// the end of the stretch if the slice cuts the last token.
-    fn push_plain(&mut self, slice: Slice, stretch: Range<usize>) -> usize {
-        scan::split_plain(
-            slice.text,
-            stretch,
-            slice.is_cut,
-            |token, item| match item {
-                Item::Word => self.push_word(slice, token.start, token.end),
-                Item::Number(value) => self.push_number(slice, token, value),
-                Item::Byte(mark) => {
-                    self.push(Kind::Mark, u32::from(mark), slice.base + token.start);
-                }
-                Item::Mark => self.push_mark(slice, token.start, token.end),
-            },
-        )
+    /// Makes tokens of a range without comments, strings and directives; returns where in the slice it ended, before
+    /// the end of the range if the slice cuts the last token.
+    fn push_plain(&mut self, slice: Slice, range: Range<usize>) -> usize {
+        scan::split_plain(slice.text, range, slice.is_cut, |token, item| match item {
+            Item::Word => self.push_word(slice, token.start, token.end),
+            Item::Number(value) => self.push_number(slice, token, value),
+            Item::Byte(mark) => {
+                self.push(Kind::Mark, u32::from(mark), slice.base + token.start);
+            }
+            Item::Mark => self.push_mark(slice, token.start, token.end),
+        })
     }
 
-    fn push_number(&mut self, slice: Slice, place: Range<usize>, value: Option<f64>) {
-        let Range { start, end } = place;
+    fn push_number(&mut self, slice: Slice, span: Range<usize>, value: Option<f64>) {
+        let Range { start, end } = span;
         let index = offset(self.out.numbers.len());
         self.push(Kind::Number, index, slice.base + start);
         self.out.numbers.push(value.unwrap_or(0.0));
@@ -436,26 +431,26 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// A byte of the text, or a count of tokens in it. [`tokenize`] refuses texts that are longer.
+/// A byte of the text, or a count of tokens in it. [`tokenize`] rejects texts that are longer.
 fn offset(at: usize) -> u32 {
     u32::try_from(at).expect("texts are shorter than 4 GiB")
 }
 
-/// pest gives no pair for blanks.
+/// Skips blanks, for which pest gives no pair.
 fn skip_blanks(text: &str, start: usize) -> usize {
     let rest = &text[start..];
     start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
 }
 
-/// Tells whether a text begins with a number or `;`.
-fn before_number_or_semicolon(text: &[u8]) -> bool {
+/// True if a text begins with a number or `;`.
+fn begins_number_or_semicolon(text: &[u8]) -> bool {
     match text {
         [b'.', digit, ..] | [digit, ..] if digit.is_ascii_digit() => true,
         _ => text.starts_with(b";"),
     }
 }
 
-/// Whether `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.
+/// True if `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.
 fn is_directive(word: Word) -> bool {
     let is_of_class = word.class() == Class::Directive || word == Word::Default;
     is_of_class && !matches!(word, Word::Deprecated | Word::Once | Word::Append)

@@ -1,8 +1,9 @@
-//! From text to flat tokens by the pest grammar of `grammar/`, and the table of reserved words made from the same folder.
+//! From text to flat tokens by the pest grammar of `grammar/`, and the table of reserved words made from the same
+//! folder.
 //!
-//! Tokens are flat because directives and macros act on tokens: `#if (A) merge { #else union { #end` stands in the
+//! Tokens are flat because directives and macros act on tokens: `#if (A) merge { #else union { #end` occurs in the
 //! standard includes. [`tokenize`] links the directives of each group, so that a branch can be skipped in one step;
-//! everything else is for the language.
+//! everything else is up to the language.
 
 mod faults;
 mod groups;
@@ -21,6 +22,6 @@ pub use lexer::{tokenize, tokenize_around_data};
 pub use names::{Names, Symbol};
 pub use scan::number;
 pub(crate) use scan::word_end;
-pub use stretch::{behind_more, more_from, tokenize_more};
+pub use stretch::{after_more, more_from, tokenize_more};
 pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
 pub use whole::Whole;

@@ -1,4 +1,4 @@
-//! Identifiers as numbers.
+//! Interned identifiers.
 
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -33,7 +33,7 @@ impl Names {
         Symbol(number)
     }
 
-    /// The symbol of a spelling that some text of the run has used.
+    /// The symbol of a spelling that occurs in some text of the run.
     #[must_use]
     pub fn symbol(&self, spelling: &str) -> Option<Symbol> {
         self.by_spelling.get(spelling).copied()
@@ -42,13 +42,13 @@ impl Names {
     /// The identifier as the scene writes it.
     ///
     /// # Panics
-    /// When the symbol is of another `Names`.
+    /// If the symbol is of another `Names`.
     #[must_use]
     pub fn spelling(&self, symbol: Symbol) -> &str {
         &self.spellings[symbol.0 as usize]
     }
 
-    /// All spellings, in the order of their symbols: what "did you mean" looks through.
+    /// All spellings, in the order of their symbols, for "did you mean".
     pub fn spellings(&self) -> impl Iterator<Item = &str> {
         self.spellings.iter().map(AsRef::as_ref)
     }

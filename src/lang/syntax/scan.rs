@@ -1,13 +1,13 @@
-//! Where a token ends, and the tokens of plain text: of what pest has found to hold no comment, string or directive.
+//! The ends of tokens, and the tokens of plain text, which holds no comment, string or directive.
 
 use std::ops::Range;
 
-/// Whether a byte may begin a word.
+/// True if a byte may begin a word.
 pub(super) fn is_letter(byte: u8) -> bool {
     byte.is_ascii_alphabetic() || byte == b'_'
 }
 
-/// Whether this character may stand between tokens and means nothing.
+/// True for characters that separate tokens and have no meaning.
 pub(super) fn is_blank(letter: char) -> bool {
     matches!(letter, ' ' | '\t'..='\r' | '\0' | '\u{1a}' | '\u{feff}')
 }
@@ -53,7 +53,7 @@ fn end_of(text: &[u8], start: usize, is_part: impl Fn(u8) -> bool) -> usize {
     start + tail.iter().take_while(|&&byte| is_part(byte)).count()
 }
 
-/// The powers of ten that are floats.
+/// The powers of ten that `f64` represents exactly.
 const TENS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
@@ -63,8 +63,8 @@ const TENS: [f64; 23] = [
 const SHORT: usize = 19;
 
 /// The value of the number that begins at `start`, and its end, which is `start` where none does. The value is the
-/// nearest `f64`, infinite where the number is too large for one, and `None` if a second point stands in it.
-/// An exponent without digits counts as none: `1e` and `1e+` are 1.
+/// nearest `f64`, infinite where it overflows, and `None` for a number with a second point. An exponent without digits
+/// is ignored: `1e` and `1e+` are 1.
 #[inline]
 #[must_use]
 pub fn number(text: &[u8], start: usize) -> (Option<f64>, usize) {
@@ -121,7 +121,7 @@ pub(super) enum Item {
     Mark,
 }
 
-/// What a byte of plain text begins.
+/// The kind of token that a byte of plain text begins.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Begins {
     Blank,
@@ -156,9 +156,9 @@ const fn begins() -> [Begins; 256] {
     }
 }
 
-/// Splits a range of the text in which no comment, string or directive begins, and gives each token with its place to
-/// `take`. Ends at the end of the range, or before a token that reaches the end of the text and might go on behind it
-/// (`is_cut`). Gives where it ended.
+/// Splits a range of the text in which no comment, string or directive begins, and passes each token with its range to
+/// `take`. Ends at the end of the range, or before a token that reaches the end of the text and might go on after it
+/// (`is_cut`). Returns where it ended.
 pub(super) fn split_plain(
     text: &str,
     range: Range<usize>,

@@ -1,4 +1,5 @@
-//! Long stretches of data in a text: their tokens are made piece by piece when reading gets there, and dropped behind it.
+//! Long data segments of a text: they are tokenized piece by piece when reading gets there, and their tokens dropped
+//! after it.
 //!
 //! Generated scenes and meshes are megabytes of numbers, read once from front to back. Their tokens would take several
 //! times the memory of the text, and most of the time.
@@ -11,30 +12,30 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// Shorter stretches get their tokens at once.
-const SHORTEST: usize = 1 << 15;
+/// Shorter segments are tokenized at once.
+const MIN_SEGMENT: usize = 1 << 15;
 
-/// So many tokens before a stretch are looked at for parentheses.
-const FARTHEST: usize = 1 << 16;
+/// Tokens before a segment that are searched for open parentheses.
+const MAX_LOOKBACK: usize = 1 << 16;
 
-/// Whether a stretch or a piece may end here: behind a `}`, and behind the comma that follows a vector. No construct of
-/// the language looks further than this without asking for the next token.
-fn is_seam(text: &[u8], at: usize) -> bool {
+/// True if a segment or a piece may end here: after a `}`, and after the comma that follows a vector. No construct of
+/// the language peeks further than this without asking for the next token.
+fn is_split_point(text: &[u8], at: usize) -> bool {
     matches!(text.get(..at), Some([.., b'}'] | [.., b'>', b',']))
 }
 
-/// What of a range of plain text lies between its first and its last seam; `None` if that is not long.
-pub(super) fn between_seams(text: &[u8], range: Range<usize>) -> Option<Range<usize>> {
-    let start = first_seam(text, range.clone())?;
-    let end = last_seam(text, start..range.end)?;
-    (end - start >= SHORTEST).then_some(start..end)
+/// The part of a range of plain text between its first and its last split point; `None` if that is short.
+pub(super) fn between_split_points(text: &[u8], range: Range<usize>) -> Option<Range<usize>> {
+    let start = first_split_point(text, range.clone())?;
+    let end = last_split_point(text, start..range.end)?;
+    (end - start >= MIN_SEGMENT).then_some(start..end)
 }
 
-/// Whether parentheses are open behind these tokens, as far as their last directive tells: the head of a directive and
-/// the arguments of a macro are read as one.
+/// True if parentheses are open after these tokens, counted from the last directive: the head of a directive and the
+/// arguments of a macro are read in one go.
 pub(super) fn is_in_parentheses(tokens: &[Token]) -> bool {
     let mut depth = 0_i64;
-    for token in tokens.iter().rev().take(FARTHEST) {
+    for token in tokens.iter().rev().take(MAX_LOOKBACK) {
         if token.kind == Kind::Directive || depth > 0 {
             break;
         }
@@ -43,37 +44,37 @@ pub(super) fn is_in_parentheses(tokens: &[Token]) -> bool {
     depth > 0
 }
 
-fn first_seam(text: &[u8], range: Range<usize>) -> Option<usize> {
-    if is_seam(text, range.start) {
+fn first_split_point(text: &[u8], range: Range<usize>) -> Option<usize> {
+    if is_split_point(text, range.start) {
         return Some(range.start);
     }
     memchr::memchr2_iter(b'}', b',', &text[range.clone()])
         .map(|at| range.start + at + 1)
-        .find(|&at| is_seam(text, at))
+        .find(|&at| is_split_point(text, at))
 }
 
-fn last_seam(text: &[u8], range: Range<usize>) -> Option<usize> {
+fn last_split_point(text: &[u8], range: Range<usize>) -> Option<usize> {
     memchr::memrchr2_iter(b'}', b',', &text[range.clone()])
         .map(|at| range.start + at + 1)
-        .find(|&at| is_seam(text, at))
+        .find(|&at| is_split_point(text, at))
 }
 
 impl Tokens {
-    /// Whether these are the tokens of a piece of a stretch.
+    /// True if these are the tokens of a piece of a segment.
     #[must_use]
     #[inline]
     pub fn is_part(&self) -> bool {
         self.part.is_some()
     }
 
-    /// The text that stands for the [`Kind::More`] at an index.
+    /// The range of the text that the [`Kind::More`] at an index stands for.
     #[must_use]
     pub fn more(&self, at: usize) -> Option<Range<u32>> {
         let token = self
             .tokens
             .get(at)
             .filter(|token| token.kind == Kind::More)?;
-        self.stretches.get(token.value as usize).cloned()
+        self.segments.get(token.value as usize).cloned()
     }
 }
 
@@ -85,8 +86,8 @@ fn home(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
     }
 }
 
-/// What reading goes on with at the [`Kind::More`] at `at`: the tokens of about `size` bytes, and an index among them.
-/// With the numbers that have two points.
+/// Tokenizes about `size` bytes of the [`Kind::More`] at `at`; returns the tokens, the index among them where reading
+/// goes on, and the numbers with two points.
 #[must_use]
 pub fn tokenize_more(
     tokens: &Rc<Tokens>,
@@ -102,23 +103,23 @@ pub fn tokenize_more(
     let text = Arc::clone(&whole.text);
     let range = rest.start as usize..rest.end as usize;
     let near = range.end.min(range.start + size);
-    let end = last_seam(text.as_bytes(), range.start..near)
-        .or_else(|| first_seam(text.as_bytes(), near..range.end))
+    let end = last_split_point(text.as_bytes(), range.start..near)
+        .or_else(|| first_split_point(text.as_bytes(), near..range.end))
         .unwrap_or(range.end);
     let (mut piece, faults) = tokenize_data(whole.file, &text, range.start..end, names);
     end_piece(&mut piece, whole, index, end, rest.end);
     (Rc::new(piece), 0, faults)
 }
 
-/// What reading goes on with behind the stretch of the [`Kind::More`] at `at`: tokens, and an index among them.
+/// The tokens after the segment of the [`Kind::More`] at `at`, and the index among them where reading goes on.
 #[must_use]
-pub fn behind_more(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
+pub fn after_more(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
     let (whole, index) = home(tokens, at);
     (whole, index + 1)
 }
 
-/// What reading goes on with behind the byte before `from`, to which it has come within the [`Kind::More`] at `at`
-/// without tokens: tokens of which the first is that byte, and the second a further [`Kind::More`].
+/// The tokens to go on with after the text of the [`Kind::More`] at `at` was parsed up to `from` without tokens: the
+/// first token is the byte before `from`, and the second another [`Kind::More`].
 #[must_use]
 pub fn more_from(tokens: &Rc<Tokens>, at: usize, from: usize) -> Rc<Tokens> {
     let (whole, index) = home(tokens, at);
@@ -135,14 +136,14 @@ pub fn more_from(tokens: &Rc<Tokens>, at: usize, from: usize) -> Rc<Tokens> {
         directives: Vec::new(),
         text: Arc::clone(&whole.text),
         strings: Vec::new(),
-        stretches: Vec::new(),
+        segments: Vec::new(),
         part: None,
     };
     end_piece(&mut piece, whole, index, from, end);
     Rc::new(piece)
 }
 
-/// Ends the tokens of a piece with what is left of its stretch.
+/// Ends the tokens of a piece with the rest of its segment.
 fn end_piece(piece: &mut Tokens, whole: Rc<Tokens>, at: usize, start: usize, end: u32) {
     let start = offset(start);
     piece.tokens.push(Token {
@@ -150,7 +151,7 @@ fn end_piece(piece: &mut Tokens, whole: Rc<Tokens>, at: usize, start: usize, end
         value: 0,
         start,
     });
-    piece.stretches.push(start..end);
+    piece.segments.push(start..end);
     piece.part = Some(Part { whole, at });
 }
 

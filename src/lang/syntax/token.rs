@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// In [`Directive::next`] and [`Directive::end`]: nothing of the kind in this file.
 pub const END_OF_FILE: u32 = u32::MAX;
 
-/// What a token is.
+/// Kinds of tokens.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
     /// A number without a sign.
@@ -33,20 +33,20 @@ pub enum Kind {
     GreaterEqual,
     /// `!=`
     NotEqual,
-    /// Here the text holds a long stretch of data, whose tokens are made when reading gets there.
+    /// A long data segment, which is tokenized when reading gets there.
     More,
     /// The end of the text, always the last token and only that.
     End,
 }
 
-/// A token; its text is found again from where it starts.
+/// A token; its text is scanned again from its start.
 #[derive(Clone, Copy, Debug)]
 pub struct Token {
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
-    /// `Number`: index into [`Tokens::numbers`]. `Word`: the word's number, see [`Word::from_index`]. `Name`: the number
-    /// of its [`Symbol`]. `String`: what [`Tokens::string`] takes. `Directive`: index into [`Tokens::directives`].
-    /// `Mark`: the code of the character. `More`: what [`Tokens::more`] takes. Otherwise 0.
+    /// `Number`: index into [`Tokens::numbers`]. `Word`: the word's number, see [`Word::from_index`]. `Name`: the
+    /// number of its [`Symbol`]. `String`: for [`Tokens::string`]. `Directive`: index into [`Tokens::directives`].
+    /// `Mark`: the code of the character. `More`: for [`Tokens::more`]. Otherwise 0.
     pub value: u32,
     /// Its first byte.
     pub start: u32,
@@ -68,19 +68,19 @@ impl Token {
         (self.kind == Kind::Name).then_some(Symbol(self.value))
     }
 
-    /// Whether it is this mark.
+    /// True if it is this mark.
     #[must_use]
     pub fn is_mark(self, mark: char) -> bool {
         self.kind == Kind::Mark && self.value == u32::from(mark)
     }
 }
 
-/// A directive and how it is linked with the others of its group: `#if` `#elseif` `#else` `#end`;
-/// `#switch` `#case` `#range` `#else` `#end`; `#while`, `#for`, `#macro` and their `#end`.
+/// A directive and its links to the others of its group: `#if` `#elseif` `#else` `#end`; `#switch` `#case` `#range`
+/// `#else` `#end`; `#while`, `#for`, `#macro` and their `#end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Directive {
-    /// The word after `#`; `None` for a `#` before anything but a directive, which is the next token. Where it is met, it
-    /// is passed over or an error.
+    /// The word after `#`; `None` for a `#` before anything but a directive, which is the next token. The reader skips
+    /// it or reports an error.
     pub word: Option<Word>,
     /// Token index of the following part of the group; [`END_OF_FILE`] for the last part, for a directive that belongs
     /// to no group (`#break` among them), and where the group is not closed in this file.
@@ -94,7 +94,7 @@ pub struct Directive {
 /// The tokens of one text.
 #[derive(Clone, Debug)]
 pub struct Tokens {
-    /// The text's number.
+    /// The file of the text.
     pub file: FileId,
     /// The tokens; the last is [`Kind::End`].
     pub tokens: Vec<Token>,
@@ -105,13 +105,13 @@ pub struct Tokens {
     pub(super) text: Arc<String>,
     /// The bytes between the quotes of each string.
     pub(super) strings: Vec<Range<u32>>,
-    /// The stretches of text that have no tokens yet.
-    pub(super) stretches: Vec<Range<u32>>,
-    /// What the tokens are a part of, if they are those of a stretch.
+    /// The data segments, which are not tokenized yet.
+    pub(super) segments: Vec<Range<u32>>,
+    /// The whole that they are a part of, for the tokens of a data segment.
     pub(super) part: Option<Part>,
 }
 
-/// Where the tokens of a stretch belong.
+/// The tokens that a piece of a data segment belongs to.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) whole: Rc<Tokens>,
@@ -120,7 +120,7 @@ pub(super) struct Part {
 }
 
 impl Tokens {
-    /// The place of a token; the end of the text for an index past the last.
+    /// The span of a token; the end of the text for an index past the last.
     #[must_use]
     pub fn span(&self, index: usize) -> Span {
         let Some(token) = self.tokens.get(index).or(self.tokens.last()) else {
@@ -141,30 +141,30 @@ impl Tokens {
         Span::new(self.file, token.start, end)
     }
 
-    /// Tells whether a token of this text is an `#end`.
+    /// True if a token of this text is an `#end`.
     #[must_use]
     pub fn is_end(&self, token: Token) -> bool {
         token.kind == Kind::Directive
             && self.directives[token.value as usize].word == Some(Word::End)
     }
 
-    /// Tells whether a token of this text is a `#` before anything but a directive.
+    /// True if a token of this text is a `#` before anything but a directive.
     #[must_use]
     pub fn is_hash(&self, token: Token) -> bool {
         token.kind == Kind::Directive && self.directives[token.value as usize].word.is_none()
     }
 
-    /// The text that the tokens are of.
+    /// The text of the tokens.
     #[must_use]
     pub fn text(&self) -> &Arc<String> {
         &self.text
     }
 
-    /// A string as it is written, but for `\"`, which stands for a quote: what POV-Ray takes for the name of a file.
-    /// `value` is the value of a string token.
+    /// A string as it is written, except for `\"`, which stands for a quote: the form in which POV-Ray takes file
+    /// names. `value` is the value of a string token.
     ///
     /// # Panics
-    /// When `value` is that of another kind of token.
+    /// If `value` is that of another kind of token.
     #[must_use]
     pub fn string_raw(&self, value: u32) -> Cow<'_, str> {
         let written = self.written(value);
@@ -179,17 +179,17 @@ impl Tokens {
     /// Any other escape stays as it is written; see [`Tokens::bad_escape`]. Half a surrogate pair becomes U+FFFD.
     ///
     /// # Panics
-    /// When `value` is not the value of a string token.
+    /// If `value` is not the value of a string token.
     #[must_use]
     pub fn string(&self, value: u32) -> String {
         unescaped(self.written(value))
     }
 
     /// As [`Tokens::string`], with as many blanks for each letter beyond ASCII as it has bytes in the file: one in
-    /// Latin-1. Those that escapes stand for stay.
+    /// Latin-1. Those from escapes stay.
     ///
     /// # Panics
-    /// When `value` is not the value of a string token.
+    /// If `value` is not the value of a string token.
     #[must_use]
     pub fn string_in_ascii(&self, value: u32, is_latin1: bool) -> String {
         let written = self.written(value).chars();
@@ -206,10 +206,10 @@ impl Tokens {
         unescaped(&plain.collect::<String>())
     }
 
-    /// The place of the first escape of a string that means nothing; POV-Ray stops there when the string is used.
+    /// The span of the first invalid escape of a string; POV-Ray stops there when the string is used.
     ///
     /// # Panics
-    /// When `value` is not the value of a string token.
+    /// If `value` is not the value of a string token.
     #[must_use]
     pub fn bad_escape(&self, value: u32) -> Option<Span> {
         let range = &self.strings[value as usize];
@@ -234,7 +234,7 @@ impl Tokens {
     }
 }
 
-/// The place of the token of a text that begins at a byte; of a directive only its `#`.
+/// The span of the token of a text that begins at a byte; only the `#` of a directive.
 #[must_use]
 pub fn span_at(file: FileId, text: &str, start: u32) -> Span {
     let at = start as usize;
@@ -270,7 +270,7 @@ fn unescaped(mut rest: &str) -> String {
 }
 
 struct Escape {
-    /// What it stands for, if anything.
+    /// Its character, if it is valid.
     value: Option<char>,
     /// Its bytes, the backslash included.
     len: usize,

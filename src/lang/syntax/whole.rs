@@ -1,12 +1,12 @@
-//! The tokens of whole texts, kept beyond the reading that made them.
+//! The tokens of whole texts, cached beyond the reading that made them.
 
 use super::token::{Directive, Token, Tokens};
 use crate::base::source::FileId;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The tokens of a whole text in a form that threads can share. Their symbols are those of the [`super::Names`] they
-/// were made with.
+/// The tokens of a whole text in a form that threads can share. Their symbols are of the [`super::Names`] they were
+/// made with.
 #[derive(Clone, Debug)]
 pub struct Whole {
     file: FileId,
@@ -15,11 +15,11 @@ pub struct Whole {
     directives: Vec<Directive>,
     text: Arc<String>,
     strings: Vec<Range<u32>>,
-    stretches: Vec<Range<u32>>,
+    segments: Vec<Range<u32>>,
 }
 
 impl Whole {
-    /// A copy of tokens; `None` for those of a piece of a stretch.
+    /// A copy of tokens; `None` for those of a piece of a data segment.
     #[must_use]
     pub fn of(tokens: &Tokens) -> Option<Self> {
         (!tokens.is_part()).then(|| Whole {
@@ -29,7 +29,7 @@ impl Whole {
             directives: tokens.directives.clone(),
             text: Arc::clone(&tokens.text),
             strings: tokens.strings.clone(),
-            stretches: tokens.stretches.clone(),
+            segments: tokens.segments.clone(),
         })
     }
 
@@ -43,7 +43,7 @@ impl Whole {
             directives: self.directives.clone(),
             text: Arc::clone(&self.text),
             strings: self.strings.clone(),
-            stretches: self.stretches.clone(),
+            segments: self.segments.clone(),
             part: None,
         }
     }

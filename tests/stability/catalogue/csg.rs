@@ -1,4 +1,4 @@
-//! Combinations: membranes, faces that coincide, depth and number (items 18 to 28, 53).
+//! CSG: membranes, coincident faces, depth and number (items 18 to 28, 53).
 
 use crate::case::{Asks, Case};
 use crate::model::{
@@ -6,7 +6,7 @@ use crate::model::{
 };
 use std::fmt::Write as _;
 
-/// Turned by hand, so that its numbers are those of the scene.
+/// A rotation written as a matrix, so that the scene has its exact numbers.
 const TURN: [f64; 12] = [
     0.8, 0.36, 0.48, 0.0, 0.8, -0.6, -0.6, 0.48, 0.64, 0.0, 0.0, 0.0,
 ];
@@ -15,8 +15,8 @@ fn view() -> Camera {
     Camera::at([0.61, 0.47, -4.0], [0.0; 3], 0.75)
 }
 
-/// The same along the axes and turned.
-fn both_ways(all: &mut Vec<Case>, item: u8, name: &str, object: Object) {
+/// The same object along the axes and turned.
+fn straight_and_turned(all: &mut Vec<Case>, item: u8, name: &str, object: Object) {
     let white = Model::flat(view(), vec![object.clone()]);
     all.push(Case::model(item, name, white));
     let turned = object.step(Step::Matrix(TURN));
@@ -31,20 +31,20 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     let cube = || cuboid([-1.0; 3], [1.0; 3]).colored(RED);
     let cut = |from: f64, to: f64| cuboid([-0.5, -0.5, from], [0.5, 0.5, to]).colored(GREEN);
     for gap in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15] {
-        both_ways(
+        straight_and_turned(
             all,
             18,
             &format!("membrane {gap:e} thick"),
             csg("difference", vec![cube(), cut(-1.0 + gap, 2.0)]),
         );
     }
-    both_ways(
+    straight_and_turned(
         all,
         19,
         "front faces coincide",
         csg("difference", vec![cube(), cut(-1.0, 2.0)]),
     );
-    both_ways(
+    straight_and_turned(
         all,
         20,
         "back faces coincide",
@@ -58,13 +58,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     ];
     for (name, twin) in &twins {
         let pair = || vec![twin.clone(), twin.clone()];
-        both_ways(
+        straight_and_turned(
             all,
             21,
             &format!("{name} and the same {name}"),
             csg("intersection", pair()),
         );
-        both_ways(
+        straight_and_turned(
             all,
             22,
             &format!("{name} without the same {name}"),
@@ -72,7 +72,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         );
     }
     let upright = |radius: f64| cylinder([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], radius);
-    both_ways(
+    straight_and_turned(
         all,
         23,
         "cylinders with the same caps",
@@ -81,7 +81,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
             vec![upright(1.0).colored(RED), upright(0.5).colored(GREEN)],
         ),
     );
-    both_ways(
+    straight_and_turned(
         all,
         23,
         "cylinder without one of the same caps",
@@ -90,7 +90,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
             vec![upright(1.0).colored(RED), upright(0.5).colored(GREEN)],
         ),
     );
-    both_ways(
+    straight_and_turned(
         all,
         23,
         "box and half-space through its face",
@@ -104,7 +104,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     clips(all);
 }
 
-/// Clear bodies that touch are one body when merged.
+/// Transparent bodies that touch are one body when merged.
 fn joints(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <1.3, 1.1, -4> right 1.2*x up 0.9*y look_at 0 }\n\
         background { rgb 1 }\n#default { finish { ambient 0 diffuse 0 } pigment { rgbf <0.9, 0.8, 0.7, 0.5> } }\n";
@@ -152,7 +152,7 @@ fn joints(all: &mut Vec<Case>) {
     ));
 }
 
-/// A plate with many holes, cut one after the other, and all at once.
+/// A plate with many holes, cut one after the other, and all in one step.
 fn depth(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0.31, 0.27, -4> right 1.2*x up 0.9*y look_at 0 }\n\
         #default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n";
@@ -160,14 +160,14 @@ fn depth(all: &mut Vec<Case>) {
     let hole = |i: u32, count: u32| {
         let n = side(count);
         let (x, y) = (f64::from(i) % n, (f64::from(i) / n).floor());
-        let place = |k: f64| -1.0 + (2.0 * k + 1.0) / n;
+        let position = |k: f64| -1.0 + (2.0 * k + 1.0) / n;
         let r = 0.6 / n;
         format!(
             "cylinder {{ <{}, {}, -1>, <{}, {}, 1>, {r} }}",
-            place(x),
-            place(y),
-            place(x),
-            place(y)
+            position(x),
+            position(y),
+            position(x),
+            position(y)
         )
     };
     for count in [100, 1024, 10_000, 100_000] {
@@ -201,7 +201,7 @@ fn depth(all: &mut Vec<Case>) {
         push(26, format!("{count} differences in each other, left"), left);
         push(27, format!("{count} unions in each other, right"), right);
     }
-    // Without the room for a model of a thousand holes, a picture that is known: the plate with one row of them.
+    // There is no memory for a model of a thousand holes; this picture is known: the plate with one row of holes.
     let plate = |word: &'static str| {
         let mut parts = vec![cuboid([-1.1, -1.1, -0.1], [1.1, 1.1, 0.1])];
         for i in 0..8 {
@@ -219,7 +219,7 @@ fn depth(all: &mut Vec<Case>) {
     crowd(all);
 }
 
-/// A crowd cut by a box that holds all of it.
+/// Many spheres cut by a box that contains all of them.
 fn crowd(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0.31, 0.27, -4> right 1.2*x up 0.9*y look_at 0 }\n\
         #default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n#declare R = seed(1);\n";
@@ -270,8 +270,8 @@ fn clips(all: &mut Vec<Case>) {
     bounds(all);
 }
 
-/// A bounding object that is too small cuts off of a combination all that no ray through it can see, and nothing of a
-/// single solid, from which POV-Ray takes it away (`Remove_Bounds`).
+/// A bounding object that is too small cuts off of a CSG object all that no ray through it can see, and nothing of a
+/// single solid, from which POV-Ray removes it (`Remove_Bounds`).
 fn bounds(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n\
         camera { orthographic location <0.01, 0.02, -4> direction z right 3*x up 2.25*y }\n";

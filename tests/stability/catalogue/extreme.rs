@@ -1,16 +1,16 @@
-//! Every primitive, camera and light with numbers that mean nothing or next to nothing: it is refused in words, or it is
-//! drawn, and then every pixel is a number (items 29 to 32).
+//! Every primitive, camera and light with meaningless or extreme numbers: it is rejected with a message, or it is drawn
+//! without NaN or infinity (items 29 to 32).
 
 use crate::case::{Asks, Case};
 use povr::scene::shape::Shape;
 
-/// What takes the place of each number in turn.
+/// Values that replace each number in turn.
 const ODD: [&str; 11] = [
     "0", "-1", "1e-320", "-1e-300", "1e-30", "1e30", "1e308", "-1e308", "1e400", "(0/0)", "(1/0)",
 ];
 
-/// Each primitive in each of its forms, by its first word; a number in brackets is one of those that are replaced.
-/// Every word that begins a shape is here (tested below).
+/// Each primitive in each of its forms, by its first word; numbers in brackets are replaced. Every word that begins a
+/// shape is here (tested below).
 const PRIMITIVES: &[(&str, &str)] = &[
     ("", "sphere { <[0],0,[0]>, [1] }"),
     ("", "box { <[-1],[-1],-1>, <[1],[1],1> }"),
@@ -189,7 +189,7 @@ const TRANSFORMS: [&str; 3] = [
     "matrix <[1],[0],0, 0,[1],[0], 0,0,[1], [0],0,0>",
 ];
 
-/// Every kind of camera; directions of no length, vectors along each other and `look_at` at the place itself come with
+/// Every kind of camera; directions of zero length, parallel vectors and a `look_at` equal to the location arise from
 /// the numbers.
 const CAMERAS: &[&str] = &[
     "camera { perspective location <[0.11],[0.13],[-4]> direction [1]*z right <[1.2],0,[0]> up <0,[0.9],[0]> }",
@@ -280,7 +280,7 @@ const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n\
     #default { pigment { checker rgb 1, rgbf <0.5, 0.5, 0.5, 0.5> } finish { phong 0.5 reflection 0.2 } }\n\
     plane { y, -2 }\n";
 /// For cameras.
-const ROOM: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nlight_source { <-4, 6, -8>, rgb 1 }\n\
+const INTERIOR: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nlight_source { <-4, 6, -8>, rgb 1 }\n\
     #default { pigment { checker rgb 1, rgbf <0.5, 0.5, 0.5, 0.5> } finish { phong 0.5 reflection 0.2 } }\n\
     plane { y, -2 } sphere { 0, 1 } box { <1,-2,1>, <2,2,2> }\n";
 /// For lights.
@@ -291,8 +291,8 @@ const LIGHTLESS: &str = "#version 3.7;\n#declare Bow = color_map { [0 rgb 1] [1 
 
 pub(crate) fn add(all: &mut Vec<Case>) {
     let words = Shape::WORDS.iter().map(|word| word.spelling());
-    let is_asked = |word: &&str| PRIMITIVES.iter().any(|(_, text)| first_word(text) == *word);
-    let missing: Vec<&str> = words.filter(|word| !is_asked(word)).collect();
+    let is_covered = |word: &&str| PRIMITIVES.iter().any(|(_, text)| first_word(text) == *word);
+    let missing: Vec<&str> = words.filter(|word| !is_covered(word)).collect();
     assert!(
         missing.is_empty(),
         "not asked with odd numbers: {missing:?}"
@@ -304,13 +304,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         } else {
             format!(", {kind},")
         };
-        let asked = case(
+        let question = case(
             format!("{word}{kind} with odd numbers"),
             replaced(HEAD, template),
         );
-        // Some of its numbers ask for as many pieces as there may be.
+        // Some of its numbers request the highest number of pieces.
         let is_slow = word == "parametric";
-        all.push(if is_slow { asked.slow() } else { asked });
+        all.push(if is_slow { question.slow() } else { question });
     }
     let huge = "isosurface { function { x*x + y*y - z } contained_by { sphere { 0, 1e30 } } evaluate 1, 1.2, 0.9 }";
     all.push(
@@ -331,7 +331,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         let kind = template.split([' ', ';']).nth(2).unwrap_or_default();
         all.push(case(
             format!("camera with odd numbers: {kind}"),
-            replaced(ROOM, template),
+            replaced(INTERIOR, template),
         ));
     }
     for (kind, template) in LIGHTS {
@@ -349,16 +349,16 @@ fn case(name: String, texts: Vec<String>) -> Case {
         .without_pov_ray("asked one by one where the catalogue names them")
 }
 
-/// A scene for each number in brackets and each that takes its place.
+/// A scene for each number in brackets and each value that replaces it.
 fn replaced(head: &str, template: &str) -> Vec<String> {
     let parts: Vec<&str> = template.split(['[', ']']).collect();
     let mut texts = Vec::new();
-    for place in (1..parts.len()).step_by(2) {
+    for slot in (1..parts.len()).step_by(2) {
         for odd in ODD {
             let body: String = parts
                 .iter()
                 .enumerate()
-                .map(|(number, part)| if number == place { odd } else { *part })
+                .map(|(number, part)| if number == slot { odd } else { *part })
                 .collect();
             texts.push(format!("{head}{body}\n"));
         }

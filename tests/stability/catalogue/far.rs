@@ -1,4 +1,4 @@
-//! Sizes, distances and places far from one (items 10 to 17, 43 to 46, 49, 54).
+//! Sizes, distances and positions far from one (items 10 to 17, 43 to 46, 49, 54).
 
 use crate::case::{Asks, Case};
 use crate::model::{
@@ -7,7 +7,7 @@ use crate::model::{
 };
 
 /// Every kind of solid on a floor, with shadows on each other.
-pub(crate) fn room() -> Model {
+pub(crate) fn all_solids() -> Model {
     let quadric = [1.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.25];
     let objects = vec![
         plane([0.0, 1.0, 0.0], -1.0),
@@ -33,8 +33,8 @@ pub(crate) fn room() -> Model {
     Model::lit(camera, [-4.0, 6.0, -5.0], objects)
 }
 
-/// A ball of this radius at distance 1 that fills most of the picture.
-fn ball(radius: f64) -> Model {
+/// A sphere of this radius at distance 1 that fills most of the picture.
+fn close_sphere(radius: f64) -> Model {
     let mut camera = Camera::ahead([0.0, 0.0, -1.0], 3.0 * radius);
     // Not through the middle of a pixel.
     camera.location[0] = radius / 64.0;
@@ -49,7 +49,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         all.push(Case::model(
             11,
             format!("sphere of radius {radius:e}"),
-            ball(radius),
+            close_sphere(radius),
         ));
     }
     for distance in [1e5, 1e6, 2e7, 1e9] {
@@ -158,8 +158,8 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         ("1e150", 150),
     ] {
         let unit = 10f64.powi(power);
-        let mut model = room();
-        // A quadric has no lengths to be scaled.
+        let mut model = all_solids();
+        // The coefficients of a quadric are no lengths that could be scaled.
         model.objects.remove(4);
         all.push(Case::model(
             54,
@@ -173,9 +173,13 @@ fn floors(all: &mut Vec<Case>) {
     for (name, radius) in [("1e5", 1e5), ("1e7", 1e7), ("1e9", 1e9), ("1e12", 1e12)] {
         let camera = Camera::at([0.0, 1.6, -5.0], [0.0, 0.5, 0.0], 1.0);
         let floor = sphere([0.0, -radius, 0.0], radius);
-        let ball = sphere([0.0, 1.0, 0.0], 1.0).colored(RED);
-        let model = Model::lit(camera, [4.0, 8.0, -3.0], vec![floor.clone(), ball]);
-        // The floor's own height is known to half a step of its radius.
+        let resting_sphere = sphere([0.0, 1.0, 0.0], 1.0).colored(RED);
+        let model = Model::lit(
+            camera,
+            [4.0, 8.0, -3.0],
+            vec![floor.clone(), resting_sphere],
+        );
+        // The exact height of the floor is known to half a rounding of its radius.
         let margin = f64::max(1e-6, 4e-16 * radius * 40.0);
         all.push(Case::model(
             10,
@@ -200,7 +204,7 @@ fn scales(all: &mut Vec<Case>) {
         let case = Case::model(
             13,
             format!("the room times 1e{power}"),
-            room().scaled(10f64.powi(power)),
+            all_solids().scaled(10f64.powi(power)),
         );
         all.push(if [-20, -6, -4, 6, 20].contains(&power) {
             case
@@ -213,7 +217,7 @@ fn scales(all: &mut Vec<Case>) {
         let case = Case::model(
             14,
             format!("the room moved by 1e{power}"),
-            room().moved([by, 0.5 * by, -by]),
+            all_solids().moved([by, 0.5 * by, -by]),
         );
         all.push(if [6, 8, 15, 20].contains(&power) {
             case
@@ -223,14 +227,14 @@ fn scales(all: &mut Vec<Case>) {
     }
 }
 
-/// The same room far away in its own numbers, which are multiples of an eighth.
+/// The same solids far away in their own coordinates, which are multiples of an eighth.
 fn written_far_away(all: &mut Vec<Case>) {
     for power in [9, 12, 15] {
         let by = 10f64.powi(power);
         all.push(Case::model(
             14,
             format!("the room written at 1e{power}"),
-            room().moved_in_numbers([by, 0.5 * by, -by]),
+            all_solids().moved_in_numbers([by, 0.5 * by, -by]),
         ));
     }
 }
@@ -240,11 +244,11 @@ fn angles(all: &mut Vec<Case>) {
         let width = 2.0 * (0.5f64 * f64::to_radians(angle)).tan();
         let mut camera = Camera::ahead([0.0, 0.0, -1e3], width);
         camera.location[0] = 4.0 * width;
-        let ball = sphere([0.0; 3], 400.0 * width);
+        let tiny_sphere = sphere([0.0; 3], 400.0 * width);
         all.push(Case::model(
             12,
             format!("camera angle of {angle:e} degrees"),
-            Model::flat(camera, vec![ball]),
+            Model::flat(camera, vec![tiny_sphere]),
         ));
     }
     let wide = 2.0 * f64::tan(f64::to_radians(0.5 * 179.999));
@@ -265,21 +269,21 @@ fn angles(all: &mut Vec<Case>) {
         view.text(),
     ));
     all.push(Case::model(12, "camera angle of 179.999 degrees", view));
-    let ball = "sphere { 0, 1 pigment { rgb 1 } }\n";
+    let lone_sphere = "sphere { 0, 1 pigment { rgb 1 } }\n";
     all.push(same(
         "camera angle of 0 degrees is none",
-        format!("{head}camera {{ location <0.3, 0.2, -4> angle 0 look_at 0 }}\n{ball}"),
-        format!("{head}camera {{ location <0.3, 0.2, -4> look_at 0 }}\n{ball}"),
+        format!("{head}camera {{ location <0.3, 0.2, -4> angle 0 look_at 0 }}\n{lone_sphere}"),
+        format!("{head}camera {{ location <0.3, 0.2, -4> look_at 0 }}\n{lone_sphere}"),
     ));
     let camera = Camera {
         right: [1e4, 0.0, 0.0],
         ..Camera::ahead([0.01, 0.0, -3.0], 1.0)
     };
-    let ball = sphere([0.0; 3], 1.0).scale([1e4, 1.0, 1.0]);
+    let stretched_sphere = sphere([0.0; 3], 1.0).scale([1e4, 1.0, 1.0]);
     all.push(Case::model(
         12,
         "window 1e4 wide",
-        Model::flat(camera, vec![ball]),
+        Model::flat(camera, vec![stretched_sphere]),
     ));
 }
 

@@ -1,4 +1,4 @@
-//! Numbers that mean nothing, bodies without room, odd cameras, mirrors (items 29 to 35, 42).
+//! Meaningless numbers, bodies without volume, odd cameras, mirrors (items 29 to 35, 42).
 
 use crate::case::{Asks, Case};
 use crate::model::{Camera, Model, RED, csg, cuboid, sphere, torus};
@@ -31,7 +31,7 @@ fn refused(item: u8, name: &str, text: &str, says: &'static str) -> Case {
     )
 }
 
-const BALL: &str = "sphere { 0, 1 }";
+const SPHERE: &str = "sphere { 0, 1 }";
 pub(super) const NOTHING: &str = "";
 
 pub(crate) fn add(all: &mut Vec<Case>) {
@@ -39,9 +39,9 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         29,
         "scale <1,0,1>",
         "sphere { 0, 1 scale <1,0,1> }",
-        BALL,
+        SPHERE,
     ));
-    all.push(same(29, "scale 0", "sphere { 0, 1 scale 0 }", BALL));
+    all.push(same(29, "scale 0", "sphere { 0, 1 scale 0 }", SPHERE));
     all.push(same(
         29,
         "a matrix with a column of zeros",
@@ -87,7 +87,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     ] {
         all.push(same(31, &format!("{name} radius zero"), text, NOTHING));
     }
-    all.push(same(31, "sphere of radius -1", "sphere { 0, -1 }", BALL));
+    all.push(same(31, "sphere of radius -1", "sphere { 0, -1 }", SPHERE));
     all.push(refused(
         31,
         "cylinder of no length",
@@ -139,13 +139,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         33,
         "difference of one",
         "difference { sphere { 0, 1 } }",
-        BALL,
+        SPHERE,
     ));
     all.push(same(
         33,
         "intersection of one",
         "intersection { sphere { 0, 1 } }",
-        BALL,
+        SPHERE,
     ));
     all.push(same(
         33,
@@ -179,7 +179,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     mirrors(all);
 }
 
-/// Cameras that leave something out or turn against themselves, as POV-Ray takes them.
+/// Degenerate and mirrored cameras, as POV-Ray interprets them.
 fn views(all: &mut Vec<Case>) {
     let scene = "sphere { 0, 1 } box { <-2, -2, 3>, <0.5, 0.3, 4> pigment { rgb <1, 0, 0> } }\n";
     let camera = |text: &str| format!("{HEAD}camera {{ {text} }}\n{scene}");
@@ -200,7 +200,7 @@ fn views(all: &mut Vec<Case>) {
         (
             "no height",
             "location -4*z up 0 look_at 0",
-            // POV-Ray takes such a camera for one that is turned about.
+            // POV-Ray takes such a camera as rotated.
             "location -4*z right -1.33*x up 1e-12*y direction z",
         ),
     ] {
@@ -286,7 +286,7 @@ fn mirrors(all: &mut Vec<Case>) {
          camera {{ location <0.01, 0.02, 0> right 0.12*x up 0.09*y direction z }}\n\
          plane {{ z, 1 {finish} }} plane {{ -z, 1 {finish} }}\n"
     );
-    // 256 generations of rays, as the limit has it.
+    // 256 generations of rays, the limit.
     all.push(Case::new(
         42,
         "two facing mirrors, max_trace_level 1000",

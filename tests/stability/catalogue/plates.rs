@@ -1,4 +1,4 @@
-//! Thin plates and shells, lights on and in things (items 36 to 41).
+//! Thin plates and shells, lights on surfaces and inside of solids (items 36 to 41).
 
 use crate::case::{Asks, Case};
 use crate::model::{Camera, Model, RED, cuboid, n, sphere};
@@ -21,7 +21,7 @@ pub(crate) fn add(all: &mut Vec<Case>) {
     for gap in [1e-2, 1e-3, 9e-5, 1e-5, 1e-7, 1e-9] {
         let g = n(gap);
         let top = n(gap + 0.5);
-        // The camera looks through the plate, the light shines through it.
+        // Camera and light rays pass through the plate.
         let clear = format!(
             "{HEAD}{DOWN}{LIGHT}{FLOOR}box {{ <-9, {g}, -9>, <9, {top}, 9> pigment {{ rgbt 1 }} finish {{ ambient 0 diffuse 0 }} }}\n"
         );
@@ -126,7 +126,7 @@ fn lights(all: &mut Vec<Case>) {
     ));
 }
 
-/// Views from inside glass near the angle at which light no longer gets out: what is seen must not jump there.
+/// Views from inside glass near the critical angle: the picture must not jump there.
 fn critical(all: &mut Vec<Case>) {
     let view = |off: f64| {
         let angle = (1.0 / 1.5f64).asin() + off;

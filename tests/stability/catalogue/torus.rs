@@ -3,7 +3,7 @@
 use crate::case::Case;
 use crate::model::{Camera, Model, Step, V, torus};
 
-/// Looks down on the ring where it crosses the x axis.
+/// A view down on the ring where it crosses the x axis.
 fn close_up(minor: f64) -> Camera {
     Camera {
         location: [1.0, 1.0, 0.0],
@@ -14,7 +14,7 @@ fn close_up(minor: f64) -> Camera {
     }
 }
 
-/// From a slant above, at a distance, with the window as wide as the torus.
+/// An oblique view from a distance, with the window as wide as the torus.
 fn slanted(distance: f64, width: f64) -> Camera {
     let location: V = [0.0, 0.6 * distance, -0.8 * distance];
     Camera::at(location, [0.0; 3], width / distance)

@@ -1,10 +1,10 @@
-//! Families of rays for tori and spheres, the same in every run; those for quadrics are in `quadrics`.
+//! Reproducible families of rays for tori and spheres; those for quadrics are in `quadrics`.
 
 use glam::DVec3;
 use povr::base::math::Ray;
 use std::f64::consts::TAU;
 
-/// A ray and the two radii of the torus it is asked about; a sphere has no first one.
+/// A ray and the two radii of a torus; the first is 0 for a sphere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Question {
     pub(crate) ray: Ray,
@@ -12,14 +12,14 @@ pub(crate) struct Question {
     pub(crate) minor: f64,
 }
 
-/// A family: its name and how a ray of it is made.
+/// A family: its name and the generator of its rays.
 pub(crate) struct Family<Q = Question> {
     pub(crate) name: &'static str,
     pub(crate) make: fn(&mut Numbers) -> Q,
 }
 
 impl<Q> Family<Q> {
-    /// The first so many rays.
+    /// The first `count` rays.
     pub(crate) fn rays(&self, count: usize) -> Vec<Q> {
         let mut numbers = Numbers(0x9e37_79b9_7f4a_7c15);
         (0..count).map(|_| (self.make)(&mut numbers)).collect()
@@ -62,7 +62,7 @@ impl Numbers {
     }
 }
 
-/// From a distance through a point.
+/// A ray from a distance through a point.
 pub(super) fn through(n: &mut Numbers, point: DVec3, distance: f64) -> Ray {
     let dir = n.direction();
     Ray::new(point - distance * dir, dir)
@@ -76,7 +76,7 @@ fn on_tube(n: &mut Numbers, major: f64, minor: f64) -> (DVec3, DVec3) {
     (outward * major + normal * minor, normal)
 }
 
-/// Past a torus, most through its tube.
+/// Rays past a torus, most of them through its tube.
 fn past(n: &mut Numbers, major: f64, minor: f64, distance: f64) -> Question {
     let (point, normal) = on_tube(n, major, minor);
     let point = point + normal * minor * (n.share() - 0.8);
@@ -84,7 +84,7 @@ fn past(n: &mut Numbers, major: f64, minor: f64, distance: f64) -> Question {
     Question { ray, major, minor }
 }
 
-/// Along the surface, a little below it.
+/// Rays along the surface, a little below it.
 fn grazing(n: &mut Numbers, major: f64, minor: f64) -> Question {
     let (point, normal) = on_tube(n, major, minor);
     let depth = minor * n.power_of_ten(-15.0, -3.0);
@@ -101,7 +101,7 @@ fn in_plane(n: &mut Numbers, major: f64, minor: f64) -> Question {
     Question { ray, major, minor }
 }
 
-/// The same ray in the space of a torus that stands behind a scaling, so that its direction has any length.
+/// The same ray in the space of a scaled torus, so that its direction has any length.
 fn squeezed(question: Question, by: DVec3) -> Question {
     let Ray { origin, dir } = question.ray;
     // Aim at the middle of the torus as it is in its own space.
@@ -126,7 +126,7 @@ fn stretched(n: &mut Numbers, powers: f64) -> Question {
     )
 }
 
-/// 31 families of tori after the report on numerics, and some more.
+/// 31 families of tori from the report on numerics, and some more.
 pub(crate) const TORI: &[Family] = &[
     Family {
         name: "well",
@@ -351,19 +351,19 @@ pub(crate) const TORI: &[Family] = &[
 pub(crate) const SPHERES: &[Family] = &[
     Family {
         name: "5 radii away",
-        make: |n| ball(n, 5.0),
+        make: |n| past_sphere(n, 5.0),
     },
     Family {
         name: "1e5 radii away",
-        make: |n| ball(n, 1e5),
+        make: |n| past_sphere(n, 1e5),
     },
     Family {
         name: "1e7 radii away",
-        make: |n| ball(n, 1e7),
+        make: |n| past_sphere(n, 1e7),
     },
     Family {
         name: "1e8 radii away",
-        make: |n| ball(n, 1e8),
+        make: |n| past_sphere(n, 1e8),
     },
     Family {
         name: "floor of 1e7",
@@ -392,7 +392,7 @@ pub(crate) const SPHERES: &[Family] = &[
     },
 ];
 
-fn ball(n: &mut Numbers, distance: f64) -> Question {
+fn past_sphere(n: &mut Numbers, distance: f64) -> Question {
     let aim = n.within(1.05);
     Question {
         ray: through(n, aim, distance),

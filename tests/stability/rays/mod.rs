@@ -1,8 +1,8 @@
-//! Roots against numbers of 77 digits (items 5 to 7, 10 and 48): a ray is answered wrongly if a root lies more than 64
-//! roundings of the problem's size beside the surface, or if the number of roots is one that no change of the surface by
-//! so little explains.
+//! Roots against numbers of 77 digits (items 5 to 7, 10 and 48): a ray is wrong if a root lies more than 64 roundings
+//! of the problem's size beside the surface, or if the number of roots is one that no change of the surface by so
+//! little explains.
 //!
-//! Nearly all of it is decided with 32 digits and proven bounds (`certain`), and only the rest with 77.
+//! Nearly all rays are decided with 32 digits and proven bounds (`certain`), and only the rest with 77.
 
 pub(crate) mod families;
 pub(crate) mod quadrics;
@@ -16,20 +16,20 @@ use quadrics::{QUADRICS, quadric_of_povr};
 /// Roundings of the problem's size.
 const TOLERANCE: f64 = 64.0;
 
-/// The same, so far that no error of 32 digits reaches it.
+/// The range around it that errors of 32 digits cannot leave.
 const NEAR_TOLERANCE: std::ops::Range<f64> = TOLERANCE * (1.0 - 1e-9)..TOLERANCE * (1.0 + 1e-9);
 
-/// A distance in roundings counts as known if it is off by no more.
+/// Largest error of a distance that counts as known, in roundings.
 const KNOWN: f64 = 1e-9;
 
 /// Rays of each family in a test.
 const RAYS: usize = 300;
 
-/// Of these, those whose quick answers are compared with slow ones; and in the whole run.
+/// Rays whose fast answers are compared with the slow ones, in a test; and in the whole run.
 const COMPARED: usize = 5;
 const ALL_COMPARED: usize = 160;
 
-/// How the roots of a ray compare with the exact ones.
+/// Comparison of the roots of a ray with the exact ones.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
     pub(crate) is_bad: bool,
@@ -47,7 +47,7 @@ pub(crate) enum Digits {
 }
 
 impl Digits {
-    /// What is certain, if that is enough, or else what is found slowly.
+    /// The certain answer, if that is enough, otherwise the slow one.
     fn decide<T>(self, quickly: impl FnOnce() -> Option<T>, slowly: impl FnOnce() -> T) -> T {
         let quick = if self == Digits::Enough {
             quickly()
@@ -60,12 +60,12 @@ impl Digits {
     /// The largest distance of roots from the surface, in roundings.
     fn worst(
         self,
-        found: &[f64],
+        computed: &[f64],
         rounding: impl Fn(f64) -> f64,
         quickly: impl Fn(f64) -> Sure,
         slowly: impl Fn(f64) -> f64,
     ) -> f64 {
-        found.iter().fold(0.0, |worst: f64, &t| {
+        computed.iter().fold(0.0, |worst: f64, &t| {
             if !t.is_finite() {
                 return f64::INFINITY;
             }
@@ -82,13 +82,13 @@ impl Digits {
     }
 }
 
-/// A ray whose roots are known.
-pub(crate) trait Asked {
-    /// How many roots there are.
+/// A ray whose exact roots are known.
+pub(crate) trait ExactRoots {
+    /// Number of roots.
     fn roots(&self, digits: Digits) -> usize;
 
-    /// How good the roots `found` are, of `exact` that there are.
-    fn verdict(&self, found: &[f64], exact: usize, digits: Digits) -> Verdict;
+    /// Compares `computed` roots with the `exact` number of roots.
+    fn verdict(&self, computed: &[f64], exact: usize, digits: Digits) -> Verdict;
 }
 
 /// Origin and direction.
@@ -105,13 +105,13 @@ impl Question {
         }
     }
 
-    /// A rounding of all the numbers that meet at a place.
+    /// A rounding of all the numbers involved in a point.
     fn rounding(&self, t: f64) -> f64 {
         let reach = self.ray.origin.abs() + t.abs() * self.ray.dir.abs();
         f64::EPSILON * (reach.element_sum() + self.major + self.minor)
     }
 
-    /// The polynomial of the ray, and the stretch that holds its roots, for a surface grown by `by`.
+    /// The polynomial of the ray, and the interval of its roots, for a surface grown by `by`.
     fn polynomial(&self, line: &Line, by: f64) -> (Polynomial, Option<[Wide; 2]>) {
         let square =
             |v: &Vector, w: &Vector| Polynomial(vec![dot(v, v), dot(v, w) * wide(2.0), dot(w, w)]);
@@ -119,8 +119,8 @@ impl Question {
         let number = |x: Wide| Polynomial(vec![x]);
         let all = square(&line.origin, &line.dir);
         if self.major == 0.0 {
-            let ball = all.plus(&number(-(&minor * &minor)));
-            return (ball, Some([wide(-1e300), wide(1e300)]));
+            let sphere_polynomial = all.plus(&number(-(&minor * &minor)));
+            return (sphere_polynomial, Some([wide(-1e300), wide(1e300)]));
         }
         let reach = (&major + &minor) * wide(1.01);
         let around = all.plus(&number(-(&reach * &reach))).sign_changes();
@@ -150,7 +150,7 @@ impl Question {
         (-(self.major + self.minor).log2().floor()).exp2()
     }
 
-    /// How many roots there are on a surface grown by `by`, if 32 digits tell.
+    /// Number of roots on a surface grown by `by`, if 32 digits are enough.
     fn sure_count(&self, by: f64) -> Option<usize> {
         let unit = self.unit();
         let origin = (self.ray.origin * unit).to_array();
@@ -159,41 +159,44 @@ impl Question {
             sure(self.major * unit),
             sure(self.minor * unit) + sure(by * unit),
         );
-        let way = dir.map(sure);
-        let speed_sq = certain::dot(&way, &way);
+        let direction = dir.map(sure);
+        let speed_sq = certain::dot(&direction, &direction);
         let nearest = unit * -self.ray.origin.dot(self.ray.dir) / self.ray.dir.length_squared();
         let middle = along(origin, dir, nearest);
         if self.major == 0.0 {
             return of_quadratic(
                 speed_sq,
-                certain::dot(&middle, &way),
+                certain::dot(&middle, &direction),
                 certain::dot(&middle, &middle) - minor * minor,
             );
         }
         let reach = major + minor;
         let reach_sq = reach * reach;
-        let (middle_sq, slope) = (certain::dot(&middle, &middle), certain::dot(&middle, &way));
+        let (middle_sq, slope) = (
+            certain::dot(&middle, &middle),
+            certain::dot(&middle, &direction),
+        );
         let missed = (middle_sq - reach_sq) * speed_sq - slope * slope;
         if missed.is_positive() {
             return Some(0);
         }
-        // A stretch that holds the ball around the torus.
+        // An interval within the sphere around the torus.
         let (off_sq, _) = middle_sq.size();
         let (reach, _) = reach.size();
         let half = (1.05 * reach * reach - off_sq).max(0.01 * reach * reach);
         let half = (half / self.ray.dir.length_squared()).sqrt();
         let (low, width) = (nearest - half, 2.0 * half);
         let (start, end) = (along(origin, dir, low), along(origin, dir, low + width));
-        let is_outside = |p: &certain::Place, side: f64| {
+        let is_outside = |p: &certain::Point, side: f64| {
             (certain::dot(p, p) - reach_sq).is_positive()
-                && (certain::dot(p, &way) * side).is_positive()
+                && (certain::dot(p, &direction) * side).is_positive()
         };
         if !is_outside(&start, -1.0) || !is_outside(&end, 1.0) {
             return None;
         }
-        // As far as it goes: from the start to the end, a place is start·(1 − x) + end·x.
-        let flat = |p: &certain::Place, q: &certain::Place| p[0] * q[0] + p[2] * q[2];
-        let squares = |product: &dyn Fn(&certain::Place, &certain::Place) -> Sure| {
+        // From the start to the end, a point is start·(1 − x) + end·x.
+        let flat = |p: &certain::Point, q: &certain::Point| p[0] * q[0] + p[2] * q[2];
+        let squares = |product: &dyn Fn(&certain::Point, &certain::Point) -> Sure| {
             [
                 product(&start, &start),
                 product(&start, &end),
@@ -213,7 +216,7 @@ impl Question {
         ])
     }
 
-    /// How far the place at `t` is from the surface.
+    /// Distance of the point at `t` from the surface.
     fn sure_distance(&self, t: f64) -> Sure {
         let unit = self.unit();
         let origin = (self.ray.origin * unit).to_array();
@@ -237,7 +240,7 @@ impl Question {
         nearer * back
     }
 
-    /// How far the place at `t` is from the surface.
+    /// Distance of the point at `t` from the surface.
     fn distance(&self, line: &Line, t: f64) -> f64 {
         let p = plus(&line.origin, &times(&line.dir, &wide(t)));
         let minor = wide(self.minor);
@@ -260,26 +263,26 @@ impl Question {
     }
 }
 
-impl Asked for Question {
+impl ExactRoots for Question {
     fn roots(&self, digits: Digits) -> usize {
         self.count(0.0, digits)
     }
 
-    fn verdict(&self, found: &[f64], exact: usize, digits: Digits) -> Verdict {
+    fn verdict(&self, computed: &[f64], exact: usize, digits: Digits) -> Verdict {
         let worst = digits.worst(
-            found,
+            computed,
             |t| self.rounding(t),
             |t| self.sure_distance(t),
             |t| self.distance(&self.line(), t),
         );
         let mut is_bad = worst > TOLERANCE;
-        if !is_bad && found.len() != exact {
+        if !is_bad && computed.len() != exact {
             let nearest = -self.ray.origin.dot(self.ray.dir) / self.ray.dir.length_squared();
             let slack = TOLERANCE * self.rounding(nearest);
             let counts = [-slack, slack].map(|by| self.count(by, digits));
             let least = counts.iter().min().copied().unwrap_or(0).min(exact);
             let most = counts.iter().max().copied().unwrap_or(0).max(exact);
-            is_bad = !(least..=most).contains(&found.len());
+            is_bad = !(least..=most).contains(&computed.len());
         }
         Verdict { is_bad, worst }
     }
@@ -304,16 +307,16 @@ pub(crate) fn sphere_of_povr(question: &Question, roots: &mut Vec<Root>) {
     sphere.roots(&question.ray, roots);
 }
 
-/// Rays of a family, and those that are answered wrongly.
-fn asked<Q: Asked>(family: &Family<Q>, answer: fn(&Q, &mut Vec<Root>)) -> (usize, usize) {
+/// Number of rays of a family, and of those answered wrongly.
+fn checked<Q: ExactRoots>(family: &Family<Q>, answer: fn(&Q, &mut Vec<Root>)) -> (usize, usize) {
     let questions = family.rays(RAYS);
     let bad = questions.iter().filter(|question| {
         let mut roots = Vec::new();
         answer(question, &mut roots);
-        let found: Vec<f64> = roots.iter().map(|root| root.t).collect();
+        let computed: Vec<f64> = roots.iter().map(|root| root.t).collect();
         {
             let exact = question.roots(Digits::Enough);
-            question.verdict(&found, exact, Digits::Enough).is_bad
+            question.verdict(&computed, exact, Digits::Enough).is_bad
         }
     });
     (RAYS, bad.count())
@@ -327,7 +330,7 @@ fn of_some(
     families
         .iter()
         .filter(|family| names.contains(&family.name))
-        .map(|family| asked(family, answer))
+        .map(|family| checked(family, answer))
         .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1))
 }
 
@@ -387,14 +390,14 @@ pub(crate) fn floors() -> (usize, usize) {
 pub(crate) fn all_quadrics() -> (usize, usize) {
     QUADRICS
         .iter()
-        .map(|family| asked(family, quadric_of_povr))
+        .map(|family| checked(family, quadric_of_povr))
         .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1))
 }
 
-/// The first rays of every family, asked with 32 digits and with 77; what is found is povr's roots, those without the
-/// first, and those moved by about as much as is tolerated.
+/// The first rays of every family, decided with 32 digits and with 77, for povr's roots, those without the first, and
+/// those moved by about the tolerance.
 fn compared(count: usize) -> (usize, usize) {
-    fn differing<Q: Asked>(
+    fn differing<Q: ExactRoots>(
         family: &Family<Q>,
         answer: fn(&Q, &mut Vec<Root>),
         count: usize,
@@ -406,15 +409,15 @@ fn compared(count: usize) -> (usize, usize) {
             }
             let mut roots = Vec::new();
             answer(question, &mut roots);
-            let found: Vec<f64> = roots.iter().map(|root| root.t).collect();
-            let moved = found
+            let computed: Vec<f64> = roots.iter().map(|root| root.t).collect();
+            let moved = computed
                 .iter()
                 .map(|t| t * (1.0 + 60.0 * f64::EPSILON))
                 .collect();
-            let less = found.iter().skip(1).copied().collect();
-            [found, moved, less].iter().any(|found: &Vec<f64>| {
-                let quick = question.verdict(found, exact, Digits::Enough);
-                let slow = question.verdict(found, exact, Digits::All);
+            let less = computed.iter().skip(1).copied().collect();
+            [computed, moved, less].iter().any(|computed: &Vec<f64>| {
+                let quick = question.verdict(computed, exact, Digits::Enough);
+                let slow = question.verdict(computed, exact, Digits::All);
                 let is_near = (quick.worst - slow.worst).abs() <= 2.0 * KNOWN * slow.worst.max(1.0);
                 quick.is_bad != slow.is_bad || !is_near
             })
@@ -423,14 +426,14 @@ fn compared(count: usize) -> (usize, usize) {
         rays.iter().filter(|question| differs(question)).count()
     }
     let tori = TORI.iter().map(|own| differing(own, torus_of_povr, count));
-    let balls = SPHERES
+    let spheres = SPHERES
         .iter()
         .map(|own| differing(own, sphere_of_povr, count));
     let quadrics = QUADRICS
         .iter()
         .map(|own| differing(own, quadric_of_povr, count));
     let families = TORI.len() + SPHERES.len() + QUADRICS.len();
-    (families * count, tori.chain(balls).chain(quadrics).sum())
+    (families * count, tori.chain(spheres).chain(quadrics).sum())
 }
 
 /// A few rays of each family with 32 digits and with 77.

@@ -1,19 +1,19 @@
-//! Families of rays for quadrics, and how their roots compare with exact ones.
+//! Families of rays for quadrics, and the comparison of their roots with exact ones.
 
 use super::families::{Family, Numbers, through};
-use super::{Asked, Digits, TOLERANCE, Verdict};
+use super::{Digits, ExactRoots, TOLERANCE, Verdict};
 use crate::certain::{Sure, along, of_quadratic, sure};
 use crate::wide::{Polynomial, wide};
 use glam::DVec3;
 use povr::base::math::Ray;
 use povr::scene::shape::{Geometry, Quadric, Root};
 
-/// A ray and the ten numbers of the quadric it is asked about, in the order of the language.
+/// A ray and the ten numbers of a quadric, in the order of the language.
 #[derive(Clone, Debug)]
 pub(crate) struct OnQuadric {
     pub(crate) ray: Ray,
     pub(crate) numbers: [f64; 10],
-    /// The same made ready.
+    /// The same quadric, prepared.
     quadric: Quadric,
 }
 
@@ -38,7 +38,7 @@ impl OnQuadric {
         }
     }
 
-    /// How much the value of the quadric may be off at a place, if every number that meets there is off by a rounding.
+    /// Error of the value of the quadric at a point, if every number involved is off by a rounding.
     fn rounding(&self, t: f64) -> f64 {
         let q = self.numbers.map(f64::abs);
         let reach = self.ray.origin.abs() + t.abs() * self.ray.dir.abs();
@@ -85,7 +85,7 @@ impl OnQuadric {
         )
     }
 
-    /// The value of `uᵀQv` of all that has two factors.
+    /// The value of `uᵀQv` for the quadratic terms.
     fn product(&self, u: [Sure; 3], v: [Sure; 3]) -> Sure {
         let q = &self.numbers;
         let mixed = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
@@ -97,13 +97,13 @@ impl OnQuadric {
         p[0] * self.numbers[6] + p[1] * self.numbers[7] + p[2] * self.numbers[8]
     }
 
-    /// The value at a place.
+    /// The value at `t`.
     fn sure_value(&self, t: f64) -> Sure {
         let p = along(self.ray.origin.to_array(), self.ray.dir.to_array(), t);
         self.product(p, p) + self.linear(p) + sure(self.numbers[9])
     }
 
-    /// How many roots there are if the constant is larger by `more`, if 32 digits tell.
+    /// Number of roots with the constant larger by `more`, if 32 digits are enough.
     fn sure_count(&self, more: f64) -> Option<usize> {
         let (o, d) = (
             self.ray.origin.to_array().map(sure),
@@ -117,27 +117,27 @@ impl OnQuadric {
     }
 }
 
-impl Asked for OnQuadric {
+impl ExactRoots for OnQuadric {
     fn roots(&self, digits: Digits) -> usize {
         self.count(0.0, digits)
     }
 
-    fn verdict(&self, found: &[f64], exact: usize, digits: Digits) -> Verdict {
+    fn verdict(&self, computed: &[f64], exact: usize, digits: Digits) -> Verdict {
         let worst = digits.worst(
-            found,
+            computed,
             |t| self.rounding(t),
             |t| self.sure_value(t),
             |t| self.polynomial(0.0).at(&wide(t)).abs().to_f64(),
         );
         let mut is_bad = worst > TOLERANCE;
-        if !is_bad && found.len() != exact {
-            // Where the value along the ray is least or most a missing pair of roots would be.
+        if !is_bad && computed.len() != exact {
+            // A missing pair of roots would lie at the extreme of the value along the ray.
             let polynomial = self.polynomial(0.0);
             let c: Vec<f64> = polynomial.0.iter().map(|c| c.to_f64()).collect();
             let turn = -0.5 * c[1] / c[2];
             let slack = TOLERANCE * self.rounding(if turn.is_finite() { turn } else { 0.0 });
             let counts = [-slack, slack].map(|more| self.count(more, digits));
-            is_bad = !counts.contains(&found.len());
+            is_bad = !counts.contains(&computed.len());
         }
         Verdict { is_bad, worst }
     }
@@ -170,7 +170,7 @@ fn moved(numbers: [f64; 10], by: DVec3) -> [f64; 10] {
     ]
 }
 
-const BALL: [f64; 10] = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0];
+const UNIT_SPHERE: [f64; 10] = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0];
 
 /// Ellipsoids, cylinders, cones, hyperboloids, paraboloids, saddles: near, far, grazing, flat, along an axis.
 pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
@@ -216,8 +216,8 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
         name: "ball moved by 1e3",
         make: |n| {
             let by = n.within(1e3);
-            let OnQuadric { ray, .. } = past(n, BALL, 4.0);
-            OnQuadric::new(Ray::new(ray.origin + by, ray.dir), moved(BALL, by))
+            let OnQuadric { ray, .. } = past(n, UNIT_SPHERE, 4.0);
+            OnQuadric::new(Ray::new(ray.origin + by, ray.dir), moved(UNIT_SPHERE, by))
         },
     },
     Family {
@@ -228,13 +228,13 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
             let depth = n.power_of_ten(-15.0, -3.0);
             OnQuadric::new(
                 Ray::new(normal * (1.0 - depth) - tangent * 4.0, tangent),
-                BALL,
+                UNIT_SPHERE,
             )
         },
     },
     Family {
         name: "from the surface",
-        make: |n| OnQuadric::new(Ray::new(n.direction(), n.direction()), BALL),
+        make: |n| OnQuadric::new(Ray::new(n.direction(), n.direction()), UNIT_SPHERE),
     },
     Family {
         name: "from the surface, grazing",
@@ -242,7 +242,7 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
             let normal = n.direction();
             let lift = n.power_of_ten(-8.0, -2.0);
             let dir = normal.cross(n.direction()).normalize() + lift * normal;
-            OnQuadric::new(Ray::new(normal, dir.normalize()), BALL)
+            OnQuadric::new(Ray::new(normal, dir.normalize()), UNIT_SPHERE)
         },
     },
     Family {

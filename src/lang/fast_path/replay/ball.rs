@@ -1,8 +1,8 @@
-//! Spheres of one colour, of which loops and macros make the most: where their numbers stand is found out once.
+//! Spheres of one colour, which loops and macros make the most of: the positions of their numbers are recorded once.
 //!
-//! What has been replayed as `sphere { centre, radius pigment { rgb colour } }`, with literals and recorded expressions
-//! for the three, is kept as these three, and then no token of it is looked at. Words and marks stay what they are, and
-//! expressions notice what has changed.
+//! A replayed `sphere { centre, radius pigment { rgb colour } }` with literals or recorded expressions for the three is
+//! recorded as these three, and from then on none of its tokens is looked at. Words and marks cannot change, and
+//! expressions detect changes themselves.
 
 use super::reader::color_of;
 use super::{Known, Level, ReplayCache};
@@ -18,14 +18,13 @@ use crate::scene::shape::Sphere;
 use crate::scene::texture::Layer;
 use std::rc::Rc;
 
-/// A sphere, of one colour or with the default texture.
 #[derive(Debug)]
-pub(super) struct Ball {
+pub(super) struct RecordedSphere {
     centre: Part,
     radius: Part,
-    /// `rgb` or one of its kin, and the colour behind it.
+    /// `rgb` or one of its kin, and the colour after it.
     color: Option<(Word, Part)>,
-    /// The token behind the last `}`.
+    /// The token after the last `}`.
     pub(super) after: usize,
 }
 
@@ -33,12 +32,12 @@ pub(super) struct Ball {
 #[derive(Debug)]
 enum Part {
     Literal(Number),
-    /// A recorded expression, and the token behind it.
+    /// A recorded expression, and the token after it.
     Program(u32, usize),
 }
 
 impl Part {
-    /// The expression at a token, if it is literal or recorded, and the token behind it.
+    /// The expression at a token, if it is literal or recorded, and the index after it.
     fn at(tokens: &Tokens, at: usize, replays: &ReplayCache) -> Option<(Part, usize)> {
         if let Some((number, after)) = literal_at(tokens, at) {
             return Some((Part::Literal(number), after));
@@ -69,9 +68,13 @@ impl Part {
     }
 }
 
-impl Ball {
-    /// The sphere at a token, if it is written so.
-    pub(super) fn at(tokens: &Tokens, start: usize, replays: &ReplayCache) -> Option<Ball> {
+impl RecordedSphere {
+    /// The sphere at a token, if it has this form.
+    pub(super) fn at(
+        tokens: &Tokens,
+        start: usize,
+        replays: &ReplayCache,
+    ) -> Option<RecordedSphere> {
         let all = &tokens.tokens;
         let word = |at: usize| all.get(at).and_then(|token| token.word());
         let mark = |at: usize, mark: char| all.get(at).is_some_and(|token| token.is_mark(mark));
@@ -94,7 +97,7 @@ impl Ball {
             color = Some((kin, part));
             at = behind + 1;
         }
-        mark(at, '}').then_some(Ball {
+        mark(at, '}').then_some(RecordedSphere {
             centre,
             radius,
             color,
@@ -102,7 +105,7 @@ impl Ball {
         })
     }
 
-    /// The sphere as it is now; `None` if it is to be read.
+    /// The sphere with its current numbers; `None` if it has to be read.
     pub(super) fn read(
         &self,
         replays: &mut ReplayCache,
@@ -136,23 +139,26 @@ impl Ball {
 }
 
 impl Reader<'_> {
-    /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
-    pub(super) fn replay_ball(&mut self, index: u32) -> Parse<Option<(Sphere, Option<Color>)>> {
-        let ball = Rc::clone(&self.replays.balls[index as usize]);
+    /// The recorded sphere with this index; `None`, without effect, if it has to be read.
+    pub(super) fn replay_recorded_sphere(
+        &mut self,
+        index: u32,
+    ) -> Parse<Option<(Sphere, Option<Color>)>> {
+        let sphere = Rc::clone(&self.replays.spheres[index as usize]);
         self.replays.begin();
         let (scopes, streams) = (&self.scopes, &mut self.streams);
-        let read = ball.read(&mut self.replays, &self.default_layer, scopes, streams);
+        let read = sphere.read(&mut self.replays, &self.default_layer, scopes, streams);
         if read.is_none() {
             self.replays.give_up(&mut self.streams);
             return Ok(None);
         }
         self.count_replayed()?;
-        self.here.at = ball.after - 1;
+        self.here.at = sphere.after - 1;
         self.pass();
         Ok(read)
     }
 
-    /// The sphere at hand if its numbers are all known.
+    /// The next object, if it is a recorded sphere.
     #[inline]
     pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
         if !self.is_repeated() || !self.may_replay() {
@@ -160,7 +166,7 @@ impl Reader<'_> {
         }
         let (file, start) = (self.here.tokens.file, self.here.at);
         match self.replays.known(file, start, Level::Object) {
-            Known::Ball(index) => self.replay_ball(index),
+            Known::RecordedSphere(index) => self.replay_recorded_sphere(index),
             _ => Ok(None),
         }
     }

@@ -1,11 +1,11 @@
-//! Reading with replays and reading token by token find the same scene, the same text and the same faults.
+//! Reading with and without replays gives the same scene, the same text and the same findings.
 
 use crate::base::options::ReadOptions;
 use crate::base::source::Sources;
 use crate::lang::{Reading, evaluate, evaluate_token_by_token};
 
-/// All that a reading gives, as text.
-fn told(reading: &Reading) -> String {
+/// All results of a reading, as text.
+fn summary(reading: &Reading) -> String {
     let Reading {
         scene,
         findings,
@@ -29,7 +29,7 @@ fn agree(text: &str) -> Reading {
     };
     let replayed = read(evaluate);
     let plain = read(evaluate_token_by_token);
-    let (one, other) = (told(&replayed), told(&plain));
+    let (one, other) = (summary(&replayed), summary(&plain));
     if one != other {
         let at = one.bytes().zip(other.bytes()).take_while(|(a, b)| a == b);
         let from = at.count().saturating_sub(200);
@@ -45,8 +45,8 @@ fn agree(text: &str) -> Reading {
 
 fn errors(reading: &Reading) -> Vec<&str> {
     let findings = reading.findings.iter();
-    let told = findings.filter(|finding| finding.span.is_some());
-    told.map(|finding| finding.message.as_str()).collect()
+    let reported = findings.filter(|finding| finding.span.is_some());
+    reported.map(|finding| finding.message.as_str()).collect()
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn parameters_by_reference_and_random_numbers() {
     assert!(reading.messages.lines().count() >= 1);
 }
 
-/// A stream of choices that is the same each time.
+/// A reproducible sequence of choices.
 struct Choices(u64);
 
 impl Choices {
@@ -298,7 +298,7 @@ impl Choices {
         text + " }"
     }
 
-    /// What a macro may change, or no name.
+    /// An argument that a macro may change, or one that is no name.
     fn argument(&mut self) -> String {
         match self.below(3) {
             0 => self.of(&["A", "B", "C", "V.y", "List[2]"]).to_owned(),

@@ -1,7 +1,7 @@
 //! Directives and macro calls whose expressions are all recorded.
 //!
-//! Each looks whether the tokens at hand are of the common form, evaluates, and does what reading them does. Where
-//! anything is another way, nothing has happened yet, and they are read.
+//! Each method checks that the next tokens have the common form, evaluates, and has the same effect as reading them.
+//! Otherwise it has no effect, and they are read.
 
 use super::{Known, Level};
 use crate::base::args::{Parse, Word};
@@ -14,7 +14,7 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{END_OF_FILE, Kind, Token};
 
 impl Reader<'_> {
-    /// Whether recorded expressions may be used here.
+    /// True if recorded expressions may be used here.
     #[inline]
     pub(super) fn may_replay(&self) -> bool {
         self.recording.is_none()
@@ -23,7 +23,7 @@ impl Reader<'_> {
             && self.nesting + 1 < limits::READING
     }
 
-    /// Runs the directive at hand; false if it is to be read.
+    /// Runs the next directive; false if it has to be read.
     pub(in crate::lang) fn replay_directive(&mut self, token: Token) -> Parse<bool> {
         let at = self.here.at;
         match self.here.tokens.directives[token.value as usize].word {
@@ -39,7 +39,7 @@ impl Reader<'_> {
         }
     }
 
-    /// An `#if` behind which no `#elseif` follows.
+    /// An `#if` that no `#elseif` follows.
     fn replay_if(&mut self, at: usize) -> Parse<bool> {
         let (next, _) = self.group(at);
         let tokens = &self.here.tokens;
@@ -65,7 +65,7 @@ impl Reader<'_> {
         Ok(true)
     }
 
-    /// `#else` behind the chosen part of an `#if`: goes behind its `#end`.
+    /// `#else` after the taken part of an `#if`: goes past its `#end`.
     fn pass_else(&mut self, at: usize) -> bool {
         let (_, end) = self.group(at);
         if end == END_OF_FILE || !matches!(self.innermost(), Some(Entered::If)) {
@@ -77,7 +77,7 @@ impl Reader<'_> {
         true
     }
 
-    /// The number in the parentheses that begin at a token of the text at hand; goes behind them.
+    /// The number in the parentheses that begin at a token of the current text; goes past them.
     #[inline]
     pub(in crate::lang) fn replay_parentheses(&mut self, at: usize) -> Parse<Option<f64>> {
         let tokens = &self.here.tokens;
@@ -134,13 +134,13 @@ impl Reader<'_> {
             self.scopes.declare(symbol, Value::Number(number));
         }
         if matches!(self.raw().kind, Kind::Directive | Kind::End) {
-            // Its second `;` may stand behind the end of the macro or file.
+            // Its second `;` may stand after the end of the macro or file.
             self.take_semicolon();
         }
         Ok(true)
     }
 
-    /// So many arguments of a macro, with their parentheses; false, and none, if they are to be read.
+    /// The parenthesised arguments of a macro; false, without effect, if they have to be read.
     pub(in crate::lang) fn replay_arguments(
         &mut self,
         wanted: usize,
@@ -168,7 +168,7 @@ impl Reader<'_> {
         Ok(true)
     }
 
-    /// Adds the argument that begins at a token; gives the token behind it.
+    /// Adds the argument that begins at a token; returns the index after it.
     fn replay_argument(&mut self, at: usize, arguments: &mut Arguments) -> Option<usize> {
         let tokens = &self.here.tokens.tokens;
         let [token, behind, ..] = tokens.get(at..)? else {

@@ -1,20 +1,20 @@
-//! Expressions that are evaluated again: recorded once, then replayed without looking at a token.
+//! Replay of expressions: recorded once, then evaluated again without looking at a token.
 //!
-//! While an expression is read in a loop or a macro, each step of its evaluation is noted, with the number of
-//! components of its operands. An expression has no branches (`? :` evaluates both sides), so the notes are a program
-//! for a stack of floats, and there is no second grammar. The program is kept under the place of the first token.
-//! A macro that holds nothing but a part of the expression is run through; its parameters become slots.
+//! While an expression is read in a loop or a macro, each step of its evaluation is recorded, with the number of
+//! components of its operands. An expression has no branches (`? :` evaluates both sides), so the record is a program
+//! for a stack of floats, and there is no second grammar. The program is stored under the position of the first token.
+//! A macro that holds nothing but a part of the expression is inlined; its parameters become slots.
 //!
-//! A replay gives up, and the tokens are read again, wherever something is not as it was recorded or an error or a
-//! warning is due: an identifier holds something else, an index is out of range, a divisor is zero. Up to there it
-//! has changed nothing but streams of random numbers, which are put back. So a replay means what the tokens mean.
+//! A replay gives up, and the tokens are read again, wherever something differs from the recording or an error or a
+//! warning is due: an identifier holds another kind of value, an index is out of range, a divisor is zero. Up to there
+//! it has changed nothing but streams of random numbers, which are reset. So a replay means what the tokens mean.
 //!
-//! Not recorded is what cannot be repeated in this way: expressions in which a directive runs or a file ends, strings,
-//! and the functions that [`Op::of_call`] does not know. What their parts hold is recorded alone.
+//! Some expressions cannot be recorded: those in which a directive runs or a file ends, strings, and the functions that
+//! [`Op::of_call`] does not cover. Their parts are recorded on their own.
 //!
-//! Statements are replayed as far as they are made of recorded expressions: the directives of loops and the arguments of
-//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`]) or,
-//! of spheres, from the recorded expressions alone ([`ball`]).
+//! Statements are replayed as far as they consist of recorded expressions: the directives of loops and the arguments of
+//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`])
+//! or, for spheres, from the recorded expressions alone ([`ball`]).
 
 mod ball;
 #[cfg(test)]
@@ -37,21 +37,21 @@ use crate::lang::expr::value::{Number, Value};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::syntax::{Kind, Symbol};
-use ball::Ball;
+use ball::RecordedSphere;
 use stack::Stack;
 use std::rc::Rc;
 
-/// After so many replays that gave up, an expression is no longer recorded.
-const MOST_MISSES: u8 = 50;
-/// What running through a macro costs beside its tokens.
-const AGAIN: usize = 8;
+/// After this many replays that gave up, an expression is no longer recorded.
+const MAX_MISSES: u8 = 50;
+/// Cost of inlining a macro, beside its tokens.
+const MACRO_COST: usize = 8;
 /// Tokens of a page of [`ReplayCache`].
 const PAGE: usize = 32;
 
-/// Where in the grammar an expression begins. At one token there may be one of each.
+/// Where in the grammar an expression begins. At one token there may be one of each level.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::lang) enum Level {
-    /// What may stand behind `#declare X =`.
+    /// Anything that may stand after `#declare X =`.
     Value,
     /// With comparisons, logic and `? :`.
     Full,
@@ -63,12 +63,12 @@ pub(in crate::lang) enum Level {
     Object,
 }
 
-/// How many they are.
+/// Number of levels.
 const LEVELS: usize = 5;
 
-/// What an expression gives.
+/// The result of an expression.
 pub(in crate::lang) trait Replayed: Sized {
-    /// It, from a recorded number.
+    /// The result for a recorded number.
     fn of(number: Number) -> Self;
     /// The number that it is, if it is one.
     fn number(&self) -> Option<&Number>;
@@ -101,27 +101,27 @@ impl Replayed for Option<Value> {
 #[derive(Debug)]
 struct Program {
     steps: Steps,
-    /// How many components it gives.
+    /// Number of components of its value.
     len: u8,
-    /// The token behind it.
+    /// The index of the token after it.
     after: usize,
-    /// The identifier that stands there: if it is a macro, the expression goes on in its body.
-    behind: Option<Symbol>,
-    /// The macros that it calls, with how many tokens they come to.
+    /// The identifier that stands there: if it becomes a macro, the expression continues in its body.
+    next_name: Option<Symbol>,
+    /// The macros that it calls, with their lengths in tokens.
     calls: Box<[(Symbol, Rc<Macro>)]>,
-    again: usize,
+    reread: usize,
     misses: u8,
-    /// Whether there are no macros to look at.
+    /// True if no macros have to be checked.
     is_plain: bool,
 }
 
-/// What a recorded expression does. Most are short, and need no stack.
+/// The steps of a recorded expression. Most are short, and need no stack.
 #[derive(Debug)]
 enum Steps {
     Float(f64),
-    /// What an identifier holds, which is to have so many components.
+    /// The value of an identifier, which must have this many components.
     Name(Symbol, u8),
-    /// The float that an identifier holds, with another one on its right.
+    /// The float of an identifier, combined with a constant on its right.
     NameAnd(Symbol, Binary, f64),
     Many(Box<[Op]>),
 }
@@ -139,7 +139,7 @@ impl From<Box<[Op]>> for Steps {
     }
 }
 
-/// What is known of the expressions that begin at a token, one for each [`Level`].
+/// State of the expressions that begin at a token, one for each [`Level`].
 #[derive(Clone, Copy, Debug, Default)]
 enum Known {
     #[default]
@@ -148,61 +148,61 @@ enum Known {
     Never,
     /// The index of its program.
     Program(u32),
-    /// An object that was read so many times since it was last replayed.
+    /// An object, with the number of times it was read since its last replay.
     Read(u8),
-    /// An object that was replayed, and is no [`Ball`].
+    /// An object that was replayed, and is no [`RecordedSphere`].
     Replayed,
-    /// The index of its [`Ball`].
-    Ball(u32),
+    /// The index of its [`RecordedSphere`].
+    RecordedSphere(u32),
 }
 
-/// What is known of the tokens of a page.
+/// State of the tokens of a page.
 type Page = [[Known; LEVELS]; PAGE];
 
 /// All recorded expressions of a run.
 #[derive(Debug, Default)]
 pub(in crate::lang) struct ReplayCache {
-    /// For each file its pages, made when something in them is recorded.
+    /// The pages of each file, made when something in them is recorded.
     files: Vec<Vec<Option<Box<Page>>>>,
     programs: Vec<Program>,
-    balls: Vec<Rc<Ball>>,
+    spheres: Vec<Rc<RecordedSphere>>,
     stack: Stack,
-    /// Tokens of macros that were run through since it was last begun.
-    again: usize,
-    /// Nothing is replayed: tests compare both ways.
+    /// Tokens of macros that were inlined since the last [`ReplayCache::begin`].
+    reread: usize,
+    /// True if nothing is replayed: tests compare with and without.
     is_off: bool,
 }
 
 impl ReplayCache {
-    /// Forbids all replays.
+    /// Turns replays off.
     #[cfg(test)]
-    pub(in crate::lang) fn forbid(&mut self) {
+    pub(in crate::lang) fn disable(&mut self) {
         self.is_off = true;
     }
 
-    /// Forgets all that was recorded.
-    pub(in crate::lang) fn forget(&mut self) {
+    /// Drops all recordings.
+    pub(in crate::lang) fn clear(&mut self) {
         self.files.clear();
         self.programs.clear();
-        self.balls.clear();
+        self.spheres.clear();
     }
 
-    /// Begins what is replayed as a whole or not at all.
+    /// Begins a replay, which succeeds or has no effect.
     fn begin(&mut self) {
-        self.again = 0;
+        self.reread = 0;
         self.stack.begin();
     }
 
-    /// Gives up what was begun, as if nothing had happened.
+    /// Abandons a replay, without effect.
     fn give_up(&mut self, streams: &mut Streams) {
         self.stack.give_up(streams);
     }
 
-    /// Whether the macros of a recorded expression are what they were; counts what they come to.
+    /// Checks that the macros of a recorded expression are the same as before; counts their tokens.
     #[inline(never)]
     fn look_at_macros(&mut self, index: u32, scopes: &Scopes) -> Option<()> {
         let program = &self.programs[index as usize];
-        if program.behind.is_some_and(|name| scopes.is_macro(name)) {
+        if program.next_name.is_some_and(|name| scopes.is_macro(name)) {
             return None;
         }
         let is_still = |(name, called): &(Symbol, Rc<Macro>)| match scopes.get(*name) {
@@ -212,7 +212,7 @@ impl ReplayCache {
         if !program.calls.iter().all(is_still) {
             return None;
         }
-        self.again += program.again;
+        self.reread += program.reread;
         Some(())
     }
 
@@ -281,16 +281,16 @@ impl ReplayCache {
         page[at % PAGE][level as usize] = known;
     }
 
-    /// Keeps a program, in place of an old one if there is one.
+    /// Stores a program, in place of an old one if there is one.
     fn keep(&mut self, mut program: Program, old: Option<u32>) -> Known {
-        // What was forgotten since has no old one.
+        // The old index may be from before the cache was cleared.
         let old = old.filter(|&index| (index as usize) < self.programs.len());
         match old {
             Some(index) => {
                 let old = &mut self.programs[index as usize];
                 program.misses = old.misses.saturating_add(1);
                 *old = program;
-                if old.misses > MOST_MISSES {
+                if old.misses > MAX_MISSES {
                     Known::Never
                 } else {
                     Known::Program(index)
@@ -308,7 +308,7 @@ impl ReplayCache {
 }
 
 impl Reader<'_> {
-    /// Reads the expression at hand, or replays it if it was recorded here.
+    /// Reads the next expression, or replays it if it was recorded here.
     #[inline]
     pub(in crate::lang) fn replayed<T: Replayed>(
         &mut self,
@@ -326,7 +326,9 @@ impl Reader<'_> {
             .replays
             .known(self.here.tokens.file, self.here.at, level)
         {
-            Known::Never | Known::Read(_) | Known::Replayed | Known::Ball(_) => return read(self),
+            Known::Never | Known::Read(_) | Known::Replayed | Known::RecordedSphere(_) => {
+                return read(self);
+            }
             Known::Nothing if !self.is_repeated() => return read(self),
             Known::Nothing => None,
             Known::Program(index) => match self.replay(index)? {
@@ -351,28 +353,28 @@ impl Reader<'_> {
         Ok(value)
     }
 
-    /// The program of what was noted, if nothing behind the expression stands against it.
+    /// The program of a recording, if the token after the expression allows it.
     fn program(&self, recording: Recording, len: u8) -> Option<Program> {
         let behind = self.raw();
-        let is_quiet = match behind.kind {
+        let is_plain_token = match behind.kind {
             Kind::Directive | Kind::More | Kind::End => false,
             Kind::Word => !is_bare_directive(behind),
             _ => true,
         };
         let is_whole = recording.is_whole(len, self.frames.len());
-        (is_quiet && is_whole).then(|| Program {
+        (is_plain_token && is_whole).then(|| Program {
             steps: op::fused(recording.ops).into(),
             len,
             after: self.here.at,
-            behind: behind.symbol(),
+            next_name: behind.symbol(),
             is_plain: behind.symbol().is_none() && recording.calls.is_empty(),
             calls: recording.calls.into(),
-            again: recording.again,
+            reread: recording.reread,
             misses: 0,
         })
     }
 
-    /// The same of an expression that gives a float.
+    /// The same for an expression that gives a float.
     fn replay_float(&mut self, index: u32) -> Parse<Option<f64>> {
         self.replays.begin();
         let value = self.replays.float(index, &self.scopes, &mut self.streams);
@@ -387,7 +389,7 @@ impl Reader<'_> {
         Ok(value)
     }
 
-    /// The value of a recorded expression; `None`, and nothing changed, if it has to be read.
+    /// The value of a recorded expression; `None`, without effect, if it has to be read.
     fn replay(&mut self, index: u32) -> Parse<Option<Number>> {
         self.replays.begin();
         let value = self.replays.value(index, &self.scopes, &mut self.streams);
@@ -402,13 +404,13 @@ impl Reader<'_> {
         Ok(Some(number))
     }
 
-    /// Counts the tokens of macros that were run through.
+    /// Counts the tokens of inlined macros.
     #[inline]
     fn count_replayed(&mut self) -> Parse<()> {
-        match self.replays.again {
+        match self.replays.reread {
             0 => Ok(()),
-            // The count itself adds what going round costs once.
-            again => self.count_again(again - AGAIN, self.start_here()),
+            // The count itself adds the cost of one round.
+            reread => self.count_reread(reread - MACRO_COST, self.start_here()),
         }
     }
 }

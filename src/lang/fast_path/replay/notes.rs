@@ -1,6 +1,6 @@
-//! What is noted of an expression while it is read for the first time.
+//! The recording of an expression while it is read for the first time.
 
-use super::AGAIN;
+use super::MACRO_COST;
 use super::op::Op;
 use super::stack::{DEPTH, SLOTS};
 use crate::base::args::Word;
@@ -10,42 +10,42 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 
-/// Steps of a program; a longer one saves no time.
-const MOST_OPS: usize = 1000;
+/// Limit on the steps of a program; a longer one saves no time.
+const MAX_OPS: usize = 1000;
 
 /// An expression while it is read for the first time.
 #[derive(Debug)]
 pub(in crate::lang) struct Recording {
     pub(super) ops: Vec<Op>,
-    /// The macros that were called, and how many tokens they come to.
+    /// The macros that were called, with their lengths in tokens.
     pub(super) calls: Vec<(Symbol, Rc<Macro>)>,
-    pub(super) again: usize,
-    /// How many floats the steps leave on the stack, and how many were there at most.
+    pub(super) reread: usize,
+    /// Number of floats that the steps leave on the stack, and the most that were there.
     depth: usize,
     deepest: usize,
     slots: usize,
-    /// The bindings that the calls made, by symbol and place in its stack of bindings, with what they stand for.
+    /// The bindings made by the calls, by symbol and index in its stack of bindings, with their sources.
     bound: Vec<((Symbol, usize), Source)>,
-    /// How many frames were open when it began.
+    /// Number of frames open at its start.
     frames: usize,
 }
 
-/// Where the steps of an expression find the value of an identifier.
+/// Where the steps of an expression read the value of an identifier.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::lang) enum Source {
-    /// In what the identifier holds.
+    /// From the identifier.
     Name(Symbol),
-    /// In a slot.
+    /// From a slot.
     Slot(u8),
 }
 
 impl Recording {
-    /// Nothing noted, with so many frames open.
+    /// An empty recording, with the number of frames open.
     pub(super) fn new(frames: usize) -> Self {
         Recording {
             ops: Vec::new(),
             calls: Vec::new(),
-            again: 0,
+            reread: 0,
             depth: 0,
             deepest: 0,
             slots: 0,
@@ -54,12 +54,12 @@ impl Recording {
         }
     }
 
-    /// Whether it is the whole of an expression with so many components, which ends with so many frames open.
+    /// True if it is the whole of an expression with `len` components, which ends with `frames` frames open.
     pub(super) fn is_whole(&self, len: u8, frames: usize) -> bool {
         self.depth == usize::from(len)
             && self.deepest <= DEPTH
             && self.slots <= SLOTS
-            && self.ops.len() <= MOST_OPS
+            && self.ops.len() <= MAX_OPS
             && self.frames == frames
     }
 
@@ -67,14 +67,14 @@ impl Recording {
         let (taken, given) = op.effect();
         self.depth = self.depth.saturating_sub(usize::from(taken)) + usize::from(given);
         self.deepest = self.deepest.max(self.depth + usize::from(taken));
-        if self.ops.len() <= MOST_OPS {
+        if self.ops.len() <= MAX_OPS {
             self.ops.push(op);
         }
     }
 }
 
 impl Reader<'_> {
-    /// Notes a step of the expression that is being read.
+    /// Records a step of the expression that is being read.
     #[inline]
     pub(in crate::lang) fn note(&mut self, op: Op) {
         if let Some(recording) = &mut self.recording {
@@ -82,17 +82,17 @@ impl Reader<'_> {
         }
     }
 
-    /// Notes what a word of the language stands for.
+    /// Records the value of a reserved word.
     pub(in crate::lang) fn note_constant(&mut self, word: Word, number: &Number) {
         if word == Word::Version {
-            self.spoil();
+            self.discard_recording();
         }
         for &float in &number.v[..usize::from(number.len)] {
             self.note(Op::Float(float));
         }
     }
 
-    /// Notes the number that an identifier holds.
+    /// Records the number of an identifier.
     #[inline]
     pub(in crate::lang) fn note_name(&mut self, name: Symbol, len: u8) {
         if self.recording.is_some() {
@@ -104,7 +104,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Notes an item of an array with so many dimensions, whose indices have been noted since there were `before`
+    /// Records an item of an array with `dimensions` dimensions, whose indices were recorded after the first `before`
     /// floats.
     pub(in crate::lang) fn note_item(
         &mut self,
@@ -114,36 +114,36 @@ impl Reader<'_> {
         len: u8,
     ) {
         let dimensions = match u8::try_from(dimensions) {
-            Ok(few) if self.noted() == before + dimensions => few,
+            Ok(count) if self.noted() == before + dimensions => count,
             // An item of an array within an array.
-            _ => return self.spoil(),
+            _ => return self.discard_recording(),
         };
         match self.source(array) {
             Source::Name(array) => self.note(Op::Item(array, dimensions, len)),
-            Source::Slot(_) => self.spoil(),
+            Source::Slot(_) => self.discard_recording(),
         }
     }
 
-    /// How many floats the noted steps leave.
+    /// Number of floats that the recorded steps leave.
     pub(in crate::lang) fn noted(&self) -> usize {
         self.recording
             .as_ref()
             .map_or(0, |recording| recording.depth)
     }
 
-    /// Says that what is being read cannot be repeated by notes.
+    /// Discards the recording: the expression being read cannot be replayed.
     #[inline]
-    pub(in crate::lang) fn spoil(&mut self) {
+    pub(in crate::lang) fn discard_recording(&mut self) {
         self.recording = None;
     }
 
-    /// Whether the innermost frame is a macro that the expression being recorded has called.
+    /// True if the innermost frame is a macro that the expression being recorded has called.
     pub(in crate::lang) fn is_in_noted_call(&self) -> bool {
         let recording = self.recording.as_ref();
         recording.is_some_and(|recording| self.frames.len() > recording.frames)
     }
 
-    /// Where the steps find what an identifier holds now.
+    /// Where the steps read the current value of an identifier.
     fn source(&self, name: Symbol) -> Source {
         let bound = self.recording.as_ref().map(|recording| &recording.bound);
         let key = self.scopes.top(name).map(|top| (name, top));
@@ -152,15 +152,15 @@ impl Reader<'_> {
         source.map_or(Source::Name(name), |&(_, source)| source)
     }
 
-    /// Notes the argument of a macro that is called by the expression: an identifier itself.
+    /// The source of a macro argument that is an identifier itself.
     pub(in crate::lang) fn note_reference(&self, name: Symbol) -> Option<Source> {
         self.recording.is_some().then(|| self.source(name))
     }
 
-    /// Notes the argument of a macro that is called by the expression: a value, which has been noted.
+    /// Records a macro argument by value, whose steps have been recorded.
     pub(in crate::lang) fn note_argument(&mut self, value: &Value) -> Option<Source> {
         let Value::Number(number) = value else {
-            self.spoil();
+            self.discard_recording();
             return None;
         };
         let recording = self.recording.as_mut()?;
@@ -170,7 +170,7 @@ impl Reader<'_> {
         Some(Source::Slot(slot))
     }
 
-    /// Notes that a macro has been entered whose parameters stand for `sources`.
+    /// Records the call of a macro whose parameters are read from `sources`.
     pub(in crate::lang) fn note_call(
         &mut self,
         name: Symbol,
@@ -182,14 +182,14 @@ impl Reader<'_> {
             return;
         };
         recording.calls.push((name, Rc::clone(called)));
-        recording.again += length + AGAIN;
+        recording.reread += length + MACRO_COST;
         let parameters = called.parameters();
         for (at, (&parameter, source)) in parameters.iter().zip(sources).enumerate() {
             let (Some(top), &Some(source)) = (self.scopes.top(parameter), source) else {
-                return self.spoil();
+                return self.discard_recording();
             };
             if parameters[..at].contains(&parameter) {
-                return self.spoil();
+                return self.discard_recording();
             }
             recording.bound.push(((parameter, top), source));
         }

@@ -1,44 +1,44 @@
-//! The steps that expressions are recorded in.
+//! The steps of recorded expressions.
 
 use crate::base::args::Word;
 use crate::lang::directive::flow::EQUAL;
 use crate::lang::expr::builtins;
 use crate::lang::syntax::Symbol;
 
-/// A step on a stack of floats, on which a vector is its components, the first one lowest.
+/// A step on a stack of floats. A vector is its components, the first one lowest; its length is their number.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::lang) enum Op {
     /// Pushes a float.
     Float(f64),
-    /// Pushes what an identifier holds, which is to have so many components.
+    /// Pushes the value of an identifier, which must have this many components.
     Name(Symbol, u8),
-    /// Keeps a value of so many components in a slot: the argument of a macro.
+    /// Pops a value and stores it in a slot (slot, length): the argument of a macro.
     Store(u8, u8),
-    /// Pushes the value of a slot.
+    /// Pushes the value of a slot (slot, length).
     Load(u8, u8),
-    /// Takes so many indices, and pushes the item of an array, which is to have so many components.
+    /// Pops indices and pushes the item of an array (number of indices, length).
     Item(Symbol, u8, u8),
-    /// Combines two values with so many components.
+    /// Combines two values of these lengths.
     Binary(Binary, u8, u8),
-    /// Combines the float on top with another one.
+    /// Combines the float on top with a constant.
     WithFloat(Binary, f64),
-    /// Combines the float on top with the one that an identifier holds.
+    /// Combines the float on top with that of an identifier.
     WithName(Binary, Symbol),
-    /// Turns the sign of so many components.
+    /// Negates a value of this length.
     Negate(u8),
-    /// Takes so many components for truths and turns them.
+    /// Replaces each component of a value of this length by its logical negation.
     Not(u8),
-    /// Of so many components leaves that with an index.
+    /// Replaces a value by one of its components (length, index).
     Member(u8, u8),
-    /// The grey of so many components.
+    /// Replaces a colour of this length by its grey value.
     Grey(u8),
-    /// Gives a value with so many components so many more that it is as long as the second says.
+    /// Promotes a value from the first length to the second.
     Promote(u8, u8),
-    /// Of a test and two values of so many components leaves one value.
+    /// Replaces a test and two values of these lengths by one of the values.
     Choose(u8, u8),
-    /// The least of so many floats.
+    /// The least of this many floats.
     Min(u8),
-    /// The greatest of so many floats.
+    /// The greatest of this many floats.
     Max(u8),
     /// A function of one float.
     One(Word),
@@ -46,11 +46,11 @@ pub(in crate::lang) enum Op {
     Two(Word),
     /// A function of vectors.
     Vectors(Word),
-    /// The next number of a stream.
+    /// Replaces the handle of a stream by its next number.
     Rand,
 }
 
-/// How two values are combined, component by component.
+/// An operator on two values, component by component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::lang) enum Binary {
     Add,
@@ -90,7 +90,7 @@ impl Binary {
     }
 }
 
-/// The same steps, fewer where one does for two.
+/// The same steps, fewer where one replaces two.
 pub(super) fn fused(ops: Vec<Op>) -> Box<[Op]> {
     let mut fewer: Vec<Op> = Vec::with_capacity(ops.len());
     for op in ops {
@@ -110,7 +110,7 @@ pub(super) fn fused(ops: Vec<Op>) -> Box<[Op]> {
 }
 
 impl Op {
-    /// The step of a call, if calls of this function can be repeated; `min` and `max` note theirs themselves.
+    /// The step of a call, if calls of this function can be replayed; `min` and `max` record theirs themselves.
     pub(in crate::lang) fn of_call(word: Word) -> Option<Op> {
         match word {
             Word::Rand => Some(Op::Rand),
@@ -126,7 +126,7 @@ impl Op {
         }
     }
 
-    /// How many floats it takes, and how many it pushes.
+    /// Number of floats it pops, and number it pushes.
     pub(super) fn effect(self) -> (u8, u8) {
         match self {
             Op::Float(_) => (0, 1),

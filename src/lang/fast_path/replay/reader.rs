@@ -1,9 +1,9 @@
-//! Whole objects whose expressions are all recorded or literal: their readers take them from the tokens themselves.
+//! Whole objects whose expressions are all recorded or literal: their readers take them from the tokens directly.
 //!
-//! [`ReplayReader`] gives up at any other token than words, marks, elements and such expressions: at a directive, a
-//! macro, a string, and at every error or warning. It has had no effect up to there, and the cursor reads the object.
+//! [`ReplayReader`] gives up at any token other than words, marks, elements and such expressions: at a directive, a
+//! macro, a string, and at every error or warning. It has no effect up to there, and the cursor reads the object.
 
-use super::ball::Ball;
+use super::ball::RecordedSphere;
 use super::{Known, Level, ReplayCache};
 use crate::base::args::{Args, Interner, Parse, Word};
 use crate::base::color::{Color, Gamma};
@@ -24,13 +24,13 @@ use std::cell::Cell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// After so many readings in a row that could not be replayed, an object is always read.
-const MOST_READINGS: u8 = 20;
+/// After this many readings in a row that could not be replayed, an object is always read.
+const MAX_READINGS: u8 = 20;
 
-/// So many spheres are kept; a scene may let them be made anew again and again.
-const MOST_BALLS: usize = 1 << 16;
+/// Limit on recorded spheres; a scene may have them recorded again and again.
+const MOST_SPHERES: usize = 1 << 16;
 
-/// A cursor over the tokens of one file in which nothing runs.
+/// A cursor over the tokens of one file that runs no directives.
 struct ReplayReader<'a> {
     tokens: &'a Tokens,
     at: usize,
@@ -41,20 +41,20 @@ struct ReplayReader<'a> {
     version: f64,
     gamma: Option<Gamma>,
     alike: &'a Interner,
-    /// Whether there was something that only the cursor can tell.
-    is_doubtful: Cell<bool>,
+    /// True if there was something that only the cursor can decide.
+    needs_tokens: Cell<bool>,
 }
 
 impl Reader<'_> {
-    /// The object at hand if it can be replayed.
+    /// The next object if it can be replayed.
     pub(in crate::lang) fn replay_object(&mut self) -> Parse<Option<Read>> {
         if !self.is_repeated() || !self.may_replay() {
             return Ok(None);
         }
         let (file, start) = (self.here.tokens.file, self.here.at);
         let readings = match self.replays.known(file, start, Level::Object) {
-            Known::Ball(index) => {
-                if let Some((sphere, color)) = self.replay_ball(index)? {
+            Known::RecordedSphere(index) => {
+                if let Some((sphere, color)) = self.replay_recorded_sphere(index)? {
                     let shape = Shape::Sphere(sphere);
                     return Ok(Some(Read::Shape { shape, color }));
                 }
@@ -62,7 +62,7 @@ impl Reader<'_> {
             }
             Known::Replayed => 0,
             Known::Read(readings) => readings,
-            // What it holds is recorded now.
+            // Its expressions are recorded now.
             Known::Nothing => {
                 if matches!(self.raw().word(), Some(word) if begins_object(word)) {
                     self.replays.set(file, start, Level::Object, Known::Read(0));
@@ -83,15 +83,15 @@ impl Reader<'_> {
             version: self.version,
             gamma,
             alike: &self.memory.alike,
-            is_doubtful: Cell::new(false),
+            needs_tokens: Cell::new(false),
         };
         let object = plain_object(&mut quiet, &self.default_layer);
-        let (end, is_doubtful) = (quiet.at, quiet.is_doubtful.get());
+        let (end, needs_tokens) = (quiet.at, quiet.needs_tokens.get());
         match object {
-            Ok(Some(object)) if !is_doubtful => {
+            Ok(Some(object)) if !needs_tokens => {
                 let known = self.replays.known(file, start, Level::Object);
                 if matches!(known, Known::Read(_)) {
-                    let known = self.replays.ball(&self.here.tokens, start, end);
+                    let known = self.replays.record_sphere(&self.here.tokens, start, end);
                     self.replays.set(file, start, Level::Object, known);
                 }
                 self.count_replayed()?;
@@ -102,7 +102,7 @@ impl Reader<'_> {
             _ => {
                 self.replays.give_up(&mut self.streams);
                 let known = match readings + 1 {
-                    MOST_READINGS => Known::Never,
+                    MAX_READINGS => Known::Never,
                     readings => Known::Read(readings),
                 };
                 self.replays.set(file, start, Level::Object, known);
@@ -113,13 +113,13 @@ impl Reader<'_> {
 }
 
 impl ReplayCache {
-    /// What is known of an object that was replayed, up to the token at `end`.
-    fn ball(&mut self, tokens: &Tokens, start: usize, end: usize) -> Known {
-        let ball = Ball::at(tokens, start, self).filter(|ball| ball.after == end);
-        match (ball, u32::try_from(self.balls.len())) {
-            (Some(ball), Ok(index)) if self.balls.len() < MOST_BALLS => {
-                self.balls.push(Rc::new(ball));
-                Known::Ball(index)
+    /// The state of an object that was replayed, up to the token at `end`.
+    fn record_sphere(&mut self, tokens: &Tokens, start: usize, end: usize) -> Known {
+        let sphere = RecordedSphere::at(tokens, start, self).filter(|sphere| sphere.after == end);
+        match (sphere, u32::try_from(self.spheres.len())) {
+            (Some(sphere), Ok(index)) if self.spheres.len() < MOST_SPHERES => {
+                self.spheres.push(Rc::new(sphere));
+                Known::RecordedSphere(index)
             }
             _ => Known::Replayed,
         }
@@ -139,17 +139,17 @@ fn nothing() -> Box<Diagnostic> {
 }
 
 impl ReplayReader<'_> {
-    /// The token at hand if the cursor would give the same one.
+    /// The next token if the cursor would return the same one.
     #[inline(always)]
     fn peek(&self) -> Parse<Token> {
         let token = self.tokens.tokens[self.at];
-        let is_quiet = match token.kind {
+        let is_plain_token = match token.kind {
             Kind::Directive | Kind::More | Kind::End => false,
             Kind::Name => !self.scopes.is_macro(Symbol(token.value)),
             Kind::Word => !is_bare_directive(token),
             _ => true,
         };
-        if is_quiet { Ok(token) } else { give_up() }
+        if is_plain_token { Ok(token) } else { give_up() }
     }
 
     #[inline]
@@ -213,7 +213,7 @@ impl ReplayReader<'_> {
     }
 }
 
-/// The colour of the numbers behind `rgb` and its kin; `None` if that is not for here.
+/// The colour of the numbers after `rgb` and the like; `None` if it has to be read.
 pub(super) fn color_of(word: Word, number: Number) -> Option<Color> {
     let wanted = match word {
         Word::Rgb => 3,
@@ -428,7 +428,7 @@ impl Args for ReplayReader<'_> {
     }
 
     fn warn(&mut self, _: Diagnostic) {
-        self.is_doubtful.set(true);
+        self.needs_tokens.set(true);
     }
 
     fn version(&self) -> f64 {

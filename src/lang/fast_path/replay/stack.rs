@@ -1,4 +1,4 @@
-//! Takes the steps of a recorded expression.
+//! The interpreter of recorded expressions.
 
 use super::op::{Binary, Op};
 use crate::base::args::Word;
@@ -10,18 +10,18 @@ use crate::lang::expr::value::{Number, Value};
 use crate::lang::scope::Scopes;
 use crate::lang::syntax::Symbol;
 
-/// The floats of a replay. [`Recording`] has seen to it that they are enough and not too many.
+/// The stack of a replay. `Recording` has checked that it neither overflows nor underflows.
 #[derive(Debug)]
 pub(super) struct Stack {
     floats: [f64; DEPTH],
     top: usize,
     /// The arguments of the macros that the expression calls.
     slots: [Number; SLOTS],
-    /// Streams that the replay has drawn from, with the states that they had.
+    /// Streams that the replay has drawn from, with their earlier states.
     drawn: Vec<(usize, u32)>,
 }
 
-/// Floats that a program may keep at once; a power of two.
+/// Floats that a program may hold at once; a power of two.
 pub(super) const DEPTH: usize = 32;
 /// Slots that a program may use; a power of two.
 pub(super) const SLOTS: usize = 16;
@@ -38,22 +38,22 @@ impl Default for Stack {
 }
 
 impl Stack {
-    /// Begins what is replayed as a whole or not at all.
+    /// Begins a replay, which succeeds or has no effect.
     pub(super) fn begin(&mut self) {
         self.drawn.clear();
     }
 
-    /// Gives up what was begun: the streams are as they were.
+    /// Abandons a replay: the streams are reset.
     pub(super) fn give_up(&mut self, streams: &mut Streams) {
         while let Some((stream, state)) = self.drawn.pop() {
             streams.put_back(stream, state);
         }
     }
 
-    /// Takes the steps of a program; `None` if its value is to be read from the tokens. The floats of the value are the
-    /// first ones of the stack.
+    /// Runs the steps of a program; `None` if its value has to be read from the tokens. The floats of the value are at
+    /// the bottom of the stack.
     pub(super) fn run(&mut self, ops: &[Op], scopes: &Scopes, streams: &mut Streams) -> Option<()> {
-        // What most programs are made of is done here, where the top need not be kept in memory.
+        // The most frequent steps run here, where the top of the stack is held in a register.
         let mut top = 0;
         for op in ops {
             match *op {
@@ -123,7 +123,7 @@ impl Stack {
         }
     }
 
-    /// Takes a step; `None` if it cannot be taken.
+    /// Runs a step; `None` if it cannot be run.
     #[inline(never)]
     fn step(&mut self, op: Op, scopes: &Scopes, streams: &mut Streams) -> Option<()> {
         match op {
@@ -254,7 +254,7 @@ impl Stack {
         &self.floats[self.top - usize::from(len)..self.top]
     }
 
-    /// Takes the floats on top as a value.
+    /// Pops the floats on top as a value.
     #[inline]
     fn take(&mut self, len: u8) -> Number {
         if len == 1 {
@@ -277,7 +277,7 @@ impl Stack {
         }
     }
 
-    /// As `min` and `max` go through their arguments.
+    /// Folds floats in the order in which `min` and `max` go through their arguments.
     fn fold(&mut self, count: u8, f: impl Fn(f64, f64) -> f64) {
         let all = self.last(count);
         let first = all.first().copied().unwrap_or_default();
@@ -301,7 +301,7 @@ impl Stack {
     }
 }
 
-/// Two floats combined; `None` if the second is a divisor of zero.
+/// Combines two floats; `None` if the second is a divisor of zero.
 #[inline(always)]
 pub(super) fn combined(binary: Binary, left: f64, right: f64) -> Option<f64> {
     match binary {
@@ -314,7 +314,7 @@ pub(super) fn combined(binary: Binary, left: f64, right: f64) -> Option<f64> {
     }
 }
 
-/// What an identifier holds, if that is a float.
+/// The float that an identifier holds, if it holds one.
 #[inline]
 pub(super) fn float(scopes: &Scopes, name: Symbol) -> Option<f64> {
     match scopes.get(name) {
@@ -323,7 +323,7 @@ pub(super) fn float(scopes: &Scopes, name: Symbol) -> Option<f64> {
     }
 }
 
-/// The item of an array, if that is there and a number.
+/// The item of an array, if it exists and is a number.
 fn item<'a>(scopes: &'a Scopes, array: Symbol, indices: &[f64]) -> Option<&'a Number> {
     let Some(Value::Array(array)) = scopes.get(array) else {
         return None;

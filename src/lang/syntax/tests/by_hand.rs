@@ -1,8 +1,8 @@
-//! A second lexer, written by hand from the same description, to compare with.
+//! A second lexer, written by hand from the same description, for comparison.
 
 use super::super::{Kind, Word};
 
-/// A token as the second lexer sees it.
+/// A token of the second lexer.
 #[derive(Debug, PartialEq)]
 pub(super) struct Plain {
     pub(super) kind: Kind,
@@ -10,7 +10,7 @@ pub(super) struct Plain {
     pub(super) end: usize,
 }
 
-/// The tokens of a text up to the first thing that cannot be one, which is its place.
+/// The tokens of a text, and the position of the first text that cannot be tokenized.
 pub(super) fn tokens(text: &str) -> (Vec<Plain>, Option<usize>) {
     let bytes = text.as_bytes();
     let mut out = Vec::new();
@@ -72,7 +72,7 @@ fn word(text: &str, start: usize) -> (Kind, usize) {
     (kind, start + length)
 }
 
-/// The end of the directive whose word begins at `head`, if a directive it is.
+/// The end of the directive whose word begins at `head`, if it is a directive.
 fn directive(text: &str, head: usize) -> Option<usize> {
     let first = text[head..].chars().next()?;
     if !first.is_ascii_alphabetic() && first != '_' {
@@ -113,7 +113,7 @@ fn directive(text: &str, head: usize) -> Option<usize> {
     is_directive.then_some(end)
 }
 
-/// Tells whether the reader has to judge a `#` before what begins here: a name, a float or `;`.
+/// True if the reader has to decide about a `#` before this text: a name, a float or `;`.
 fn is_judged_later(text: &str, at: usize) -> bool {
     let mut letters = text[at..].chars();
     match letters.next() {
@@ -157,7 +157,7 @@ fn string(bytes: &[u8], start: usize) -> Option<usize> {
     }
 }
 
-/// Where the next token begins; or where the comment does that is not closed.
+/// The start of the next token, or of a comment that is not closed.
 fn skip_trivia(text: &str, start: usize) -> Result<usize, usize> {
     let bytes = text.as_bytes();
     let mut at = start;

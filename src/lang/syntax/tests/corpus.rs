@@ -11,7 +11,7 @@ const FOLDERS: [&str; 3] = [
     "/usr/share/doc/povray-examples",
 ];
 
-/// Asserts that both lexers see the same tokens, or both stop at the same place.
+/// Asserts that both lexers make the same tokens, or both stop at the same position.
 pub(super) fn assert_same_tokens(text: &str, name: &str) {
     let (expected, stop) = by_hand::tokens(text);
     let (tokens, names) = match lex(text) {
@@ -20,7 +20,7 @@ pub(super) fn assert_same_tokens(text: &str, name: &str) {
             let is_number =
                 |fault: &crate::base::source::Diagnostic| fault.message.contains("decimal");
             let open = faults.iter().find(|fault| !is_number(fault));
-            // What has no end is told beside the string that is probably at fault.
+            // A string without an end is reported beside the string that is probably at fault.
             let last = open.and_then(|fault| fault.labels.last());
             let unended = last.filter(|label| label.text.contains("no end"));
             let open = unended

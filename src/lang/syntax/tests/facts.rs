@@ -11,7 +11,7 @@ fn a_token_takes_twelve_bytes() {
 }
 
 #[test]
-fn marks_and_comparisons_are_told_apart() {
+fn marks_and_comparisons_are_distinguished() {
     let text = "<1,2>=3 <= 4!=5 a<-b ~ \\ @ ° {}()[],;:?&|+-*/.=!";
     let expected = [
         "<", "1", ",", "2", ">=", "3", "<=", "4", "!=", "5", "a", "<", "-", "b", "~", "\\", "@",
@@ -42,7 +42,7 @@ fn points_belong_to_numbers_only_beside_digits() {
 }
 
 #[test]
-fn every_bad_number_is_told() {
+fn every_bad_number_is_reported() {
     let faults = lex("1.2.3 4 5..6\n7.8.9e1").unwrap_err();
     let messages: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
     assert_eq!(
@@ -65,7 +65,7 @@ fn comments_nest() {
 }
 
 #[test]
-fn a_comment_that_stays_open_is_told_with_the_inner_one() {
+fn a_comment_that_stays_open_is_reported_with_the_inner_one() {
     let faults = lex("a /* b /* c */ d").unwrap_err();
     assert_eq!(faults[0].message, "no `*/` for this comment");
     assert_eq!(faults[0].span.unwrap().start, 2);
@@ -77,7 +77,7 @@ fn a_comment_that_stays_open_is_told_with_the_inner_one() {
 }
 
 #[test]
-fn a_missing_quote_is_sought_in_the_first_string_that_spans_lines() {
+fn a_missing_quote_is_attributed_to_the_first_string_that_spans_lines() {
     let text = "#include \"a.inc\"\n#include \"b.inc\n#include \"c.inc\"\n";
     let faults = lex(text).unwrap_err();
     assert_eq!(faults.len(), 1);
@@ -131,18 +131,18 @@ fn directives_without_the_sign_are_words() {
     assert_eq!(tokens.tokens[0].word(), Some(Word::Declare));
 }
 
-/// `next` and `end` of each directive, as places in the list of directives.
+/// `next` and `end` of each directive, as indices into the list of directives.
 fn links(text: &str) -> Vec<(String, Option<usize>, Option<usize>)> {
     let (tokens, _) = lex(text).unwrap();
-    let place =
+    let position =
         |index: u32| (index != END_OF_FILE).then(|| tokens.tokens[index as usize].value as usize);
     let directives = tokens.directives.iter();
     directives
         .map(|each| {
             (
                 each.word.unwrap().to_string(),
-                place(each.next),
-                place(each.end),
+                position(each.next),
+                position(each.end),
             )
         })
         .collect()

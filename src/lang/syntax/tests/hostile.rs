@@ -78,7 +78,7 @@ fn random_pieces_of_tokens_are_read_as_by_hand() {
         .unwrap();
 }
 
-/// The same pieces around places where a slice ends.
+/// The same pieces around the end of a slice.
 #[test]
 fn tokens_across_the_ends_of_slices_are_whole() {
     let tokens = [
@@ -111,8 +111,8 @@ fn tokens_across_the_ends_of_slices_are_whole() {
     }
 }
 
-/// Asserts that a text of four times the length takes about four times as long, in the best of several tries: other
-/// programs may take the processor away.
+/// Asserts that a text of four times the length takes about four times as long, in the best of several tries, since
+/// other programs may take the processor away.
 fn assert_linear(name: &str, text: impl Fn(usize) -> String) {
     let time = |count: usize| {
         let text = text(count);
@@ -176,7 +176,7 @@ fn time_is_linear_in_the_length() {
     }
 }
 
-/// Random tokens over and over, so that stretches of plain text are long enough to be read as such and to be cut.
+/// Repeated random tokens, so that segments of plain text are long enough to be read as such and to be cut.
 #[test]
 fn long_plain_text_is_read_as_by_hand() {
     let pieces = proptest::sample::select(vec![
