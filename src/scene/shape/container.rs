@@ -1,36 +1,37 @@
-//! `contained_by { box { ... } }` or `contained_by { sphere { ... } }`: where a shape made of functions is looked for.
+//! `contained_by { box { ... } }` or `contained_by { sphere { ... } }`: the region in which a shape defined by
+//! functions is searched for.
 
 use super::{Cuboid, Sphere};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
-/// A box or a ball.
+/// A box or a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Container {
     Box { low: DVec3, high: DVec3 },
     Ball { centre: DVec3, radius: f64 },
 }
 
-/// An end of a ray in a container: its parameter, and the face.
+/// An end of a ray's interval in a container: its parameter, and the face.
 pub(super) type End = (f64, u32);
 
-/// The face of a ball; those of a box are twice the axis, and one more for the upper one.
-const ROUND: u32 = 6;
-/// So far from a face a point is on it.
-const ON_FACE: f64 = 1e-10;
+/// Face number of a sphere. A box has two faces per axis: twice the axis for the lower one, and one more for the upper.
+const SPHERE_FACE: u32 = 6;
+/// Distance from a face up to which a point is on it.
+const FACE_TOLERANCE: f64 = 1e-10;
 
 impl Container {
-    /// How many faces containers have.
+    /// Number of faces of both kinds of container.
     pub(super) const FACES: u32 = 7;
 
-    /// The box that holds where the scene says nothing.
+    /// The default box.
     pub(super) const DEFAULT: Container = Container::Box {
         low: DVec3::NEG_ONE,
         high: DVec3::ONE,
     };
 
-    /// Reads the container behind its word.
+    /// Reads the container after its keyword.
     ///
     /// # Errors
     /// Another shape, or malformed parameters.
@@ -72,7 +73,7 @@ impl Container {
         }
     }
 
-    /// Whether a point lies in it, its surface included.
+    /// Inside test, surface included.
     pub(super) fn contains(&self, point: DVec3) -> bool {
         match *self {
             Container::Box { low, high } => point.cmpge(low).all() && point.cmple(high).all(),
@@ -82,15 +83,15 @@ impl Container {
         }
     }
 
-    /// The face on which a point lies, by POV-Ray's measure, which is the same for all sizes.
+    /// The face on which a point lies, within POV-Ray's absolute tolerance, which is the same for all sizes.
     pub(super) fn face_at(&self, point: DVec3) -> Option<u32> {
         match *self {
             Container::Box { low, high } => (0..2 * 3).find(|face| {
                 let (axis, side) = ((face / 2) as usize, if face % 2 == 1 { high } else { low });
-                (point[axis] - side[axis]).abs() < ON_FACE
+                (point[axis] - side[axis]).abs() < FACE_TOLERANCE
             }),
             Container::Ball { centre, radius } => {
-                ((point.distance(centre) - radius).abs() < ON_FACE).then_some(ROUND)
+                ((point.distance(centre) - radius).abs() < FACE_TOLERANCE).then_some(SPHERE_FACE)
             }
         }
     }
@@ -99,14 +100,14 @@ impl Container {
     pub(super) fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match *self {
             Container::Box { .. } => {
-                let side = if face % 2 == 1 { 1.0 } else { -1.0 };
-                side * DVec3::AXES[(face / 2) as usize % 3]
+                let sign = if face % 2 == 1 { 1.0 } else { -1.0 };
+                sign * DVec3::AXES[(face / 2) as usize % 3]
             }
             Container::Ball { centre, .. } => point - centre,
         }
     }
 
-    /// Where the line of a ray enters and leaves it.
+    /// The entry and exit of a ray's line.
     pub(super) fn chord(&self, ray: &Ray) -> Option<[End; 2]> {
         match *self {
             Container::Box { low, high } => box_chord(ray, low, high),
@@ -118,7 +119,7 @@ impl Container {
                 let half_sq = (radius * radius - away_sq) / dir_sq;
                 (half_sq > 0.0).then(|| {
                     let half = half_sq.sqrt();
-                    [(middle - half, ROUND), (middle + half, ROUND)]
+                    [(middle - half, SPHERE_FACE), (middle + half, SPHERE_FACE)]
                 })
             }
         }

@@ -1,4 +1,4 @@
-//! Textures that single pieces of a shape have of their own: the triangles of a mesh, the components of a blob.
+//! Textures of single pieces of a shape: triangles of a mesh, components of a blob.
 
 use crate::base::args::{Args, Parse, Word, default_of};
 use crate::base::source::Diagnostic;
@@ -6,34 +6,34 @@ use crate::scene::texture::{Layer, Texture};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// The texture of some pieces of a shape; the transforms of the object move it with them. Two are the same if they
-/// are one value.
+/// Texture of some pieces of a shape; the transforms of the object move it with them. Two are equal if they share one
+/// value.
 #[derive(Clone, Debug)]
 pub struct FaceTexture(pub Arc<Texture>);
 
-/// A part of the look of a point.
+/// Weight of one texture at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureWeight {
-    /// How much of the look; all shares of a point add up to one.
+    /// The weight; all weights of a point add up to one.
     pub weight: f64,
-    /// Which of the skins of the shape, or [`TextureWeight::OF_THE_OBJECT`].
+    /// Index into [`Geometry::skins`](super::Geometry::skins), or [`TextureWeight::OF_THE_OBJECT`].
     pub skin: u32,
 }
 
-/// The parts of the look of a point; none if it looks as the object does.
+/// Texture weights at a point; empty where the texture of the object applies.
 pub type TextureWeights = SmallVec<[TextureWeight; 3]>;
 
 impl TextureWeight {
-    /// In [`TextureWeight::skin`]: the texture of the object.
+    /// Value of [`TextureWeight::skin`] for the texture of the object.
     pub const OF_THE_OBJECT: u32 = u32::MAX;
 }
 
 impl FaceTexture {
-    /// Reads `texture`, `pigment`, `normal` or `finish` with its block, if `word` is one of them, into what a piece of
-    /// a shape has already; says whether it was.
+    /// Reads `texture`, `pigment`, `normal` or `finish` with its block, if `word` is one of them, on top of the texture
+    /// that a piece of a shape already has. Returns whether it was one of them.
     ///
     /// # Errors
-    /// A malformed block, or a texture that cannot lie over the one before.
+    /// A malformed block, or a texture that cannot be layered over the one before.
     pub(super) fn read_over(
         own: &mut Option<Texture>,
         word: Word,
@@ -64,7 +64,7 @@ impl FaceTexture {
         texture.top_mut().read_part(word, args)
     }
 
-    /// Reads a texture behind its word.
+    /// Reads a texture after its keyword.
     ///
     /// # Errors
     /// A malformed texture.
@@ -77,7 +77,7 @@ impl FaceTexture {
 }
 
 impl FaceTexture {
-    /// Whether it asks for texture coordinates.
+    /// True if the texture needs texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         self.0.uses_uv()

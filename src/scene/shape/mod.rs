@@ -1,8 +1,8 @@
-//! The shapes: one file each, with its mathematics, what it reads, and its hits.
+//! Primitives: one file each, with its mathematics, its parser and its intersection code.
 //!
-//! A shape reports *all* places where the whole line of a ray crosses it, as the edges of spans inside the solid,
-//! so that CSG needs no inside test at a hit point. What must not be seen although it bounds the solid (the missing
-//! cap of an open cylinder) is reported as not visible.
+//! A shape reports *all* crossings of the whole line of a ray, as ends of spans inside the solid, so that CSG needs no
+//! inside test at a hit point. A surface that bounds the solid but must not be seen (the missing cap of an open
+//! cylinder) is reported as not visible.
 //!
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
@@ -91,28 +91,28 @@ use crate::base::math::{Bounds, Ray, Step};
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 
-/// What a ray does to the inside of a solid at a crossing.
+/// Direction in which a ray crosses the surface of a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Crossing {
-    /// It goes in.
+    /// The ray enters the solid.
     Enter,
-    /// It comes out.
+    /// The ray leaves the solid.
     Leave,
-    /// The inside stays as it is: a surface without a volume (triangle), or one within the solid (the inner lemon of a
+    /// The inside does not change: a surface without volume (triangle), or one within the solid (the inner lemon of a
     /// spindle torus).
     Touch,
 }
 
-/// A place where the line of a ray meets a shape.
+/// A crossing of the line of a ray with a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Root {
-    /// Where on the ray: `origin + t · dir`; may be negative, is never NaN or infinite.
+    /// Ray parameter, at `origin + t · dir`; may be negative, is never NaN or infinite.
     pub t: f64,
-    /// What happens to the inside there.
+    /// Entry, exit, or neither.
     pub crossing: Crossing,
-    /// Which smooth piece of the shape: a face of a box, side or cap of a cylinder, a triangle of a mesh.
+    /// Smooth piece of the shape: a face of a box, side or cap of a cylinder, a triangle of a mesh.
     pub face: u32,
-    /// Whether the surface is there to be seen.
+    /// False for surfaces that only bound the solid, such as the missing cap of an open cylinder.
     pub is_visible: bool,
 }
 
@@ -133,7 +133,7 @@ impl Root {
     }
 }
 
-/// Whether the far start of a line (`t → −∞`) lies inside the solid.
+/// Side of the solid on which a line starts (`t → −∞`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// Outside, as for every bounded solid.
@@ -142,83 +142,83 @@ pub enum Start {
     Inside,
 }
 
-/// What every shape can do. All of it happens in the shape's own object space.
+/// Operations of a shape, all in its own object space.
 pub trait Geometry {
-    /// Appends all roots on the whole line of `ray` to `roots`, sorted by `t`; enter and leave alternate.
-    /// Says whether the line starts inside. A shape without volume appends only `Touch`.
+    /// Appends all roots on the whole line of `ray` to `roots`, sorted by `t`; enter and leave alternate. Returns the
+    /// side on which the line starts. A shape without volume appends only `Touch`.
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start;
 
-    /// Appends, of the roots that [`Geometry::roots`] appends, at least those beyond `from` up to the first beyond `enough`.
-    /// Says whether these are all of them for certain.
+    /// Appends a part of the roots of [`Geometry::roots`]: at least those beyond `from`, up to the first one beyond
+    /// `enough`. Returns true only if these are certainly all of them.
     fn roots_from(&self, ray: &Ray, _from: f64, _enough: f64, roots: &mut Vec<Root>) -> bool {
         self.roots(ray, roots);
         true
     }
 
-    /// The first visible root with `from < t < to`, both ends excluded: the same root, to the bit, that
-    /// [`Geometry::roots`] appends.
+    /// First visible root with `from < t < to`, both ends excluded: bit for bit the root that [`Geometry::roots`]
+    /// appends.
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         let mut roots = Vec::new();
         self.roots(ray, &mut roots);
         first_visible(&roots, from, to)
     }
 
-    /// Whether all that the line enters lies before the start of the ray: the solid is convex, and the ray, where it is
-    /// near, goes away from it. For a ray that goes out from the surface it is enough that it starts where that is a part
-    /// of the hull. What is not known is false.
+    /// True if the ray certainly cannot enter the solid: the solid is convex, and the ray goes away from it. A ray that
+    /// starts on the surface only has to start on the convex hull. False if in doubt.
     fn is_exiting(&self, _ray: &Ray) -> bool {
         false
     }
 
-    /// The outward normal, not normalised, at a point of the surface piece `face`.
+    /// The outward normal, not normalised, at a point of surface piece `face`.
     fn normal(&self, point: DVec3, face: u32) -> DVec3;
 
-    /// Whether a point lies in the solid, by POV-Ray's rule for points on the surface. Never for shapes without volume.
+    /// Inside test, with POV-Ray's rule for points on the surface. Always false for shapes without volume.
     fn contains(&self, point: DVec3) -> bool;
 
-    /// A box around the surface, infinite for unbounded shapes and empty for one that no ray can meet.
+    /// Bounding box of the surface, infinite for unbounded shapes and empty for one that no ray can hit.
     fn bounds(&self) -> Bounds;
 
-    /// A box around all points for which [`Geometry::contains`] may be true: larger than the bounds of the surface
-    /// where the surface is only a part of what bounds the solid (`disc`).
+    /// Bounding box of all points for which [`Geometry::contains`] may be true: larger than the bounds of the surface
+    /// where the surface is only a part of the boundary of the solid (`disc`).
     fn solid_bounds(&self) -> Bounds {
         self.bounds()
     }
 
-    /// Tells whether its inside reaches beyond the box around its surface.
+    /// True if the inside extends beyond the bounding box of the surface.
     fn reaches_out(&self) -> bool {
         false
     }
 
-    /// Takes a transform into the shape's own numbers if the shape stays of its kind and POV-Ray does the same
-    /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
-    /// With [`Geometry::loses_uv`], texture coordinates of the shape before the step are lost.
+    /// Applies a transform to the shape's own parameters if the shape stays of its kind and POV-Ray does the same (a
+    /// sphere under translation; a box under scaling). Returns false, without a change, otherwise. With
+    /// [`Geometry::loses_uv`], texture coordinates of the shape before the step are lost.
     fn absorb(&mut self, step: &Step) -> bool;
 
-    /// Works out what rays need, when no further step is to be absorbed.
+    /// Precomputes the data that ray queries need; no step is absorbed afterwards.
     fn prepare(&mut self) {}
 
-    /// Makes the lengths larger that POV-Ray counts in units of the scene, whatever the transform of the shape: how fine
-    /// a surface is searched for along a ray, how flat its pieces are.
+    /// Scales the lengths that POV-Ray measures in scene units, whatever the transform of the shape: the resolution of
+    /// a root search along a ray, the flatness of patches.
     fn change_unit(&mut self, _factor: f64) {}
 
-    /// Texture coordinates of a point of the surface piece `face` for `uv_mapping`; `None` for the shapes that have none
-    /// of their own and take those of the world.
+    /// Texture coordinates for `uv_mapping` at a point of surface piece `face`; `None` for shapes without their own,
+    /// which take those of the world.
     fn uv(&self, _point: DVec3, _face: u32) -> Option<[f64; 2]> {
         None
     }
 
-    /// Whether [`Geometry::uv`] is another after a step that [`Geometry::absorb`] has taken in.
+    /// True if [`Geometry::uv`] changes with the steps that [`Geometry::absorb`] applies.
     fn loses_uv(&self) -> bool {
         false
     }
 
-    /// The textures that pieces of the surface have of their own.
+    /// Textures of single surface pieces.
     fn skins(&self) -> &[FaceTexture] {
         &[]
     }
 
-    /// Which of [`Geometry::skins`] a point of the surface piece `face` shows; none if it looks as the object does.
+    /// Weights of [`Geometry::skins`] at a point of surface piece `face`; empty where the texture of the object
+    /// applies.
     fn shares(&self, _point: DVec3, _face: u32) -> TextureWeights {
         TextureWeights::new()
     }
@@ -228,13 +228,13 @@ pub trait Geometry {
         None
     }
 
-    /// Whether it is made of flat pieces, each with a `face` of its own, which a line meets at most once.
+    /// True if the shape consists of flat pieces, each with a `face` of its own, which a line crosses at most once.
     fn is_faceted(&self) -> bool {
         false
     }
 
-    /// The same as [`Geometry::nearest`] without the piece `face`, which the ray has just left. Only faceted shapes are
-    /// asked.
+    /// The same as [`Geometry::nearest`] without the piece `face`, which the ray has just left. Only called for faceted
+    /// shapes.
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
         let mut roots = Vec::new();
         self.roots(ray, &mut roots);
@@ -242,25 +242,26 @@ pub trait Geometry {
         first_visible(&roots, from, to)
     }
 
-    /// Whether it tells by itself the surface that a ray has just left, so that none of its roots is to be hidden. Its
-    /// roots are then those from the start of the ray on, and [`Geometry::roots`] says whether the ray starts inside.
+    /// True if the shape itself excludes the surface that a ray has just left, so that the caller must not hide any of
+    /// its roots. Its roots then begin at the start of the ray, and [`Geometry::roots`] returns the side on which the
+    /// ray starts.
     fn knows_departures(&self) -> bool {
         false
     }
 
-    /// The box by which POV-Ray knows a shape that it holds in a space of its own, turned along some axis, and what
-    /// takes that space to the shape's: for `min_extent` and `max_extent`. `None` where the box is that of the bounds.
+    /// Bounding box for `min_extent` and `max_extent` of a shape that POV-Ray stores in a rotated space of its own, and
+    /// the transform from that space to the shape's. `None` where [`Geometry::bounds`] serves.
     fn held_box(&self) -> Option<(Bounds, DAffine3)> {
         None
     }
 
-    /// Whether [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
+    /// True if [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
     }
 }
 
-/// The list of shapes: variant, description, word, and for a shape with more words the others and their readers.
+/// The list of shapes: variant, description, keyword, and for a shape with more keywords the others and their readers.
 /// A new shape is its file and one line here.
 macro_rules! shapes {
     ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)*),+ $(,)?) => {
@@ -271,11 +272,11 @@ macro_rules! shapes {
         }
 
         impl Shape {
-            /// The words that begin the shapes, in the order of the list.
+            /// The keywords of the shapes, in the order of the list.
             pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)*),+];
 
-            /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
-            /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
+            /// Reads the contents after `word {`: the shape's numbers and its own keywords, neither the object's
+            /// modifiers nor the closing brace. `None` if the keyword begins no shape of this list.
             ///
             /// # Errors
             /// Malformed, non-finite or meaningless parameters.
@@ -289,7 +290,7 @@ macro_rules! shapes {
                 }
             }
 
-            /// The word that begins this shape in a scene, the first of several.
+            /// The keyword of this shape in a scene, the first of several.
             #[must_use]
             pub fn word(&self) -> Word {
                 match self { $(Shape::$name(_) => Word::$word),+ }
@@ -423,10 +424,10 @@ shapes! {
     Parametric from Parametric,
 }
 
-/// What lies within this share of a solid is far from its surface by any rounding.
+/// Fraction of the size of a solid within which a point is inside, whatever is rounded.
 const WELL_INSIDE: f64 = 1.0 - 1e-6;
 
-/// The first visible root strictly between `from` and `to` of roots in order.
+/// The first visible root strictly between `from` and `to`; `roots` are sorted.
 #[inline]
 fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
     roots
@@ -435,7 +436,7 @@ fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
         .copied()
 }
 
-/// A visible span of a bounded solid, `None` if an end is not a finite number.
+/// A visible span of a bounded solid, `None` if an end is not finite.
 #[inline]
 fn span(enter: (f64, u32), leave: (f64, u32)) -> Option<[Root; 2]> {
     let root = |(t, face), crossing| Root {
@@ -448,53 +449,53 @@ fn span(enter: (f64, u32), leave: (f64, u32)) -> Option<[Root; 2]> {
         .then(|| [root(enter, Crossing::Enter), root(leave, Crossing::Leave)])
 }
 
-/// The span on the ray as it was given, of a span on the eased ray.
-fn unease(eased: &RescaledRay, roots: [Root; 2]) -> Option<[Root; 2]> {
+/// Converts a span on the rescaled ray to the original ray.
+fn original_span(rescaled: &RescaledRay, roots: [Root; 2]) -> Option<[Root; 2]> {
     let roots = roots.map(|root| Root {
-        t: eased.t(root.t),
+        t: rescaled.t(root.t),
         ..root
     });
     roots.iter().all(|root| root.t.is_finite()).then_some(roots)
 }
 
-/// What turns the z axis to a unit direction by the shortest way, and moves the origin: where POV-Ray holds discs,
-/// cylinders and cones.
+/// Rotation from the z axis to a unit direction along the shortest arc, followed by a translation: the space in which
+/// POV-Ray stores discs, cylinders and cones.
 fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
     let to_z = 1.0 + dir.z;
     let matrix = if to_z < 1e-10 {
         DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))
     } else {
         let (a, b) = (dir.x, dir.y);
-        let mixed = -a * b / to_z;
+        let xy = -a * b / to_z;
         DMat3::from_cols(
-            DVec3::new(1.0 - a * a / to_z, mixed, -a),
-            DVec3::new(mixed, 1.0 - b * b / to_z, -b),
+            DVec3::new(1.0 - a * a / to_z, xy, -a),
+            DVec3::new(xy, 1.0 - b * b / to_z, -b),
             dir,
         )
     };
     DAffine3::from_mat3_translation(matrix, origin)
 }
 
-/// The roots on one ray of a surface that cuts space in two.
+/// Roots on one ray of a surface that separates an inside from an outside.
 type Crossings = SmallVec<[Root; 8]>;
 
-/// The visible roots of one smooth surface, face 0, at places in order, through each of which the line goes in or out.
-/// Those that lie beyond all numbers are left out, and the start is then on this side of them.
-fn alternate(start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
+/// Visible roots of one smooth surface, face 0, at the sorted parameters of its crossings; entry and exit alternate. A
+/// parameter that has overflowed yields no root; below zero it moves the start to the other side instead.
+fn alternate(start: Start, params: impl Iterator<Item = f64>) -> (Start, Crossings) {
     let mut roots = Crossings::new();
-    let start = alternate_into(start, places, |root| roots.push(root));
+    let start = alternate_into(start, params, |root| roots.push(root));
     (start, roots)
 }
 
-/// The same; each root is given to `put`.
+/// Like [`alternate`], but passes each root to `push`.
 #[inline(always)]
 fn alternate_into(
     mut start: Start,
-    places: impl Iterator<Item = f64>,
-    mut put: impl FnMut(Root),
+    params: impl Iterator<Item = f64>,
+    mut push: impl FnMut(Root),
 ) -> Start {
     let mut is_inside = start == Start::Inside;
-    for t in places {
+    for t in params {
         let crossing = if is_inside {
             Crossing::Leave
         } else {
@@ -502,7 +503,7 @@ fn alternate_into(
         };
         is_inside = !is_inside;
         if t.is_finite() {
-            put(Root {
+            push(Root {
                 t,
                 crossing,
                 face: 0,
@@ -518,7 +519,8 @@ fn alternate_into(
     start
 }
 
-/// What lies so far aside of something, as a share of the lengths that it is worked out from, does so for all roundings.
+/// Relative margin beyond all rounding: the distance from an edge, as a fraction of the lengths in the computation, at
+/// which a point is certainly to one side of it.
 const SURELY_ASIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// Appends the span of a convex bounded solid.
@@ -529,10 +531,10 @@ fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
     Start::Outside
 }
 
-/// The factor of a scaling that turns spheres into spheres; mirrors count.
+/// The factor of a scaling that maps spheres to spheres, mirrorings included.
 fn even_scale(by: DVec3) -> Option<f64> {
-    let size = by.abs();
-    (size.x == size.y && size.y == size.z).then_some(size.x)
+    let factors = by.abs();
+    (factors.x == factors.y && factors.y == factors.z).then_some(factors.x)
 }
 
 #[cfg(test)]

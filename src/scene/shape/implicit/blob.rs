@@ -1,19 +1,20 @@
-//! `blob { threshold, spheres and cylinders of a field }`: where the sum of all fields exceeds the threshold.
+//! `blob { threshold, spheres and cylinders of a field }`: the isosurface at which the sum of all fields equals the
+//! threshold.
 //!
 //! A component has the field `strength · (1 − d²)²`, where `d` is the distance from its centre (of a cylinder: from the
-//! stretch between its ends) in units of its radius, and none where `d > 1`. Along a ray `d²` is quadratic, so that
-//! between the places where the ray enters or leaves a component, or passes an end of a cylinder, the sum is a quartic.
-//! Each such stretch is centred and scaled to -1..1. Neighbouring stretches share the sign of the field, taken at the
-//! place between them, so that no root is lost there. Error bound: roots lie within 2 roundings of the problem's size from
-//! the surface, where the field does not stand still (`shape/roundings.rs`).
+//! segment between its ends) in units of its radius, and none where `d > 1`. Along a ray `d²` is quadratic, so that the
+//! sum is a quartic on each interval between two neighbouring joints: the points where the ray enters or leaves a
+//! component, or passes an end of a cylinder. Each interval is mapped to -1..1. Neighbouring intervals share the sign
+//! of the field at their joint, so that no root is lost there. Error bound: roots lie within 2 roundings of the
+//! problem's size from the surface, where the gradient of the field is not zero (`shape/roundings.rs`).
 //!
-//! Where the threshold is negative the solid is everything outside the surface (checked with POV-Ray).
+//! With a negative threshold the solid is everything outside the surface (checked with POV-Ray).
 
 mod component;
 mod reach;
 
-use self::component::{Component, Part, Parts};
-use self::reach::Reach;
+use self::component::{Component, Segment, Segments};
+use self::reach::BoundingSpheres;
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::roots::quartic::quartic_changes_between;
@@ -28,41 +29,41 @@ use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// POV-Ray's, for a blob without `threshold`.
+/// POV-Ray's threshold for a blob without `threshold`.
 const THRESHOLD: f64 = 1.0;
-/// With fewer components each is asked by itself.
-const TREE_FROM: usize = 8;
+/// Blobs with fewer components have no BVH.
+const MIN_COMPONENTS_FOR_BVH: usize = 8;
 
-/// A sum of bounds on fields is right to more than this, as a share of the threshold.
-const LOW: f64 = 1.0 - 1e-9;
+/// Relative safety margin for a sum of field bounds, above its rounding error.
+const SAFETY: f64 = 1.0 - 1e-9;
 
-/// Some of the parts, one bit each.
+/// Set of segments, one bit each.
 type Bits = SmallVec<[u64; 2]>;
-/// Bits of one number of them.
+/// Bits per word of [`Bits`].
 const WORD: usize = 64;
 
-/// A surface of equal field. It is one smooth piece, face 0.
+/// An isosurface of the field. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blob(Arc<Field>);
 
 #[derive(Clone, Debug)]
 struct Field {
     components: Vec<Component>,
-    /// The textures that components have of their own.
-    skins: Vec<FaceTexture>,
+    /// Textures of single components.
+    textures: Vec<FaceTexture>,
     threshold: f64,
     bounds: Bounds,
-    tree: Option<Bvh>,
-    /// The balls around components that are not too many, in the order in which they are visited.
-    reach: Option<Reach>,
+    bvh: Option<Bvh>,
+    /// Bounding spheres, if there are not too many components, in the order of `order`.
+    spheres: Option<BoundingSpheres>,
     order: Vec<u32>,
 }
 
 impl PartialEq for Field {
-    /// The rest follows.
+    /// The other fields follow from these.
     fn eq(&self, other: &Self) -> bool {
         self.components == other.components
-            && self.skins == other.skins
+            && self.textures == other.textures
             && self.threshold == other.threshold
     }
 }
@@ -75,15 +76,15 @@ impl Blob {
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let mut threshold = THRESHOLD;
         let mut components = Vec::new();
-        let mut skins = Vec::new();
+        let mut textures = Vec::new();
         loop {
             if args.accept(Word::Threshold)? {
                 threshold = read::number(args, "the threshold of the blob")?;
             } else if let Some((mut component, texture)) = Component::read(args)? {
                 if let Some(texture) = texture {
                     component.skin =
-                        u32::try_from(skins.len()).unwrap_or(TextureWeight::OF_THE_OBJECT);
-                    skins.push(FaceTexture(Arc::new(texture)));
+                        u32::try_from(textures.len()).unwrap_or(TextureWeight::OF_THE_OBJECT);
+                    textures.push(FaceTexture(Arc::new(texture)));
                 }
                 components.push(component);
             } else {
@@ -95,139 +96,157 @@ impl Blob {
                 .with_hint("write `sphere { <centre>, radius, strength }` behind the threshold");
             return Err(Box::new(error));
         }
-        Ok(Blob::new(components, skins, threshold))
+        Ok(Blob::new(components, textures, threshold))
     }
 
-    fn new(components: Vec<Component>, skins: Vec<FaceTexture>, threshold: f64) -> Self {
+    fn new(components: Vec<Component>, textures: Vec<FaceTexture>, threshold: f64) -> Self {
         let boxes: Vec<Bounds> = components.iter().map(Component::bounds).collect();
-        let reach = |sign: f64| {
+        let union_of = |sign: f64| {
             let some = components.iter().zip(&boxes);
             some.filter(|(component, _)| sign * component.strength > 0.0)
                 .fold(Bounds::EMPTY, |sum, (_, bounds)| sum.union(bounds))
         };
-        // Only what adds can lift the field above a threshold that it is not above anyway.
-        let bounds = reach(if threshold < 0.0 { -1.0 } else { 1.0 });
-        let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes));
-        let order = match &tree {
-            Some(tree) => tree.order(),
+        // Only components of the right sign can lift the field above the threshold.
+        let bounds = union_of(if threshold < 0.0 { -1.0 } else { 1.0 });
+        let bvh = (components.len() >= MIN_COMPONENTS_FOR_BVH).then(|| Bvh::build(&boxes));
+        let order = match &bvh {
+            Some(bvh) => bvh.order(),
             None => (0..).zip(&components).map(|(number, _)| number).collect(),
         };
-        let visited = order.iter().map(|&number| &components[number as usize]);
-        let reach = Reach::new(visited);
+        let ordered = order.iter().map(|&number| &components[number as usize]);
+        let spheres = BoundingSpheres::new(ordered);
         Blob(Arc::new(Field {
             components,
-            skins,
+            textures,
             threshold,
             bounds,
-            tree,
-            reach,
+            bvh,
+            spheres,
             order,
         }))
     }
 }
 
 impl Field {
-    /// Gathers the parts of components that the line of a ray passes.
-    fn gather(&self, ray: &Ray, parts: &mut Parts) {
-        if let Some(reach) = &self.reach {
-            let mut met = with_widest(|lanes| reach.met(lanes, ray));
-            while let Some(&number) = self.order.get(met.trailing_zeros() as usize) {
-                met &= met - 1;
-                self.components[number as usize].parts(ray, parts);
+    /// Collects the segments of the ray inside the components.
+    fn gather(&self, ray: &Ray, segments: &mut Segments) {
+        if let Some(spheres) = &self.spheres {
+            let mut hit_mask = with_widest(|lanes| spheres.hit_mask(lanes, ray));
+            while let Some(&number) = self.order.get(hit_mask.trailing_zeros() as usize) {
+                hit_mask &= hit_mask - 1;
+                self.components[number as usize].segments(ray, segments);
             }
             return;
         }
-        match &self.tree {
+        match &self.bvh {
             None => {
                 for component in &self.components {
-                    component.parts(ray, parts);
+                    component.segments(ray, segments);
                 }
             }
-            Some(tree) => {
-                tree.any(ray, f64::NEG_INFINITY, f64::INFINITY, |number| {
-                    self.components[number as usize].parts(ray, parts);
+            Some(bvh) => {
+                bvh.any(ray, f64::NEG_INFINITY, f64::INFINITY, |number| {
+                    self.components[number as usize].segments(ray, segments);
                     false
                 });
             }
         }
     }
 
-    /// The roots on the stretches of a ray between `from` and `to`, with perhaps some outside; what comes behind a root
+    /// Roots of a ray in the intervals that overlap `from..to`, perhaps with some outside; roots after the first one
     /// beyond `enough` may be missing.
-    fn crossings(&self, ray: &Ray, (from, to): (f64, f64), enough: f64) -> Crossings {
+    fn crossings(&self, ray: &Ray, from: f64, to: f64, enough: f64) -> Crossings {
         let mut roots = Crossings::new();
-        let mut parts = Parts::new();
-        self.gather(ray, &mut parts);
-        // Summed in another order than those of a stretch.
-        if parts.iter().map(Part::most).sum::<f64>() < LOW * LOW * self.threshold {
+        let mut segments = Segments::new();
+        self.gather(ray, &mut segments);
+        // The safety factor is squared since this sum has another order than the sum of an interval.
+        if segments.iter().map(Segment::max_field).sum::<f64>() < SAFETY * SAFETY * self.threshold {
             return roots;
         }
-        let ends = Ends::new(&parts);
-        let mut at = 0;
-        let (mut here, mut next) = (Covering::none_of(&parts), Covering::none_of(&parts));
-        let (mut low, mut starts_inside) = (f64::NEG_INFINITY, self.is_inside(0.0));
-        while let Some(joint) = ends.place(at) {
-            if low >= to || roots.last().is_some_and(|root| root.t > enough) {
+        let ends = SegmentEnds::new(&segments);
+        let mut index = 0;
+        let (mut active, mut next_active) = (
+            ActiveSegments::none(&segments),
+            ActiveSegments::none(&segments),
+        );
+        let (mut interval_start, mut starts_inside) = (f64::NEG_INFINITY, self.is_inside(0.0));
+        while let Some(joint) = ends.joint(index) {
+            if interval_start >= to || roots.last().is_some_and(|root| root.t > enough) {
                 break;
             }
-            next.covers.copy_from_slice(&here.covers);
-            at = ends.cross(at, &mut next.covers);
-            next.bound(&parts);
-            // None is looked at that ends before the ray begins.
-            if joint > from || ends.place(at).is_some_and(|end| end > from) {
-                let ends_inside = self.is_inside_at(&parts, (&here, &next), joint);
-                let is_empty = here.is_empty() || joint <= from;
-                let is_outside = !starts_inside && !ends_inside && self.is_too_low(here.most);
+            next_active.bits.copy_from_slice(&active.bits);
+            index = ends.toggle_ends(index, &mut next_active.bits);
+            next_active.bound(&segments);
+            // Skip intervals that end before the ray begins.
+            if joint > from || ends.joint(index).is_some_and(|end| end > from) {
+                let ends_inside = self.is_inside_at(&segments, &active, &next_active, joint);
+                let is_empty = active.is_empty() || joint <= from;
+                let is_outside =
+                    !starts_inside && !ends_inside && self.is_surely_below(active.max_field);
                 if !is_empty && !is_outside {
-                    let sides = (starts_inside, ends_inside);
-                    self.solve((&parts, &here), (low, joint), sides, &mut roots);
+                    let interval = Interval {
+                        low: interval_start,
+                        high: joint,
+                        starts_inside,
+                        ends_inside,
+                    };
+                    self.solve(&segments, &active, &interval, &mut roots);
                 }
                 starts_inside = ends_inside;
             }
-            low = joint;
-            std::mem::swap(&mut here, &mut next);
+            interval_start = joint;
+            std::mem::swap(&mut active, &mut next_active);
         }
         roots
     }
 
-    /// The side at the joint of two stretches.
+    /// Inside test at the joint of two intervals.
     fn is_inside_at(
         &self,
-        parts: &[Part],
-        (before, behind): (&Covering, &Covering),
+        segments: &[Segment],
+        active: &ActiveSegments,
+        next_active: &ActiveSegments,
         joint: f64,
     ) -> bool {
-        if before.is_empty() || behind.is_empty() {
+        if active.is_empty() || next_active.is_empty() {
             return self.is_inside(0.0);
         }
-        if self.is_too_low(before.most) {
+        if self.is_surely_below(active.max_field) {
             return false;
         }
         let mut field = 0.0;
-        before.each(parts, |part| field += part.field(joint));
+        active.each_segment(segments, |segment| field += segment.field(joint));
         self.is_inside(field)
     }
 
-    /// Tells whether a field that is nowhere above this is nowhere above the threshold, by more than rounding.
-    fn is_too_low(&self, most: f64) -> bool {
-        most < LOW * self.threshold
+    /// True if a field bounded by `max_field` is below the threshold, by more than rounding.
+    fn is_surely_below(&self, max_field: f64) -> bool {
+        max_field < SAFETY * self.threshold
     }
 
     fn solve(
         &self,
-        (parts, here): (&[Part], &Covering),
-        (low, high): (f64, f64),
-        (starts_inside, ends_inside): (bool, bool),
+        segments: &[Segment],
+        active: &ActiveSegments,
+        interval: &Interval,
         roots: &mut Crossings,
     ) {
+        let Interval {
+            low,
+            high,
+            starts_inside,
+            ends_inside,
+        } = *interval;
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        // How much the field lacks.
+        // Threshold minus field.
         let mut quartic = [self.threshold, 0.0, 0.0, 0.0, 0.0];
-        here.each(parts, |part| part.take_from(&mut quartic, middle, half));
-        let mut is_inside = starts_inside;
-        for place in quartic_changes_between(&quartic, starts_inside, ends_inside) {
-            roots.push(Root::on_smooth(middle + half * place, is_inside));
-            is_inside = !is_inside;
+        active.each_segment(segments, |segment| {
+            segment.subtract_from(&mut quartic, middle, half)
+        });
+        let mut is_exit = starts_inside;
+        for x in quartic_changes_between(&quartic, starts_inside, ends_inside) {
+            roots.push(Root::on_smooth(middle + half * x, is_exit));
+            is_exit = !is_exit;
         }
     }
 
@@ -235,12 +254,12 @@ impl Field {
         field > self.threshold
     }
 
-    /// The components that may reach a point.
+    /// Visits the components whose field may reach a point.
     fn around(&self, point: DVec3, mut visit: impl FnMut(&Component)) {
-        match &self.tree {
+        match &self.bvh {
             None => self.components.iter().for_each(visit),
-            Some(tree) => {
-                tree.around(point, |number| {
+            Some(bvh) => {
+                bvh.around(point, |number| {
                     visit(&self.components[number as usize]);
                     false
                 });
@@ -249,81 +268,89 @@ impl Field {
     }
 }
 
-/// The parts that cover a stretch.
-struct Covering {
-    covers: Bits,
-    /// Nowhere the field is above this.
-    most: f64,
+/// An interval between two joints of a ray, with the inside state at both.
+struct Interval {
+    low: f64,
+    high: f64,
+    starts_inside: bool,
+    ends_inside: bool,
 }
 
-impl Covering {
-    fn none_of(parts: &[Part]) -> Self {
-        Covering {
-            covers: Bits::from_elem(0, parts.len().div_ceil(WORD)),
-            most: 0.0,
+/// The segments that overlap an interval.
+struct ActiveSegments {
+    bits: Bits,
+    /// Upper bound of the field.
+    max_field: f64,
+}
+
+impl ActiveSegments {
+    fn none(segments: &[Segment]) -> Self {
+        ActiveSegments {
+            bits: Bits::from_elem(0, segments.len().div_ceil(WORD)),
+            max_field: 0.0,
         }
     }
 
     fn is_empty(&self) -> bool {
-        self.covers.iter().all(|word| *word == 0)
+        self.bits.iter().all(|word| *word == 0)
     }
 
-    fn bound(&mut self, parts: &[Part]) {
-        let mut most = 0.0;
-        self.each(parts, |part| most += part.most());
-        self.most = most;
+    fn bound(&mut self, segments: &[Segment]) {
+        let mut max_field = 0.0;
+        self.each_segment(segments, |segment| max_field += segment.max_field());
+        self.max_field = max_field;
     }
 
-    /// In the order of their numbers.
+    /// Visits the segments in the order of their indices.
     #[inline(always)]
-    fn each(&self, parts: &[Part], mut visit: impl FnMut(&Part)) {
-        for (&word, first) in self.covers.iter().zip((0..).step_by(WORD)) {
-            let mut left = word;
-            while left != 0 {
-                visit(&parts[first + left.trailing_zeros() as usize]);
-                left &= left - 1;
+    fn each_segment(&self, segments: &[Segment], mut visit: impl FnMut(&Segment)) {
+        for (&word, first) in self.bits.iter().zip((0..).step_by(WORD)) {
+            let mut remaining = word;
+            while remaining != 0 {
+                visit(&segments[first + remaining.trailing_zeros() as usize]);
+                remaining &= remaining - 1;
             }
         }
     }
 }
 
-/// Where parts begin and end on a ray, in order.
-struct Ends(SmallVec<[(f64, u32); 24]>);
+/// Ends of the segments of a ray, sorted, each with the index of its segment.
+struct SegmentEnds(SmallVec<[(f64, u32); 24]>);
 
-impl Ends {
-    fn new(parts: &[Part]) -> Self {
-        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::with_capacity(2 * parts.len());
-        for (part, number) in parts.iter().zip(0..) {
-            ends.push((part.from, number));
-            ends.push((part.to, number));
+impl SegmentEnds {
+    fn new(segments: &[Segment]) -> Self {
+        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::with_capacity(2 * segments.len());
+        for (segment, number) in segments.iter().zip(0..) {
+            ends.push((segment.from, number));
+            ends.push((segment.to, number));
         }
         ends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        Ends(ends)
+        SegmentEnds(ends)
     }
 
-    fn place(&self, at: usize) -> Option<f64> {
-        self.0.get(at).map(|end| end.0)
+    fn joint(&self, index: usize) -> Option<f64> {
+        self.0.get(index).map(|end| end.0)
     }
 
-    /// Goes past all ends at one place: what begins there covers what follows, and what ends there does not.
-    fn cross(&self, mut at: usize, covers: &mut [u64]) -> usize {
-        let Some(joint) = self.place(at) else {
-            return at;
+    /// Passes all ends at one joint: segments that begin there become active, segments that end there inactive.
+    fn toggle_ends(&self, mut index: usize, bits: &mut [u64]) -> usize {
+        let Some(joint) = self.joint(index) else {
+            return index;
         };
-        while let Some(&(place, number)) = self.0.get(at)
-            && place == joint
+        while let Some(&(t, number)) = self.0.get(index)
+            && t == joint
         {
-            covers[number as usize / WORD] ^= 1 << (number as usize % WORD);
-            at += 1;
+            bits[number as usize / WORD] ^= 1 << (number as usize % WORD);
+            index += 1;
         }
-        at
+        index
     }
 }
 
 impl Geometry for Blob {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
-        roots.extend(self.0.crossings(ray, everywhere, f64::INFINITY));
+        let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
+        roots.extend(self.0.crossings(ray, from, to, f64::INFINITY));
         if self.0.is_inside(0.0) {
             Start::Inside
         } else {
@@ -332,13 +359,12 @@ impl Geometry for Blob {
     }
 
     fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
-        let ahead = (from, f64::INFINITY);
-        roots.extend(self.0.crossings(ray, ahead, enough));
+        roots.extend(self.0.crossings(ray, from, f64::INFINITY, enough));
         false
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.0.crossings(ray, (from, to), from), from, to)
+        first_visible(&self.0.crossings(ray, from, to, from), from, to)
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
@@ -376,28 +402,28 @@ impl Geometry for Blob {
     }
 
     fn skins(&self) -> &[FaceTexture] {
-        &self.0.skins
+        &self.0.textures
     }
 
-    /// Each component has a share as large as its field there, whether it adds or takes away.
+    /// Each component is weighted by its field at the point, whether it adds or subtracts.
     fn shares(&self, point: DVec3, _: u32) -> TextureWeights {
-        let mut shares = TextureWeights::new();
-        if self.0.skins.is_empty() {
-            return shares;
+        let mut weights = TextureWeights::new();
+        if self.0.textures.is_empty() {
+            return weights;
         }
         let mut sum = 0.0;
         self.0.around(point, |component| {
             let weight = component.field(point).abs();
             if weight > 0.0 {
                 let skin = component.skin;
-                shares.push(TextureWeight { weight, skin });
+                weights.push(TextureWeight { weight, skin });
                 sum += weight;
             }
         });
-        for share in &mut shares {
-            share.weight /= sum;
+        for entry in &mut weights {
+            entry.weight /= sum;
         }
-        shares
+        weights
     }
 }
 

@@ -1,52 +1,51 @@
-//! `isosurface { function { ... } [contained_by { ... }] [threshold] [accuracy] [max_gradient] [open] ... }`: where a
-//! function of the point has the value `threshold`; inside it is smaller.
+//! `isosurface { function { ... } [contained_by { ... }] [threshold] [accuracy] [max_gradient] [open] ... }`: the
+//! surface on which a function of the point has the value `threshold`; inside the function is smaller.
 //!
-//! Between two places of a ray there is no root if the values there are too large to fall to zero at `max_gradient`, the
-//! most that the function changes in a unit of length; otherwise the stretch is halved, down to `accuracy` (Lipschitz
-//! bounds; Kalra and Barr 1989). This is POV-Ray's search, to the ends of its stretches, since its roots lie up to
-//! `accuracy` beyond the surface: a finer one would show another picture, and so would one that found what a wrong
-//! `max_gradient` loses.
+//! There is no root between two points of a ray if the values there are too large to fall to zero at `max_gradient`,
+//! the greatest change of the function per unit of length; otherwise the interval is halved, down to `accuracy`
+//! (Lipschitz bounds; Kalra and Barr 1989). The search visits the same intervals as POV-Ray's, since its roots lie up
+//! to `accuracy` beyond the surface: a finer search would change the image, and so would one that finds what a wrong
+//! `max_gradient` misses.
 //!
-//! Error bound: `accuracy` along the ray, as POV-Ray's (`tests/stability`, item 51), and that alone.
+//! Error bound: `accuracy` along the ray, as in POV-Ray (`tests/stability`), and nothing else.
 //!
-//! `evaluate` raises the gradient along each ray anew; in POV-Ray it stays raised for the rays that come later, so that
-//! the picture depends on their order. Normals are differences over `accuracy`.
+//! `evaluate` raises the gradient separately for each ray; in POV-Ray it stays raised for later rays, so that the image
+//! depends on their order. Normals are finite differences over `accuracy`.
 //!
-//! What can be seen, and what lies inside, are two things in a combination (measured with POV-Ray): the inside is exact,
-//! but of the surface a ray shows no more than its first `max_trace` roots. The container is seen where a ray that
-//! comes from outside enters the solid through it, and there again as the first of the roots, `accuracy` behind; and
-//! where a ray that starts within it leaves the solid through it, unless the function is zero there. Neither counts as a
-//! root.
+//! In CSG, visibility and the inside are independent (measured with POV-Ray): the inside is exact, but a ray shows no
+//! more than its first `max_trace` roots of the surface. The container is visible where a ray from outside enters the
+//! solid through it, and again as the first root, `accuracy` further on; and where a ray that starts within it leaves
+//! the solid through it, unless the function is zero there. Neither counts as a root.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::function::{self, Function};
-use crate::scene::shape::container::{Container, End};
+use crate::scene::shape::container::Container;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, read};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// A search goes on so many accuracies behind a root, and begins so far from a surface that a ray leaves.
-const AFTER_ROOT: f64 = 5.0;
-/// A ray that begins where the function is so many accuracies times the gradient begins at the surface.
-const AT_SURFACE: f64 = 4.0;
-/// Halvings of a stretch: more than the digits of a number.
-const MOST_HALVINGS: u32 = 64;
-/// Pieces into which the stretch of one ray is cut. Only numbers that mean nothing need more (a container of 10³⁰ and a
-/// gradient as large), and POV-Ray does not end there.
-const MOST_PIECES: u32 = 1 << 18;
-/// Roots of one ray that `all_intersections` shows, and the largest `max_trace`.
-const MOST_TRACED: u32 = 10;
-/// Roots of one ray.
-const MOST_ROOTS: usize = 1000;
-/// What `accuracy` and `max_gradient` are where the scene says nothing.
+/// Distance in accuracies at which the search resumes after a root, or begins on a ray that leaves a surface.
+const RESUME_AFTER_ROOT: f64 = 5.0;
+/// A ray starts on the surface if the function there is below this many accuracies times the gradient.
+const ON_SURFACE: f64 = 4.0;
+/// Depth of bisection: more than the bits of a number.
+const MAX_DEPTH: u32 = 64;
+/// Intervals that the search may visit on one ray. Only meaningless settings need more (a container of 10³⁰ and a
+/// gradient as large), and POV-Ray does not terminate there.
+const MAX_INTERVALS: u32 = 1 << 18;
+/// Visible roots of one ray with `all_intersections`, and the largest `max_trace`.
+const MAX_VISIBLE: u32 = 10;
+/// Limit of roots of one ray.
+const MAX_ROOTS: usize = 1000;
+/// Defaults of `accuracy` and `max_gradient`.
 const ACCURACY: f64 = 0.001;
 const MAX_GRADIENT: f64 = 1.1;
-/// The face of the surface itself; those of the container have smaller numbers.
+/// Face number of the surface itself; faces of the container have smaller numbers.
 const SURFACE: u32 = Container::FACES;
 
-/// A surface of a function. Copies share it.
+/// An isosurface of a function. Copies share it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Isosurface(Arc<Solid>);
 
@@ -56,35 +55,35 @@ struct Solid {
     container: Container,
     threshold: f64,
     accuracy: f64,
-    /// The length in which `accuracy` counts along a ray; POV-Ray has it 1 whatever the transform of the object.
+    /// The unit of `accuracy` along a ray; POV-Ray uses 1 whatever the transform of the object.
     unit: f64,
     gradient: f64,
     evaluate: Option<Evaluate>,
-    /// How many roots of a ray can be seen.
-    traced: u32,
+    /// Number of visible roots per ray.
+    visible_count: u32,
     is_open: bool,
 }
 
-/// How the gradient grows: `evaluate least, factor, ...`.
+/// Growth of the gradient: `evaluate least, factor, ...`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Evaluate {
     factor: f64,
 }
 
 impl PartialEq for Solid {
-    /// Functions are the same if they are one.
+    /// Functions are equal if they share one value.
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.function, &other.function)
             && self.container == other.container
             && [self.threshold, self.accuracy, self.gradient]
                 == [other.threshold, other.accuracy, other.gradient]
             && self.evaluate == other.evaluate
-            && (self.is_open, self.traced) == (other.is_open, other.traced)
+            && (self.is_open, self.visible_count) == (other.is_open, other.visible_count)
     }
 }
 
 impl Isosurface {
-    /// Reads the function and the words of the surface.
+    /// Reads the function and the keywords of the isosurface.
     ///
     /// # Errors
     /// A missing or malformed function, or malformed or non-finite parameters.
@@ -100,7 +99,7 @@ impl Isosurface {
             unit: 1.0,
             gradient: MAX_GRADIENT,
             evaluate: None,
-            traced: 1,
+            visible_count: 1,
             is_open: false,
         };
         while read_word(args, &mut solid)? {}
@@ -108,7 +107,7 @@ impl Isosurface {
     }
 }
 
-/// Reads one of the words that may stand in any order; false if none is next.
+/// Reads one of the keywords that may come in any order; false if none is next.
 fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
     if args.accept(Word::ContainedBy)? {
         solid.container = Container::read(args)?;
@@ -125,12 +124,12 @@ fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
         solid.gradient = least;
         solid.evaluate = Some(Evaluate { factor });
     } else if args.accept(Word::MaxTrace)? {
-        let traced = args.float()?;
-        let more = (2..=MOST_TRACED).take_while(|&count| f64::from(count) <= traced);
-        solid.traced = more.last().unwrap_or(1);
+        let max_trace = args.float()?;
+        let more = (2..=MAX_VISIBLE).take_while(|&count| f64::from(count) <= max_trace);
+        solid.visible_count = more.last().unwrap_or(1);
     } else if args.accept(Word::AllIntersections)? {
         if args.float_or(1.0)? != 0.0 {
-            solid.traced = MOST_TRACED;
+            solid.visible_count = MAX_VISIBLE;
         }
     } else if args.accept(Word::Open)? {
         solid.is_open = args.float_or(1.0)? != 0.0;
@@ -140,7 +139,7 @@ fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
     Ok(true)
 }
 
-/// A positive number; of another the scene's author is warned, and it is `default`, as in POV-Ray.
+/// Reads a positive number; any other gives a warning and is replaced by `default`, as in POV-Ray.
 fn positive(args: &mut dyn Args, word: &str, default: f64) -> Parse<f64> {
     args.comma()?;
     let at = args.span();
@@ -160,7 +159,7 @@ fn positive(args: &mut dyn Args, word: &str, default: f64) -> Parse<f64> {
 
 impl Solid {
     /// The accuracy along a ray.
-    fn way(&self) -> f64 {
+    fn ray_accuracy(&self) -> f64 {
         self.unit * self.accuracy
     }
 
@@ -168,8 +167,9 @@ impl Solid {
         self.function.eval(&point.to_array()) - self.threshold
     }
 
-    /// Gives the roots of a ray from its start on, in order, until `emit` says to stop. Says whether it starts inside.
-    /// A ray that starts on the surface has left it: POV-Ray takes the function's sign a little further on.
+    /// Passes the roots of a ray from its start on, in order, to `emit` until it returns false. Returns the side on
+    /// which the ray starts. A ray that starts on the surface has just left it: POV-Ray takes the function's sign a
+    /// little further on.
     fn follow(&self, ray: &Ray, emit: &mut dyn FnMut(Root) -> bool) -> Start {
         let Some([enter, leave]) = self.container.chord(ray) else {
             return Start::Outside;
@@ -180,42 +180,42 @@ impl Solid {
         let mut search = Search {
             solid: self,
             ray,
-            speed: ray.dir.length(),
+            dir_length: ray.dir.length(),
             gradient: self.gradient,
-            pieces: 0,
+            intervals: 0,
         };
         let mut is_inside = false;
-        let mut at = enter.0.max(0.0);
-        let mut traced = 0;
-        let value = search.value(at, 1.0);
-        let starts_outside = enter.0 > self.way();
+        let mut start_t = enter.0.max(0.0);
+        let mut root_count = 0;
+        let value = search.value(start_t, 1.0);
+        let starts_outside = enter.0 > self.ray_accuracy();
         if starts_outside {
             is_inside = value < 0.0;
-            if is_inside && !emit(self.face(enter, Crossing::Enter)) {
+            if is_inside && !emit(self.container_root(enter.0, enter.1, Crossing::Enter)) {
                 return Start::Outside;
             }
             if is_inside && !self.is_open {
-                let again = search.root(at, leave.0, 1.0);
+                let again = search.root(start_t, leave.0, 1.0);
                 if let Some(t) = again {
-                    at = t + AFTER_ROOT * self.way();
-                    traced = 1;
-                    if !emit(self.surface(t, Crossing::Touch, true)) {
+                    start_t = t + RESUME_AFTER_ROOT * self.ray_accuracy();
+                    root_count = 1;
+                    if !emit(self.surface_root(t, Crossing::Touch, true)) {
                         return Start::Outside;
                     }
                 }
             }
-        } else if value < self.gradient * self.accuracy * AT_SURFACE {
+        } else if value < self.gradient * self.accuracy * ON_SURFACE {
             // This may lie beyond the container, whose end is then the root.
-            at = AFTER_ROOT * self.way();
-            is_inside = search.value(at, 1.0) < 0.0;
+            start_t = RESUME_AFTER_ROOT * self.ray_accuracy();
+            is_inside = search.value(start_t, 1.0) < 0.0;
         }
-        let start = if is_inside && !starts_outside {
+        let start_side = if is_inside && !starts_outside {
             Start::Inside
         } else {
             Start::Outside
         };
-        for _ in 0..MOST_ROOTS {
-            let Some(t) = search.root(at, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
+        for _ in 0..MAX_ROOTS {
+            let Some(t) = search.root(start_t, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
             let crossing = if is_inside {
@@ -224,58 +224,66 @@ impl Solid {
                 Crossing::Enter
             };
             is_inside = !is_inside;
-            at = t + AFTER_ROOT * self.way();
-            traced += 1;
-            if !emit(self.surface(t, crossing, traced <= self.traced)) {
-                return start;
+            start_t = t + RESUME_AFTER_ROOT * self.ray_accuracy();
+            root_count += 1;
+            if !emit(self.surface_root(t, crossing, root_count <= self.visible_count)) {
+                return start_side;
             }
-            if at >= leave.0 {
+            if start_t >= leave.0 {
                 break;
             }
         }
         if is_inside {
-            let face = self.face(leave, Crossing::Leave);
-            // Where the surface itself lies in the container's, neither is seen from inside (measured with POV-Ray).
-            let is_seen = face.is_visible && !starts_outside && search.value(leave.0, 1.0) != 0.0;
+            let container_root = self.container_root(leave.0, leave.1, Crossing::Leave);
+            // Where the surface coincides with the container's, neither is visible from inside (measured with POV-Ray).
+            let is_seen =
+                container_root.is_visible && !starts_outside && search.value(leave.0, 1.0) != 0.0;
             emit(Root {
                 is_visible: is_seen,
-                ..face
+                ..container_root
             });
         }
-        start
+        start_side
     }
 
     /// A root of the function.
-    fn surface(&self, t: f64, crossing: Crossing, is_traced: bool) -> Root {
+    fn surface_root(&self, t: f64, crossing: Crossing, is_traced: bool) -> Root {
         Root {
             t,
             crossing,
             face: SURFACE,
-            is_visible: is_traced && t > self.way(),
+            is_visible: is_traced && t > self.ray_accuracy(),
         }
     }
 
     /// A root on the container.
-    fn face(&self, (t, face): End, crossing: Crossing) -> Root {
+    fn container_root(&self, t: f64, face: u32, crossing: Crossing) -> Root {
         Root {
             t,
             crossing,
             face,
-            is_visible: !self.is_open && t > self.way(),
+            is_visible: !self.is_open && t > self.ray_accuracy(),
         }
     }
 }
 
-/// The search for a root on a ray.
+/// The root search on a ray.
 struct Search<'a> {
     solid: &'a Solid,
     ray: &'a Ray,
-    /// The length of the ray's direction.
-    speed: f64,
-    /// The gradient, which may grow.
+    /// Length of the ray's direction.
+    dir_length: f64,
+    /// The current gradient, which `evaluate` may raise.
     gradient: f64,
-    /// How many pieces of the ray were looked at.
-    pieces: u32,
+    /// Number of intervals visited.
+    intervals: u32,
+}
+
+/// The function's value at a point of a ray.
+#[derive(Clone, Copy)]
+struct Sample {
+    t: f64,
+    value: f64,
 }
 
 impl Search<'_> {
@@ -283,32 +291,36 @@ impl Search<'_> {
         sign * self.solid.value(self.ray.at(t))
     }
 
-    /// The first place between these two found to be below zero.
-    fn root(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
-        let (before, after) = (self.value(from, sign), self.value(to, sign));
-        self.halve((from, before), (to, after), sign, MOST_HALVINGS)
+    fn sample(&self, t: f64, sign: f64) -> Sample {
+        let value = self.value(t, sign);
+        Sample { t, value }
     }
 
-    fn halve(&mut self, from: (f64, f64), to: (f64, f64), sign: f64, left: u32) -> Option<f64> {
-        let step = to.0 - from.0;
-        self.pieces += 1;
-        if step < self.solid.way() || left == 0 || self.pieces > MOST_PIECES {
-            return (to.1 < 0.0).then_some(to.0);
+    /// The first point between `from` and `to` at which the search finds a negative value.
+    fn root(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
+        let (before, after) = (self.sample(from, sign), self.sample(to, sign));
+        self.bisect(before, after, sign, MAX_DEPTH)
+    }
+
+    fn bisect(&mut self, from: Sample, to: Sample, sign: f64, depth_left: u32) -> Option<f64> {
+        let step = to.t - from.t;
+        self.intervals += 1;
+        if step < self.solid.ray_accuracy() || depth_left == 0 || self.intervals > MAX_INTERVALS {
+            return (to.value < 0.0).then_some(to.t);
         }
         if let Some(Evaluate { factor }) = self.solid.evaluate {
-            let slope = (to.1 - from.1).abs() / (step * self.speed);
+            let slope = (to.value - from.value).abs() / (step * self.dir_length);
             if slope * factor > self.gradient {
                 self.gradient = slope * factor * factor;
             }
         }
-        let may_fall = from.1 + to.1 < self.gradient * self.speed * step;
+        let may_fall = from.value + to.value < self.gradient * self.dir_length * step;
         if !may_fall {
             return None;
         }
-        let t = 0.5 * (from.0 + to.0);
-        let middle = (t, self.value(t, sign));
-        self.halve(from, middle, sign, left - 1)
-            .or_else(|| self.halve(middle, to, sign, left - 1))
+        let middle = self.sample(0.5 * (from.t + to.t), sign);
+        self.bisect(from, middle, sign, depth_left - 1)
+            .or_else(|| self.bisect(middle, to, sign, depth_left - 1))
     }
 }
 
@@ -321,14 +333,14 @@ impl Geometry for Isosurface {
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        let mut found = None;
+        let mut hit = None;
         self.0.follow(ray, &mut |root| {
             if root.is_visible && from < root.t {
-                found = Some(root);
+                hit = Some(root);
             }
-            found.is_none() && root.t < to
+            hit.is_none() && root.t < to
         });
-        found.filter(|root| root.t < to)
+        hit.filter(|root| root.t < to)
     }
 
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
@@ -375,7 +387,7 @@ impl Geometry for Isosurface {
         Arc::make_mut(&mut self.0).unit *= factor;
     }
 
-    /// So that rays which leave it are told from others.
+    /// Makes callers use `nearest_beside` for rays that leave the surface.
     fn is_faceted(&self) -> bool {
         true
     }
@@ -387,24 +399,24 @@ mod tests {
     use crate::scene::function::Kind;
 
     #[derive(Debug)]
-    struct Ball;
+    struct SphereField;
 
-    impl function::Field for Ball {
+    impl function::Field for SphereField {
         fn value(&self, point: DVec3) -> f64 {
             point.length() - 1.2
         }
     }
 
-    fn ball(is_open: bool) -> Isosurface {
+    fn sphere(is_open: bool) -> Isosurface {
         Isosurface(Arc::new(Solid {
-            function: Arc::new(Function::of(Kind::Field(Arc::new(Ball)))),
+            function: Arc::new(Function::of(Kind::Field(Arc::new(SphereField)))),
             container: Container::DEFAULT,
             threshold: 0.0,
             accuracy: 1e-6,
             unit: 1.0,
             gradient: 1.0,
             evaluate: None,
-            traced: 1,
+            visible_count: 1,
             is_open,
         }))
     }
@@ -412,48 +424,47 @@ mod tests {
     fn roots(shape: &Isosurface, origin: DVec3, dir: DVec3) -> Vec<(f64, Crossing, bool)> {
         let mut roots = Vec::new();
         shape.roots(&Ray::new(origin, dir), &mut roots);
-        let found = roots.iter();
-        found
-            .map(|root| {
-                (
-                    (root.t * 1000.0).round() / 1000.0,
-                    root.crossing,
-                    root.is_visible,
-                )
-            })
-            .collect()
+        let own = roots.iter();
+        own.map(|root| {
+            (
+                (root.t * 1000.0).round() / 1000.0,
+                root.crossing,
+                root.is_visible,
+            )
+        })
+        .collect()
     }
 
     #[test]
-    fn a_container_closes_what_it_cuts_unless_it_is_open() {
+    fn a_container_caps_the_surface_unless_it_is_open() {
         let (origin, dir) = (DVec3::new(0.0, 0.0, -3.0), DVec3::Z);
         let (enter, leave) = (Crossing::Enter, Crossing::Leave);
-        // The container is seen where the ray comes in, and there again as the first root, but not where it goes out.
+        // The container is visible where the ray enters, and again as the first root, but not where it leaves.
         let closed = [
             (2.0, enter, true),
             (2.0, Crossing::Touch, true),
             (4.0, leave, false),
         ];
-        assert_eq!(roots(&ball(false), origin, dir), closed);
+        assert_eq!(roots(&sphere(false), origin, dir), closed);
         let open = [(2.0, enter, false), (4.0, leave, false)];
-        assert_eq!(roots(&ball(true), origin, dir), open);
+        assert_eq!(roots(&sphere(true), origin, dir), open);
     }
 
     #[derive(Debug)]
-    struct Height;
+    struct PlaneField;
 
-    impl function::Field for Height {
+    impl function::Field for PlaneField {
         fn value(&self, point: DVec3) -> f64 {
             point.y
         }
     }
 
     #[test]
-    fn a_surface_in_a_face_of_its_container_is_not_seen_from_inside() {
+    fn a_surface_in_a_face_of_its_container_is_invisible_from_inside() {
         let sea = |top: f64| {
-            let mut sea = ball(false);
+            let mut sea = sphere(false);
             let solid = Arc::make_mut(&mut sea.0);
-            solid.function = Arc::new(Function::of(Kind::Field(Arc::new(Height))));
+            solid.function = Arc::new(Function::of(Kind::Field(Arc::new(PlaneField))));
             solid.container = Container::Box {
                 low: DVec3::splat(-1.0),
                 high: DVec3::new(1.0, top, 1.0),
@@ -466,30 +477,30 @@ mod tests {
     }
 
     #[test]
-    fn the_surface_is_found_to_the_accuracy() {
+    fn hits_are_accurate_to_the_accuracy() {
         let origin = DVec3::new(-3.0, 0.8, 0.8);
         let half = (1.44_f64 - 2.0 * 0.64).sqrt();
-        let found = roots(&ball(false), origin, DVec3::X);
+        let hits = roots(&sphere(false), origin, DVec3::X);
         let near = |a: f64, b: f64| (a - b).abs() < 2e-3;
-        assert!(near(found[0].0, 3.0 - half) && near(found[1].0, 3.0 + half));
-        assert_eq!(found.len(), 2);
+        assert!(near(hits[0].0, 3.0 - half) && near(hits[1].0, 3.0 + half));
+        assert_eq!(hits.len(), 2);
     }
 
     #[test]
-    fn a_ray_that_leaves_the_surface_does_not_meet_it() {
-        let ball = ball(true);
+    fn a_ray_that_leaves_the_surface_does_not_hit_it() {
+        let sphere = sphere(true);
         let start = DVec3::new(0.8, 0.8, (1.44_f64 - 1.28).sqrt());
         let out = Ray::new(start, start.normalize());
-        assert_eq!(ball.nearest_beside(&out, 1e-12, 9.0, SURFACE), None);
+        assert_eq!(sphere.nearest_beside(&out, 1e-12, 9.0, SURFACE), None);
         let through = Ray::new(start, DVec3::NEG_Z);
-        let other = ball.nearest_beside(&through, 1e-12, 9.0, SURFACE);
+        let other = sphere.nearest_beside(&through, 1e-12, 9.0, SURFACE);
         assert!((other.unwrap().t - 0.8).abs() < 1e-3);
     }
 
     #[test]
     fn inside_the_function_is_smaller() {
-        assert!(ball(false).contains(DVec3::new(0.5, 0.5, 0.5)));
-        assert!(!ball(false).contains(DVec3::new(0.9, 0.9, 0.9)));
-        assert!(!ball(false).contains(DVec3::new(1.1, 0.0, 0.0)));
+        assert!(sphere(false).contains(DVec3::new(0.5, 0.5, 0.5)));
+        assert!(!sphere(false).contains(DVec3::new(0.9, 0.9, 0.9)));
+        assert!(!sphere(false).contains(DVec3::new(1.1, 0.0, 0.0)));
     }
 }

@@ -1,22 +1,22 @@
 //! `julia_fractal { <c> [quaternion | hypercomplex] [function] [max_iteration n] [precision p] [slice <n>, d] }`: a
-//! slice of the set of four-dimensional numbers that stay small when a function is applied again and again and `c`
-//! added each time.
+//! slice of the set of four-dimensional numbers whose orbit stays bounded under repeated application of a function plus
+//! `c`.
 //!
-//! The set has no formula; a ray is followed in steps. Outside, the steps of quaternions are the distance estimate of
-//! Hart, Sandin and Kauffman 1989 ("Ray tracing deterministic 3-D fractals", eq. 8), inside they are `1 / precision`;
-//! where the state changes it is halved down to [`TOLERANCE`]. POV-Ray does the same, and what its steps miss is to be
-//! missed here: a finer search would draw hairs that POV-Ray does not. The normal is the gradient of `|z|²` after the
-//! last iteration. Shadows differ in a few pixels of a thousand.
+//! The set has no closed form; a ray is marched in steps. Outside, the steps for quaternions are the distance estimate
+//! of Hart, Sandin and Kauffman 1989 ("Ray tracing deterministic 3-D fractals", eq. 8), inside they are
+//! `1 / precision`; where the inside state changes, the step is halved down to [`TOLERANCE`]. POV-Ray does the same,
+//! and surfaces that its steps miss must be missed here: a finer search would draw hairs that POV-Ray does not. The
+//! normal is the gradient of `|z|²` after the last iteration. Shadows differ in a few pixels of a thousand.
 //!
-//! Error bound: within [`TOLERANCE`] of a root that is found the state changes (`tests/stability`, item 51); no bound holds
-//! for what the steps miss.
+//! Error bound: within [`TOLERANCE`] of a reported root the state changes (`tests/stability`); missed surfaces have no
+//! bound.
 //!
-//! Hypercomplex numbers are pairs of complex ones, on which every function acts by itself. For functions other than
-//! `sqr` and `cube` POV-Ray 3.7 halves its steps with a wrong third coordinate, so that its surfaces are rough; here they
-//! are smooth.
+//! Hypercomplex numbers are pairs of complex numbers, to each of which every function is applied separately. For
+//! functions other than `sqr` and `cube`, POV-Ray 3.7 halves its steps with a wrong third coordinate, so that its
+//! surfaces are rough; here they are smooth.
 //!
-//! In a combination that is moved as a whole POV-Ray 3.7 forgets that a `julia_fractal` is inverse or taken away, so that a
-//! difference shows what an intersection would; here it stays a difference.
+//! In a CSG object that is transformed as a whole, POV-Ray 3.7 forgets that a `julia_fractal` is inverse or subtracted,
+//! so that a difference shows what an intersection would; here it stays a difference.
 
 mod complex;
 mod four;
@@ -28,27 +28,27 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
-use places::{Ahead, TOGETHER, split};
+use places::{BATCH, Lookahead, to_complex_pair};
 use smallvec::SmallVec;
 
-/// The last halving of a step, in units of the object; POV-Ray's value.
+/// Length at which the halving of a step ends, in object units; POV-Ray's value.
 const TOLERANCE: f64 = 1e-8;
-/// Shadows that begin nearer are none; POV-Ray's value, in units of the scene.
-const LEAST_WAY: f64 = 1e-3;
-/// The radius of the ball that holds a hypercomplex fractal.
+/// Nearer occluders of a shadow ray are ignored; POV-Ray's value, in scene units.
+const SHADOW_TOLERANCE: f64 = 1e-3;
+/// Radius of the bounding sphere of a hypercomplex fractal.
 const HYPERCOMPLEX_RADIUS: f64 = 4.0;
-/// The largest radius of the ball that holds one of quaternions.
+/// Largest radius of the bounding sphere of a quaternion fractal.
 const QUATERNION_RADIUS: f64 = 2.0;
-/// Steps outside a hypercomplex fractal are at most so many of the least steps.
-const MOST_LEAST_STEPS: f64 = 30.0;
-/// Steps of one ray through the ball; a precision that needs more is refused.
-const MOST_STEPS: f64 = 1e7;
-/// The least precision; POV-Ray takes lower ones for this.
-const LEAST_PRECISION: f64 = 1.0;
-/// Iterations that nothing needs more of: digits are lost long before.
-const MOST_ITERATIONS: f64 = 1e5;
+/// Longest step outside a hypercomplex fractal, in minimum steps.
+const MAX_STEP_RATIO: f64 = 30.0;
+/// Limit of steps of one ray through the bounding sphere; a precision that needs more is refused.
+const MAX_STEPS: f64 = 1e7;
+/// The lowest precision; POV-Ray raises lower ones to this.
+const MIN_PRECISION: f64 = 1.0;
+/// Limit of iterations: rounding destroys all digits long before.
+const MAX_ITERATIONS: f64 = 1e5;
 
-/// A fractal. Its space is that in which the ball around it has its centre at the origin.
+/// A Julia fractal. In its object space, the bounding sphere is centred at the origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JuliaFractal(Box<Fractal>);
 
@@ -57,17 +57,17 @@ struct Fractal {
     c: DVec4,
     rule: Rule,
     max_iteration: u32,
-    /// The least step.
-    least: f64,
-    /// How the fourth coordinate depends on the others, and its value at the origin.
+    /// The minimum step.
+    min_step: f64,
+    /// The fourth coordinate as an affine function of the others: its gradient, and its value at the origin.
     slope: DVec3,
     offset: f64,
     radius: f64,
-    /// The length in which `LEAST_WAY` counts.
+    /// The unit of `SHADOW_TOLERANCE`.
     unit: f64,
 }
 
-/// What is done in each iteration.
+/// The function of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Rule {
     QuaternionSquare,
@@ -76,12 +76,12 @@ enum Rule {
 }
 
 impl JuliaFractal {
-    /// Reads the number and the words of the fractal.
+    /// Reads the number and the keywords of the fractal.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters; a slice along the fourth axis; a function that quaternions do not have;
-    /// a precision or a number of iterations beyond all use. With one iteration or none everything is inside, and nothing
-    /// is seen, as in POV-Ray.
+    /// Malformed or non-finite parameters; a slice along the fourth axis; a function that is not defined for
+    /// quaternions; a useless precision or number of iterations. With one iteration or none everything is inside, and
+    /// nothing is visible, as in POV-Ray.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let c = vector4(args)?;
         let mut is_hypercomplex = false;
@@ -94,14 +94,14 @@ impl JuliaFractal {
                 is_hypercomplex = false;
             } else if args.accept(Word::Hypercomplex)? {
                 is_hypercomplex = true;
-            } else if let Some(found) = read_function(args)? {
-                function = found;
+            } else if let Some(named) = read_function(args)? {
+                function = named;
                 at = args.last_span();
             } else if args.accept(Word::MaxIteration)? {
-                max_iteration = at_most(args, "`max_iteration`", MOST_ITERATIONS)?.max(0.0);
+                max_iteration = at_most(args, "`max_iteration`", MAX_ITERATIONS)?.max(0.0);
             } else if args.accept(Word::Precision)? {
-                precision = at_most(args, "`precision`", MOST_STEPS / HYPERCOMPLEX_RADIUS)?
-                    .max(LEAST_PRECISION);
+                precision = at_most(args, "`precision`", MAX_STEPS / HYPERCOMPLEX_RADIUS)?
+                    .max(MIN_PRECISION);
             } else if args.accept(Word::Slice)? {
                 normal = read_slice(args)?;
                 distance = read::number(args, "the distance of the slice")?;
@@ -135,7 +135,7 @@ impl JuliaFractal {
             c,
             rule,
             max_iteration,
-            least: 1.0 / precision,
+            min_step: 1.0 / precision,
             slope: -normal.truncate() / normal.w,
             offset: distance / normal.w,
             radius,
@@ -149,7 +149,7 @@ fn vector4(args: &mut dyn Args) -> Parse<DVec4> {
     args.vector4().map(DVec4::from_array)
 }
 
-/// A function, if one is next.
+/// Reads a function, if one is next.
 fn read_function(args: &mut dyn Args) -> Parse<Option<(Word, Function)>> {
     for (word, function) in Function::NAMED {
         if args.accept(*word)? {
@@ -173,7 +173,7 @@ fn read_function(args: &mut dyn Args) -> Parse<Option<(Word, Function)>> {
     Ok(Some((Word::Pwr, Function::Power(Complex::new(re, im)))))
 }
 
-/// The unit normal of the slice.
+/// Reads the unit normal of the slice.
 fn read_slice(args: &mut dyn Args) -> Parse<DVec4> {
     let at = args.span();
     let normal = vector4(args)?;
@@ -208,13 +208,13 @@ fn cube(z: DVec4) -> DVec4 {
 }
 
 /// The transpose of the derivative of [`square`] at `z`, applied to `g`.
-fn square_back(z: DVec4, g: DVec4) -> DVec4 {
+fn square_adjoint(z: DVec4, g: DVec4) -> DVec4 {
     let v = z.with_x(0.0);
     2.0 * (z.x * g - g.x * v + DVec4::X * g.with_x(0.0).dot(v))
 }
 
 /// The transpose of the derivative of [`cube`] at `z`, applied to `g`.
-fn cube_back(z: DVec4, g: DVec4) -> DVec4 {
+fn cube_adjoint(z: DVec4, g: DVec4) -> DVec4 {
     let v = z.with_x(0.0);
     let (x_sq, v_sq) = (z.x * z.x, v.length_squared());
     let inner = g.with_x(0.0);
@@ -232,14 +232,14 @@ impl Fractal {
     fn gradient(&self, point: DVec3) -> DVec3 {
         let start = self.start(point);
         let gradient = match self.rule {
-            Rule::QuaternionSquare => self.quaternion_gradient(start, square, square_back),
-            Rule::QuaternionCube => self.quaternion_gradient(start, cube, cube_back),
+            Rule::QuaternionSquare => self.quaternion_gradient(start, square, square_adjoint),
+            Rule::QuaternionCube => self.quaternion_gradient(start, cube, cube_adjoint),
             Rule::Hypercomplex(function) => {
-                let (mut z, c) = (split(start), split(self.c));
+                let (mut z, c) = (to_complex_pair(start), to_complex_pair(self.c));
                 let mut slope = [Complex::ONE; 2];
                 for _ in 0..self.max_iteration {
                     for i in [0, 1] {
-                        slope[i] = function.slope(z[i]) * slope[i];
+                        slope[i] = function.derivative(z[i]) * slope[i];
                         z[i] = function.value(z[i]) + c[i];
                     }
                 }
@@ -247,7 +247,7 @@ impl Fractal {
                 DVec4::new(a.re + b.re, -a.im - b.im, b.im - a.im, b.re - a.re)
             }
         };
-        // POV-Ray 3.7 forgets that the fourth coordinate changes too where the slice is slanted.
+        // POV-Ray 3.7 omits the change of the fourth coordinate of a slanted slice.
         gradient.truncate()
     }
 
@@ -255,19 +255,19 @@ impl Fractal {
         &self,
         mut z: DVec4,
         function: impl Fn(DVec4) -> DVec4,
-        back: impl Fn(DVec4, DVec4) -> DVec4,
+        adjoint: impl Fn(DVec4, DVec4) -> DVec4,
     ) -> DVec4 {
-        let mut passed: SmallVec<[DVec4; 32]> = SmallVec::new();
+        let mut orbit: SmallVec<[DVec4; 32]> = SmallVec::new();
         for _ in 0..self.max_iteration {
-            passed.push(z);
+            orbit.push(z);
             z = function(z) + self.c;
         }
-        passed.iter().rev().fold(z, |g, z| back(*z, g))
+        orbit.iter().rev().fold(z, |g, z| adjoint(*z, g))
     }
 
-    /// Follows a ray of unit direction from `from` on through the ball and gives each place where it changes sides, until
-    /// `emit` says to stop. Says whether it is inside at the end.
-    fn follow(&self, ray: &Ray, from: f64, emit: &mut dyn FnMut(f64, Crossing) -> bool) -> bool {
+    /// Marches a ray of unit direction from `from` through the bounding sphere and passes each change of the inside
+    /// state to `emit`, until that returns false. Returns the inside state at the end.
+    fn march(&self, ray: &Ray, from: f64, emit: &mut dyn FnMut(f64, Crossing) -> bool) -> bool {
         let Some((enter, leave)) = self.chord(ray) else {
             return false;
         };
@@ -275,76 +275,76 @@ impl Fractal {
         if depth >= leave {
             return false;
         }
-        let mut ahead = Ahead::new(self, ray);
-        let mut here = ahead.place(depth);
-        if here.is_inside {
+        let mut lookahead = Lookahead::new(self, ray);
+        let mut state = lookahead.state_at(depth);
+        if state.is_inside {
             depth += 2.0 * TOLERANCE;
-            here = ahead.place(depth);
+            state = lookahead.state_at(depth);
         }
-        if here.is_inside && from < enter && !emit(enter, Crossing::Enter) {
+        if state.is_inside && from < enter && !emit(enter, Crossing::Enter) {
             return true;
         }
         loop {
-            let step = if here.is_inside {
-                self.least
+            let step = if state.is_inside {
+                self.min_step
             } else {
-                here.step
+                state.step
             };
             let next_depth = depth + step;
             if next_depth > leave || next_depth == depth {
-                return here.is_inside;
+                return state.is_inside;
             }
-            let next = ahead.place(next_depth);
-            if next.is_inside != here.is_inside {
-                let crossing = if next.is_inside {
+            let next_state = lookahead.state_at(next_depth);
+            if next_state.is_inside != state.is_inside {
+                let crossing = if next_state.is_inside {
                     Crossing::Enter
                 } else {
                     Crossing::Leave
                 };
-                if !emit(self.halve(ray, depth, step, here.is_inside), crossing) {
-                    return next.is_inside;
+                if !emit(self.bisect(ray, depth, step, state.is_inside), crossing) {
+                    return next_state.is_inside;
                 }
             }
-            (depth, here) = (next_depth, next);
+            (depth, state) = (next_depth, next_state);
         }
     }
 
-    /// The place between `depth` and `depth + step` where the ray changes sides. Several halvings are done at once: all
-    /// middles that they may ask for are looked at together.
-    fn halve(&self, ray: &Ray, mut depth: f64, mut step: f64, is_inside: bool) -> f64 {
-        let together = self.together();
+    /// Bisects the change of the inside state between `depth` and `depth + step`. Several halvings are done at once:
+    /// all midpoints that they may need are evaluated in one batch.
+    fn bisect(&self, ray: &Ray, mut depth: f64, mut step: f64, is_inside: bool) -> f64 {
+        let batch_size = self.batch_size();
         while step > TOLERANCE {
-            // By their numbers in the tree of halves; the least depth of each, and its middle.
-            let (mut lows, mut middles) = ([depth; TOGETHER], [depth; TOGETHER]);
+            // Heap-ordered tree of subintervals: the lower end and the midpoint of each.
+            let (mut lows, mut midpoints) = ([depth; BATCH], [depth; BATCH]);
             let mut half = step;
-            for number in 1..together.max(2) {
-                if number.is_power_of_two() {
+            for node in 1..batch_size.max(2) {
+                if node.is_power_of_two() {
                     half *= 0.5;
                 }
-                if number > 1 {
-                    let above = number / 2;
-                    lows[number] = [lows[above], middles[above]][number % 2];
+                if node > 1 {
+                    let parent = node / 2;
+                    lows[node] = [lows[parent], midpoints[parent]][node % 2];
                 }
-                middles[number] = lows[number] + half;
+                midpoints[node] = lows[node] + half;
             }
-            // With one place only, that is the first.
-            middles.rotate_left(1);
-            let places = self.places(ray, &middles);
-            let mut number = 1;
-            while number < together.max(2) && step > TOLERANCE {
+            // A batch of one evaluates the first midpoint.
+            midpoints.rotate_left(1);
+            let states = self.states(ray, &midpoints);
+            let mut node = 1;
+            while node < batch_size.max(2) && step > TOLERANCE {
                 step *= 0.5;
-                let is_behind = places.is_inside(number - 1) == is_inside;
-                if is_behind {
-                    depth = middles[number - 1];
+                let is_beyond = states.is_inside(node - 1) == is_inside;
+                if is_beyond {
+                    depth = midpoints[node - 1];
                 }
-                number = 2 * number + usize::from(is_behind);
+                node = 2 * node + usize::from(is_beyond);
             }
         }
-        // The end that is inside, on whose iterations the normal stands.
+        // The end that is inside, since the normal comes from its iterations.
         if is_inside { depth } else { depth + step }
     }
 
-    /// Where a ray of unit direction is in the ball.
+    /// Interval of a ray of unit direction in the bounding sphere.
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let middle = -ray.origin.dot(ray.dir);
         let away_sq = ray.at(middle).length_squared();
@@ -353,7 +353,7 @@ impl Fractal {
     }
 }
 
-/// The ray with a direction of length one, and the length it had.
+/// Normalises the direction of a ray; also returns its length before.
 fn unit(ray: &Ray) -> (Ray, f64) {
     let length = ray.dir.length();
     (Ray::new(ray.origin, ray.dir / length), length)
@@ -374,8 +374,8 @@ impl Geometry for JuliaFractal {
         let Some((enter, leave)) = self.0.chord(&ray) else {
             return Start::Outside;
         };
-        let is_inside = self.0.follow(&ray, f64::NEG_INFINITY, &mut |t, crossing| {
-            // The ball is not seen where it cuts through the fractal.
+        let is_inside = self.0.march(&ray, f64::NEG_INFINITY, &mut |t, crossing| {
+            // The bounding sphere is invisible where it cuts through the fractal.
             roots.push(root(t / length, crossing, t > enter));
             true
         });
@@ -392,34 +392,33 @@ impl Geometry for JuliaFractal {
             return first_visible(&roots, from, to);
         }
         let (ray, length) = unit(ray);
-        let mut found = None;
+        let mut hit = None;
         let from = from * length;
         let enter = self.0.chord(&ray)?.0;
-        self.0
-            .follow(&ray, from.max(TOLERANCE), &mut |t, crossing| {
-                // The ball is not seen where it cuts through the fractal.
-                if t <= enter {
-                    return true;
-                }
-                let root = root(t / length, crossing, true);
-                found = (root.t < to).then_some(root);
-                false
-            });
-        found
+        self.0.march(&ray, from.max(TOLERANCE), &mut |t, crossing| {
+            // The bounding sphere is invisible where it cuts through the fractal.
+            if t <= enter {
+                return true;
+            }
+            let root = root(t / length, crossing, true);
+            hit = (root.t < to).then_some(root);
+            false
+        });
+        hit
     }
 
-    /// The surface is where the steps of another ray found it, and a ray that leaves it may find it anew. POV-Ray looks
-    /// for one place only, and forgets it if it is too near.
+    /// The surface is where the steps of another ray hit it, and a ray that leaves it may hit it again. POV-Ray
+    /// searches for one hit only, and ignores it if it is too near.
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
         let (unit, length) = unit(ray);
-        let least = from.max(self.0.unit * LEAST_WAY);
-        let mut found = None;
-        self.0.follow(&unit, TOLERANCE, &mut |t, crossing| {
-            found =
-                Some(root(t / length, crossing, true)).filter(|root| least < root.t && root.t < to);
-            found.is_none()
+        let min_t = from.max(self.0.unit * SHADOW_TOLERANCE);
+        let mut hit = None;
+        self.0.march(&unit, TOLERANCE, &mut |t, crossing| {
+            hit =
+                Some(root(t / length, crossing, true)).filter(|root| min_t < root.t && root.t < to);
+            hit.is_none()
         });
-        found
+        hit
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
@@ -435,7 +434,7 @@ impl Geometry for JuliaFractal {
         let fractal = &self.0;
         point.length_squared() <= fractal.radius * fractal.radius
             && fractal
-                .places(&Ray::new(point, DVec3::X), &[0.0; TOGETHER])
+                .states(&Ray::new(point, DVec3::X), &[0.0; BATCH])
                 .is_inside(0)
     }
 
@@ -455,7 +454,8 @@ impl Geometry for JuliaFractal {
         self.0.unit *= factor;
     }
 
-    /// So that rays which leave it are not sent through the whole ball again.
+    /// Makes callers use `nearest_beside` for rays that leave the surface, so that these do not march through the whole
+    /// bounding sphere again.
     fn is_faceted(&self) -> bool {
         true
     }

@@ -1,13 +1,14 @@
-//! `bicubic_patch { type n [u_steps n] [v_steps n] [flatness x] [uv_vectors ...] <point>, ... }`: a Bézier surface of
-//! 16 points, drawn as triangles, with the error bound of those.
+//! `bicubic_patch { type n [u_steps n] [v_steps n] [flatness x] [uv_vectors ...] <point>, ... }`: a Bézier surface with
+//! 16 control points, tessellated into triangles, with their error bound.
 //!
-//! As in POV-Ray the surface is halved along both parameters, `u_steps` and `v_steps` times, or until a piece is flatter
-//! than `flatness`; each piece is two triangles, with the normals of the true surface at their corners. Transforms move
-//! the points, so the flatness is that in the scene. Unlike in POV-Ray 3.7, which forgets it, `clipped_by` clips. The two types, which differ in what POV-Ray keeps, are one here.
+//! As in POV-Ray, the surface is halved along both parameters, `u_steps` and `v_steps` times, or until a part is
+//! flatter than `flatness`; each part becomes two triangles, with the normals of the true surface at their corners.
+//! Transforms move the control points, so the flatness is measured in the scene. Unlike in POV-Ray 3.7, which forgets
+//! it, `clipped_by` clips. The two types, which differ in what POV-Ray stores, are one here.
 
 mod halving;
 
-use self::halving::{Maker, Part};
+use self::halving::{SubPatch, Tessellator};
 use super::smooth_triangle::weights;
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
@@ -19,28 +20,28 @@ use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// More halvings would make more than two million triangles.
-const MOST_STEPS: u32 = 20;
-/// A normal shorter than this share of the square of the size is rounding noise. POV-Ray 3.7 takes the noise, so that
-/// its poles have rays of light and shade.
-const NO_NORMAL: f64 = 1e-12;
-/// Corners nearer than this share of the piece are one; POV-Ray has it in units of the scene.
-const SAME_CORNER: f64 = 1e-10;
-/// The flatness of the old form without words.
-const OLD_FLATNESS: f64 = 0.1;
+/// More steps would give more than two million triangles.
+const MAX_STEPS: u32 = 20;
+/// A normal shorter than this, relative to the square of the size, is rounding noise. POV-Ray 3.7 uses the noise, so
+/// that its poles show rays of light and shade.
+const MIN_NORMAL: f64 = 1e-12;
+/// Corners nearer than this, relative to the size of the part, are the same; POV-Ray's tolerance is in scene units.
+const MIN_CORNER_DISTANCE: f64 = 1e-10;
+/// The flatness of the old syntax without keywords.
+const DEFAULT_FLATNESS: f64 = 0.1;
 
-/// Rows along v of four points.
+/// Control points: rows along v of four points.
 type Points = [[DVec3; 4]; 4];
 
-/// A Bézier surface.
+/// A bicubic Bézier surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BicubicPatch {
     net: Box<Net>,
-    /// Made by [`Geometry::prepare`].
-    pieces: Option<Arc<Pieces>>,
+    /// Built by [`Geometry::prepare`].
+    tessellation: Option<Arc<Tessellation>>,
 }
 
-/// What a scene says of the surface.
+/// The control net and its settings.
 #[derive(Clone, Debug, PartialEq)]
 struct Net {
     /// The first index runs along u.
@@ -52,31 +53,31 @@ struct Net {
     uv: [DVec2; 4],
 }
 
-/// The surface as triangles.
+/// The surface as triangles, with a BVH over them.
 #[derive(Clone, Debug)]
-struct Pieces {
+struct Tessellation {
     triangles: Vec<[u32; 3]>,
-    corners: Vec<Corner>,
-    tree: Bvh,
+    vertices: Vec<Vertex>,
+    bvh: Bvh,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Corner {
+struct Vertex {
     point: DVec3,
     normal: DVec3,
-    /// The parameters of the surface.
-    at: DVec2,
+    /// Parameters `(u, v)` of the surface.
+    params: DVec2,
 }
 
-impl PartialEq for Pieces {
-    /// The tree follows from the rest.
+impl PartialEq for Tessellation {
+    /// The BVH follows from the rest.
     fn eq(&self, other: &Self) -> bool {
-        self.triangles == other.triangles && self.corners == other.corners
+        self.triangles == other.triangles && self.vertices == other.vertices
     }
 }
 
 impl BicubicPatch {
-    /// Reads the words and the points of the surface.
+    /// Reads the keywords and the control points.
     ///
     /// # Errors
     /// Malformed or non-finite parameters, a missing type, or too many steps.
@@ -116,11 +117,11 @@ impl BicubicPatch {
         if !has_type {
             return Err(args.expected("`type` 0 or 1 in `bicubic_patch`"));
         }
-        if net.u_steps + net.v_steps > MOST_STEPS {
+        if net.u_steps + net.v_steps > MAX_STEPS {
             return Err(Box::new(
                 Diagnostic::error(
                     at.to(args.last_span()),
-                    format!("`u_steps` and `v_steps` are {MOST_STEPS} at most together"),
+                    format!("`u_steps` and `v_steps` are {MAX_STEPS} at most together"),
                 )
                 .with_hint("each step doubles the pieces of the surface; 3 or 4 look smooth"),
             ));
@@ -131,19 +132,19 @@ impl BicubicPatch {
         }
         Ok(BicubicPatch {
             net: Box::new(net),
-            pieces: None,
+            tessellation: None,
         })
     }
 
-    fn pieces(&self) -> &Pieces {
-        self.pieces
+    fn tessellation(&self) -> &Tessellation {
+        self.tessellation
             .as_ref()
             .expect("shapes are prepared before rays meet them")
     }
 
-    fn corners(&self, face: u32) -> [Corner; 3] {
-        let pieces = self.pieces();
-        pieces.triangles[face as usize].map(|corner| pieces.corners[corner as usize])
+    fn corners(&self, face: u32) -> [Vertex; 3] {
+        let tessellation = self.tessellation();
+        tessellation.triangles[face as usize].map(|index| tessellation.vertices[index as usize])
     }
 
     fn weights(&self, point: DVec3, face: u32) -> [f64; 3] {
@@ -152,13 +153,13 @@ impl BicubicPatch {
     }
 }
 
-/// The form of old scenes: `type, [flatness,] u_steps, v_steps`.
+/// Reads the syntax of old scenes: `type, [flatness,] u_steps, v_steps`.
 fn read_numbers(args: &mut dyn Args, net: &mut Net) -> Parse<()> {
     let kind = args.float()?.trunc();
     net.flatness = if kind == 2.0 || kind == 3.0 {
         read::number(args, "the flatness of the bicubic patch")?
     } else {
-        OLD_FLATNESS
+        DEFAULT_FLATNESS
     };
     args.comma()?;
     net.u_steps = read_steps(args)?;
@@ -175,81 +176,86 @@ fn read_numbers(args: &mut dyn Args, net: &mut Net) -> Parse<()> {
 fn read_steps(args: &mut dyn Args) -> Parse<u32> {
     let at = args.span();
     let steps = args.float()?.trunc();
-    if (0.0..=f64::from(MOST_STEPS)).contains(&steps) {
+    if (0.0..=f64::from(MAX_STEPS)).contains(&steps) {
         return Ok(steps as u32);
     }
     Err(Box::new(Diagnostic::error(
         at.to(args.last_span()),
-        format!("a bicubic patch has 0 to {MOST_STEPS} steps, found {steps}"),
+        format!("a bicubic patch has 0 to {MAX_STEPS} steps, found {steps}"),
     )))
 }
 
 impl Net {
-    fn pieces(&self) -> Pieces {
-        let mut maker = Maker {
+    fn tessellation(&self) -> Tessellation {
+        let mut tessellator = Tessellator {
             net: self,
             triangles: Vec::new(),
-            corners: Vec::new(),
-            known: FxHashMap::default(),
+            vertices: Vec::new(),
+            vertex_ids: FxHashMap::default(),
         };
-        let whole = Part {
+        let whole = SubPatch {
             points: self.points,
             low: DVec2::ZERO,
             high: DVec2::ONE,
         };
-        maker.halve(&whole, 0);
-        let Maker {
-            triangles, corners, ..
-        } = maker;
+        tessellator.subdivide(&whole, 0);
+        let Tessellator {
+            triangles,
+            vertices,
+            ..
+        } = tessellator;
         let boxes: Vec<Bounds> = triangles
             .iter()
             .map(|triangle| {
-                let [a, b, c] = triangle.map(|corner| corners[corner as usize].point);
+                let [a, b, c] = triangle.map(|index| vertices[index as usize].point);
                 Bounds::new(a, b).with_point(c)
             })
             .collect();
-        Pieces {
-            tree: Bvh::build(&boxes),
+        Tessellation {
+            bvh: Bvh::build(&boxes),
             triangles,
-            corners,
+            vertices,
         }
     }
 
     /// The unit normal of the true surface, or zero at a pole.
-    fn normal(&self, at: DVec2) -> DVec3 {
-        let mut along = [DVec3::ZERO; 2];
-        let (u, v) = (bernstein(at.x), bernstein(at.y));
-        let (du, dv) = (slopes(at.x), slopes(at.y));
+    fn normal(&self, params: DVec2) -> DVec3 {
+        let mut tangents = [DVec3::ZERO; 2];
+        let (u, v) = (bernstein(params.x), bernstein(params.y));
+        let (du, dv) = (
+            bernstein_derivatives(params.x),
+            bernstein_derivatives(params.y),
+        );
         for i in 0..4 {
             for j in 0..4 {
-                along[0] += self.points[i][j] * (du[i] * v[j]);
-                along[1] += self.points[i][j] * (u[i] * dv[j]);
+                tangents[0] += self.points[i][j] * (du[i] * v[j]);
+                tangents[1] += self.points[i][j] * (u[i] * dv[j]);
             }
         }
-        let normal = along[0].cross(along[1]);
+        let normal = tangents[0].cross(tangents[1]);
         let size = self.points.iter().flatten();
         let size = size.fold(0.0_f64, |size, point| {
             size.max((*point - self.points[0][0]).abs().max_element())
         });
-        if normal.length() > NO_NORMAL * size * size {
+        if normal.length() > MIN_NORMAL * size * size {
             normal.normalize()
         } else {
             DVec3::ZERO
         }
     }
 
-    /// Whether all points lie near the plane of three corners. Without such a plane it is flat.
+    /// True if all points lie near the plane of three corners, or if these have no plane.
     fn is_flat(&self, points: &Points) -> bool {
         let [a, b, c, d] = [points[0][0], points[0][3], points[3][3], points[3][0]];
         let corner = a;
         let all = points.iter().flatten();
         let size = all.fold(0.0_f64, |size, p| size.max((*p - a).abs().max_element()));
-        let second = if (a - b).length() < SAME_CORNER * size {
+        let other = if (a - b).length() < MIN_CORNER_DISTANCE * size {
             c
         } else {
             b
         };
-        let Some(normal) = (second - a).cross(d - a).try_normalize() else {
+        let Some(normal) = (other - a).cross(d - a).try_normalize() else {
             return true;
         };
         let mut all = points.iter().flatten();
@@ -257,14 +263,14 @@ impl Net {
     }
 }
 
-/// The Bernstein polynomials of degree three.
+/// Bernstein polynomials of degree three.
 fn bernstein(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     [s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t]
 }
 
-/// Their derivatives.
-fn slopes(t: f64) -> [f64; 4] {
+/// Derivatives of the Bernstein polynomials of degree three.
+fn bernstein_derivatives(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     [
         -3.0 * s * s,
@@ -279,7 +285,7 @@ impl Geometry for BicubicPatch {
         let frame = RayFrame::new(ray);
         let first = roots.len();
         let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
-        self.pieces().tree.any(ray, from, to, |face| {
+        self.tessellation().bvh.any(ray, from, to, |face| {
             let corners = self.corners(face).map(|corner| corner.point);
             roots.extend(frame.hit(&corners).map(|hit| touch(hit.t, face)));
             false
@@ -294,21 +300,24 @@ impl Geometry for BicubicPatch {
 
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
         let frame = RayFrame::new(ray);
-        let mut best: Option<Root> = None;
-        self.pieces().tree.nearest(ray, from, to, |number, end| {
-            let corners = self.corners(number).map(|corner| corner.point);
-            let Some(hit) = frame.hit(&corners) else {
-                return end;
-            };
-            let is_first =
-                best.is_none_or(|best| hit.t < best.t || (hit.t == best.t && number < best.face));
-            if number == face || hit.t <= from || hit.t >= to || !is_first {
-                return end;
-            }
-            best = Some(touch(hit.t, number));
-            hit.t
-        });
-        best
+        let mut closest: Option<Root> = None;
+        self.tessellation()
+            .bvh
+            .nearest(ray, from, to, |candidate, end| {
+                let corners = self.corners(candidate).map(|corner| corner.point);
+                let Some(hit) = frame.hit(&corners) else {
+                    return end;
+                };
+                let is_closer = closest.is_none_or(|closest| {
+                    hit.t < closest.t || (hit.t == closest.t && candidate < closest.face)
+                });
+                if candidate == face || hit.t <= from || hit.t >= to || !is_closer {
+                    return end;
+                }
+                closest = Some(touch(hit.t, candidate));
+                hit.t
+            });
+        closest
     }
 
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
@@ -317,9 +326,9 @@ impl Geometry for BicubicPatch {
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
-        let shares = self.weights(point, face);
+        let weights = self.weights(point, face);
         let corners = self.corners(face);
-        let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * corners[i].normal);
+        let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + weights[i] * corners[i].normal);
         (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
@@ -337,28 +346,28 @@ impl Geometry for BicubicPatch {
         for point in self.net.points.iter_mut().flatten() {
             *point = moved.transform_point3(*point);
         }
-        self.pieces = None;
+        self.tessellation = None;
         true
     }
 
     fn change_unit(&mut self, factor: f64) {
         self.net.flatness *= factor;
-        self.pieces = None;
+        self.tessellation = None;
     }
 
     fn prepare(&mut self) {
-        if self.pieces.is_none() {
-            self.pieces = Some(Arc::new(self.net.pieces()));
+        if self.tessellation.is_none() {
+            self.tessellation = Some(Arc::new(self.net.tessellation()));
         }
     }
 
     fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
-        let shares = self.weights(point, face);
+        let weights = self.weights(point, face);
         let corners = self.corners(face);
-        let at = (0..3).fold(DVec2::ZERO, |sum, i| sum + shares[i] * corners[i].at);
-        // The second parameter of the surface is the first of the texture.
+        let params = (0..3).fold(DVec2::ZERO, |sum, i| sum + weights[i] * corners[i].params);
+        // The second parameter of the surface is the first texture coordinate.
         let [a, b, c, d] = self.net.uv;
-        let (u, v) = (at.y, at.x);
+        let (u, v) = (params.y, params.x);
         let uv = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * d + u * c);
         Some(uv.to_array())
     }

@@ -1,8 +1,8 @@
 //! `disc { <centre>, <normal>, radius [, hole radius] }`: a flat ring, edges included.
 //!
-//! In CSG it is the whole half-space on the side opposite to its normal, of which only the ring can be seen.
-//! Error bound: that of a plane (`shape/roundings.rs`).
-//! Negative radii work like their absolute values; a hole wider than the disc leaves nothing (checked with POV-Ray).
+//! In CSG it is the whole half-space on the side opposite to its normal, of which only the ring is visible. Error
+//! bound: as for a plane (`shape/roundings.rs`). Negative radii work like their absolute values; a hole wider than the
+//! disc leaves nothing (checked with POV-Ray).
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::unit;
@@ -11,7 +11,7 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Plane, Root, Start, along, even_scale, first_visible, read};
 use glam::{DAffine3, DVec3};
 
-/// Half the height of the box that POV-Ray puts around a disc.
+/// Half the height of POV-Ray's bounding box of a disc.
 const HALF_HEIGHT: f64 = 1e-3_f32 as f64;
 
 /// A flat ring and the half-space behind it.
@@ -19,7 +19,7 @@ const HALF_HEIGHT: f64 = 1e-3_f32 as f64;
 pub struct Disc {
     /// The centre.
     pub centre: DVec3,
-    /// A unit vector that points out of the half-space; zero for a disc that cannot be seen.
+    /// A unit vector that points out of the half-space; zero for a disc that is not drawn.
     pub normal: DVec3,
     /// The outer radius, not negative.
     pub radius: f64,
@@ -31,7 +31,7 @@ impl Disc {
     /// Reads `<centre>, <normal>, radius [, hole radius]`.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters. A normal of length zero is only warned of, since POV-Ray draws nothing.
+    /// Malformed or non-finite parameters. A normal of length zero only gives a warning, since POV-Ray draws nothing.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let centre = read::vector(args, "the centre of the disc")?;
         args.comma()?;
@@ -60,7 +60,7 @@ impl Disc {
     }
 
     fn cross(&self, ray: &Ray) -> (Start, Option<Root>) {
-        // About the centre, so that a disc across an axis gets the depth (centre - origin) / dir to the bit.
+        // Relative to the centre, so that a disc across an axis gets the depth (centre - origin) / dir to the bit.
         let about_centre = Plane {
             normal: self.normal,
             distance: 0.0,
@@ -74,9 +74,9 @@ impl Disc {
     }
 
     fn is_in_ring(&self, from_centre: DVec3) -> bool {
-        let share_sq = (from_centre / self.radius).length_squared();
-        let hole_share = self.hole / self.radius;
-        share_sq <= 1.0 && share_sq >= hole_share * hole_share
+        let radius_sq = (from_centre / self.radius).length_squared();
+        let inner = self.hole / self.radius;
+        radius_sq <= 1.0 && radius_sq >= inner * inner
     }
 }
 
@@ -103,10 +103,11 @@ impl Geometry for Disc {
         if self.normal == DVec3::ZERO || self.radius == 0.0 || self.hole > self.radius {
             return Bounds::EMPTY;
         }
-        // A circle across n reaches r * sqrt(1 - n_i^2) along axis i.
+        // A circle perpendicular to n extends r * sqrt(1 - n_i^2) along axis i.
         let n = self.normal;
         let reach = DVec3::new(n.y.hypot(n.z), n.z.hypot(n.x), n.x.hypot(n.y));
-        // The normal is a unit vector only to rounding, and so are the points of the ring.
+        // The normal is a unit vector only up to rounding, and the points of the ring lie in its plane only up to
+        // rounding.
         let slack = 8.0 * f64::EPSILON * (self.centre.abs().max_element() + self.radius);
         let reach = reach * self.radius + slack;
         Bounds::new(self.centre - reach, self.centre + reach)
@@ -122,8 +123,8 @@ impl Geometry for Disc {
 
     fn held_box(&self) -> Option<(Bounds, DAffine3)> {
         let corner = DVec3::new(self.radius, self.radius, HALF_HEIGHT);
-        let held = Bounds::new(-corner, corner);
-        Some((held, along(self.normal, self.centre)))
+        let stored = Bounds::new(-corner, corner);
+        Some((stored, along(self.normal, self.centre)))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {
@@ -161,7 +162,7 @@ mod tests {
         Disc::read(&mut TextArgs::new(text)).unwrap()
     }
 
-    fn see(disc: &Disc, x: f64) -> bool {
+    fn is_hit(disc: &Disc, x: f64) -> bool {
         let ray = Ray::new(DVec3::new(x, 0.0, -3.0), DVec3::Z);
         disc.nearest(&ray, 0.0, f64::INFINITY).is_some()
     }
@@ -179,9 +180,9 @@ mod tests {
     }
 
     #[test]
-    fn both_edges_of_the_ring_belong_to_it() {
+    fn both_edges_of_the_ring_are_hit() {
         let ring = disc("<0,0,0>, <0,0,1>, 2, 1");
-        let seen = [0.5, 1.0, 1.5, 2.0, 2.1].map(|x| see(&ring, x));
+        let seen = [0.5, 1.0, 1.5, 2.0, 2.1].map(|x| is_hit(&ring, x));
         assert_eq!(seen, [false, true, true, true, false]);
     }
 
@@ -191,11 +192,11 @@ mod tests {
             disc("<0,0,0>, <0,0,1>, -1, -.5"),
             disc("<0,0,0>, <0,0,1>, 1, .5")
         );
-        assert!(!see(&disc("<0,0,0>, <0,0,1>, 1, 1.5"), 1.2));
+        assert!(!is_hit(&disc("<0,0,0>, <0,0,1>, 1, 1.5"), 1.2));
     }
 
     #[test]
-    fn beside_the_ring_the_half_space_is_crossed_unseen() {
+    fn outside_the_ring_the_half_space_is_crossed_invisibly() {
         let mut roots = Vec::new();
         let ray = Ray::new(DVec3::new(5.0, 0.0, -3.0), DVec3::Z);
         let start = disc("<0,0,1>, <0,0,1>, 1").roots(&ray, &mut roots);
@@ -207,14 +208,14 @@ mod tests {
     }
 
     #[test]
-    fn a_disc_without_a_normal_is_warned_of_and_empty() {
+    fn a_disc_without_a_normal_gives_a_warning_and_is_empty() {
         let mut args = TextArgs::new("<0,0,0>, <0,0,0>, 1");
         assert!(Disc::read(&mut args).unwrap().bounds().is_empty());
         assert_eq!(args.warnings().len(), 1);
     }
 
     #[test]
-    fn an_absorbed_mirror_turns_the_normal() {
+    fn an_absorbed_mirroring_flips_the_normal() {
         let steps = [
             Step::Scale(DVec3::new(2.0, 2.0, -2.0)),
             Step::Rotate(DVec3::new(10.0, 20.0, 30.0)),

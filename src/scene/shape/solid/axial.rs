@@ -1,25 +1,25 @@
-//! What cylinders and cones share: an axis between two caps, and the stretch of a ray between the planes of the caps.
+//! Shared parts of cylinders and cones: an axis between two caps, and the interval of a ray between the planes of the
+//! caps.
 
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::scene::shape::{Root, WELL_INSIDE, along, even_scale, span};
 use glam::{DAffine3, DVec3};
 
-/// The face numbers.
 pub(crate) const SIDE: u32 = 0;
 pub(crate) const BASE: u32 = 1;
 pub(crate) const APEX: u32 = 2;
 
-/// An axis from the middle of one cap to the middle of the other.
+/// An axis from the centre of one cap to the centre of the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
     pub(crate) base: DVec3,
     pub(crate) apex: DVec3,
-    /// The direction from base to apex.
+    /// Unit direction from base to apex.
     pub(crate) unit: DVec3,
 }
 
-/// Where a ray is between the planes of the caps, with the faces through which it comes and goes.
+/// Interval of a ray between the planes of the caps, each end with the face that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab {
     pub(crate) enter: (f64, u32),
@@ -33,8 +33,8 @@ impl Axis {
         Some(Axis { base, apex, unit })
     }
 
-    /// The box of a cylinder or cone as POV-Ray holds it: around the axis from the narrower end to the wider one, as wide
-    /// as that everywhere.
+    /// The box in which POV-Ray stores a cylinder or cone: along the axis from the narrower end to the wider one, with
+    /// the wider radius throughout.
     pub(crate) fn held_box(&self, base_radius: f64, apex_radius: f64) -> (Bounds, DAffine3) {
         let (start, dir, radius) = if apex_radius > base_radius {
             (self.base, self.unit, apex_radius)
@@ -42,38 +42,38 @@ impl Axis {
             (self.apex, -self.unit, base_radius)
         };
         let corner = DVec3::new(radius, radius, 0.0);
-        let held = Bounds::new(-corner, corner + self.length() * DVec3::Z);
-        (held, along(dir, start))
+        let stored = Bounds::new(-corner, corner + self.length() * DVec3::Z);
+        (stored, along(dir, start))
     }
 
     pub(crate) fn length(&self) -> f64 {
         self.unit.dot(self.apex - self.base)
     }
 
-    /// The part of a direction across the axis.
+    /// The component of a vector perpendicular to the axis.
     #[inline]
     pub(crate) fn across(&self, v: DVec3) -> DVec3 {
         v - self.unit.dot(v) * self.unit
     }
 
-    /// Tells whether a ray starts on the side or on a cap of a cone, or before it, and goes away: of one with this radius at the
-    /// base, which grows by `slope` towards the apex.
+    /// True if a ray starts on or outside the surface of a cone and goes away from it. The cone has this radius at the
+    /// base, growing by `slope` towards the apex.
     pub(crate) fn is_exiting(&self, ray: &Ray, base_radius: f64, slope: f64) -> bool {
         let p = ray.origin - self.base;
         let (height, length) = (self.unit.dot(p), self.length());
-        let climb = self.unit.dot(ray.dir);
-        let care = (1.0 - WELL_INSIDE) * length;
-        if height > length - care && climb > 0.0 || height < care && climb < 0.0 {
+        let dir_height = self.unit.dot(ray.dir);
+        let margin = (1.0 - WELL_INSIDE) * length;
+        if height > length - margin && dir_height > 0.0 || height < margin && dir_height < 0.0 {
             return true;
         }
-        let off = self.across(p);
-        let distance = off.length();
-        let width = base_radius + slope * height;
-        distance > WELL_INSIDE * width && off.dot(ray.dir) > slope * climb * distance
+        let radial = self.across(p);
+        let distance = radial.length();
+        let radius = base_radius + slope * height;
+        distance > WELL_INSIDE * radius && radial.dot(ray.dir) > slope * dir_height * distance
     }
 
-    /// The depths of the caps come from the caps' own points, so that the cap of an upright cylinder gets the same bits
-    /// as the face of a box at that height.
+    /// Computes `t` at the caps from their own centres, so that the cap of an upright cylinder gets the same bits as
+    /// the face of a box at that height.
     #[inline]
     pub(crate) fn slab(&self, ray: &Ray) -> Option<Slab> {
         let slope = self.unit.dot(ray.dir);
@@ -94,7 +94,7 @@ impl Axis {
         Some(Slab { enter, leave })
     }
 
-    /// The height of a point above the base, and what is left to the apex.
+    /// The height of a point above the base, and its depth below the apex.
     pub(crate) fn heights(&self, point: DVec3) -> (f64, f64) {
         (
             self.unit.dot(point - self.base),
@@ -102,24 +102,24 @@ impl Axis {
         )
     }
 
-    /// The box around the discs of these radii at both ends.
+    /// Bounding box of the discs of these radii at both ends.
     pub(crate) fn bounds(&self, base_radius: f64, apex_radius: f64) -> Bounds {
         let u = self.unit;
-        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
-        let reach = DVec3::new(sine(u.y, u.z), sine(u.z, u.x), sine(u.x, u.y));
+        let radial = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let reach = DVec3::new(radial(u.y, u.z), radial(u.z, u.x), radial(u.x, u.y));
         // The axis is a unit vector only to rounding.
         let size =
             self.base.abs().max(self.apex.abs()).max_element() + base_radius.max(apex_radius);
         let slack = 8.0 * f64::EPSILON * size;
-        let around = |centre: DVec3, radius: f64| {
+        let disc = |centre: DVec3, radius: f64| {
             let reach = reach * radius + slack;
             Bounds::new(centre - reach, centre + reach)
         };
-        around(self.base, base_radius).union(&around(self.apex, apex_radius))
+        disc(self.base, base_radius).union(&disc(self.apex, apex_radius))
     }
 
-    /// Moves the axis by a step that leaves circles across it circles, and gives the factor of their radii.
-    /// `None`, and no change, for any other step.
+    /// Applies a step that maps circles across the axis to circles, and returns the factor of their radii. `None`, and
+    /// no change, for any other step.
     pub(crate) fn absorb(&mut self, step: &Step) -> Option<f64> {
         let (moved, factor) = match step {
             Step::Translate(by) => {
@@ -131,8 +131,8 @@ impl Axis {
                 (Some(moved), 1.0)
             }
             Step::Rotate(degrees) => {
-                let turn = rotation(*degrees);
-                (Axis::new(turn * self.base, turn * self.apex), 1.0)
+                let rotated = rotation(*degrees);
+                (Axis::new(rotated * self.base, rotated * self.apex), 1.0)
             }
             Step::Scale(by) => {
                 let factor = even_scale(*by).or_else(|| self.round_scale(*by))?;
@@ -144,7 +144,7 @@ impl Axis {
         Some(factor)
     }
 
-    /// The factor of the radii if the axis lies along a coordinate axis and both directions across it scale alike.
+    /// The factor of the radii if the axis lies along a coordinate axis and both perpendicular axes scale equally.
     fn round_scale(&self, by: DVec3) -> Option<f64> {
         let size = by.abs();
         let (across, other) = match self.unit.abs().to_array() {
@@ -158,7 +158,7 @@ impl Axis {
 }
 
 impl Slab {
-    /// Between two heights above the xz plane; a lower cap that is the upper one too is met all the same.
+    /// The slab between two heights above the xz plane; equal heights still give a slab.
     pub(crate) fn between(ray: &Ray, low: f64, high: f64) -> Option<Self> {
         let (slope, height) = (ray.dir.y, ray.origin.y);
         if slope == 0.0 {
@@ -179,8 +179,8 @@ impl Slab {
         Some(Slab { enter, leave })
     }
 
-    /// What a stretch inside the infinite side shares with the slab. On a rim the side is taken. Parity is right by
-    /// construction: there is one way in and one way out.
+    /// Intersects an interval inside the infinite side surface with the slab. On a rim the side is taken. One entry and
+    /// one exit keep the parity right by construction.
     #[inline]
     pub(crate) fn clip(&self, side: (f64, f64), is_open: bool) -> Option<[Root; 2]> {
         let enter = if self.enter.0 > side.0 {
@@ -193,10 +193,9 @@ impl Slab {
         } else {
             (side.1, SIDE)
         };
-        // A slab without height is seen; a side that touches its own other end is not.
-        let is_stretch =
-            enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
-        let roots = if is_stretch { span(enter, leave) } else { None }?;
+        // A slab without height is visible; an interval of length zero on the side is not.
+        let is_hit = enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
+        let roots = if is_hit { span(enter, leave) } else { None }?;
         Some(roots.map(|root| Root {
             is_visible: !is_open || root.face == SIDE,
             ..root

@@ -1,11 +1,11 @@
 //! `cone { <base>, base radius, <apex>, apex radius [open] }`.
 //!
 //! The radius at height `y` above the base is `w(y) = r₀ + k·y`. The apex of the infinite cone is never used, so a cone
-//! that is almost a cylinder is no special case. The ray is first moved to where it comes closest to the axis between
-//! the caps; there `|p|² − w²` has coefficients of the cone's own size, and its differences of squares are factored.
-//! The closed cone is the inside of that quadratic clipped to the slab between the caps, where no other nappe is.
+//! that is almost a cylinder is no special case. The ray is first moved to its closest approach to the axis between the
+//! caps; there `|p|² − w²` has coefficients of the cone's own size, and its differences of squares are factored. The
+//! closed cone is the inside of that quadratic, clipped to the slab between the caps, which excludes the other nappe.
 //!
-//! Error bound: a cone narrower by 10⁻¹⁵ of its radius meets a ray within a rounding of where the cylinder does (tested);
+//! Error bound: a cone that narrows by 10⁻¹⁵ of its radius is hit within a rounding of the cylinder's hit (tested);
 //! parity is right by construction. Roots lie within 2 roundings of the problem's size from the surface
 //! (`shape/roundings.rs`).
 //!
@@ -16,7 +16,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, first_visible, read, unease};
+use crate::scene::shape::{Geometry, Root, Start, first_visible, original_span, read};
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
@@ -31,10 +31,10 @@ pub struct Cone {
     is_open: bool,
 }
 
-/// The stretches of a line inside an infinite double cone.
+/// The interval or intervals of a line inside an infinite double cone.
 enum Sides {
     Inner(f64, f64),
-    /// Up to the first and from the second.
+    /// Two intervals: up to the first value and from the second on.
     Outer(f64, f64),
 }
 
@@ -56,7 +56,7 @@ impl Cone {
         })
     }
 
-    /// The same without visible caps.
+    /// The same cone without visible caps.
     #[must_use]
     pub fn open(self) -> Self {
         Cone {
@@ -85,50 +85,50 @@ impl Cone {
         Ok(Cone { is_open, ..cone })
     }
 
-    fn widest(&self) -> f64 {
+    fn max_radius(&self) -> f64 {
         self.base_radius.max(self.apex_radius.abs())
     }
 
-    /// The change of the radius with height.
+    /// Change of the radius per unit of height.
     fn slope(&self) -> f64 {
         (self.apex_radius - self.base_radius) / self.axis.length()
     }
 
     fn crossings(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
         let p = ray.origin - self.axis.base;
-        if is_comfortable(self.widest(), ray.dir.dot(ray.dir), p.dot(p)) {
-            self.comfortable_crossings(ray)
+        if is_comfortable(self.max_radius(), ray.dir.dot(ray.dir), p.dot(p)) {
+            self.crossings_in_range(ray)
         } else {
-            self.far_crossings(ray).unwrap_or_default()
+            self.rescaled_crossings(ray).unwrap_or_default()
         }
     }
 
     #[cold]
-    fn far_crossings(&self, ray: &Ray) -> Option<SmallVec<[Root; 4]>> {
+    fn rescaled_crossings(&self, ray: &Ray) -> Option<SmallVec<[Root; 4]>> {
         let to_apex = self.axis.apex - self.axis.base;
-        let size = self.widest().max(to_apex.abs().max_element());
-        let eased = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
+        let size = self.max_radius().max(to_apex.abs().max_element());
+        let rescaled = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
         let small = Cone {
             axis: Axis {
                 base: DVec3::ZERO,
-                apex: to_apex / eased.size,
+                apex: to_apex / rescaled.size,
                 unit: self.axis.unit,
             },
-            base_radius: self.base_radius / eased.size,
-            apex_radius: self.apex_radius / eased.size,
+            base_radius: self.base_radius / rescaled.size,
+            apex_radius: self.apex_radius / rescaled.size,
             is_open: self.is_open,
         };
-        let roots = small.comfortable_crossings(&eased.ray);
+        let roots = small.crossings_in_range(&rescaled.ray);
         let pairs = roots.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
         Some(
             pairs
-                .filter_map(|pair| unease(&eased, pair))
+                .filter_map(|pair| original_span(&rescaled, pair))
                 .flatten()
                 .collect(),
         )
     }
 
-    fn comfortable_crossings(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
+    fn crossings_in_range(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
         let mut roots = SmallVec::new();
         let Some(slab) = self.axis.slab(ray) else {
             return roots;
@@ -143,7 +143,7 @@ impl Cone {
                 push(f64::NEG_INFINITY, until);
                 push(from, f64::INFINITY);
             }
-            // Of the two nappes the slab holds the one in which the radius is positive.
+            // The slab holds the nappe with the positive radius.
             Some(Sides::Outer(until, from)) => {
                 if self.slope() * self.axis.unit.dot(ray.dir) > 0.0 {
                     push(from, f64::INFINITY);
@@ -155,33 +155,33 @@ impl Cone {
         roots
     }
 
-    /// Where the line is inside the infinite double cone; right only near the stretch between the caps.
+    /// The line's intervals inside the infinite double cone; valid only near the interval between the caps.
     fn sides(&self, ray: &Ray, enter: f64, leave: f64) -> Option<Sides> {
         let slope = self.slope();
         let origin = ray.origin - self.axis.base;
-        let (height, climb) = (self.axis.unit.dot(origin), self.axis.unit.dot(ray.dir));
-        let (far, dir) = (self.axis.across(origin), self.axis.across(ray.dir));
+        let (height, dir_height) = (self.axis.unit.dot(origin), self.axis.unit.dot(ray.dir));
+        let (offset, dir) = (self.axis.across(origin), self.axis.across(ray.dir));
         let dir_sq = dir.dot(dir);
         let closest = if dir_sq > 0.0 {
-            -far.dot(dir) / dir_sq
+            -offset.dot(dir) / dir_sq
         } else {
             0.0
         };
         let middle = closest.max(enter).min(leave);
 
-        let p = far + middle * dir;
+        let p = offset + middle * dir;
         let distance = p.length();
-        // Farther than rounding can explain from the widest circle.
-        if distance > self.widest() * (1.0 + 8.0 * f64::EPSILON) && dir_sq > 0.0 {
+        // Outside the widest circle by more than rounding.
+        if distance > self.max_radius() * (1.0 + 8.0 * f64::EPSILON) && dir_sq > 0.0 {
             return None;
         }
-        let width = self.base_radius + slope * (height + middle * climb);
-        let widening = slope * climb;
+        let width = self.base_radius + slope * (height + middle * dir_height);
+        let widening = slope * dir_height;
         let speed = dir_sq.sqrt();
         let a = (speed - widening) * (speed + widening);
         let b = p.dot(dir) - width * widening;
         let c = (distance - width) * (distance + width);
-        let sides = |from: f64, to: f64| (middle + from, middle + to);
+        let span_at = |from: f64, to: f64| (middle + from, middle + to);
         if a == 0.0 {
             return linear_sides(b, c, middle);
         }
@@ -192,7 +192,7 @@ impl Cone {
         let root = discriminant.max(0.0).sqrt();
         let q = if b < 0.0 { root - b } else { -(root + b) };
         let (t, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
-        let (from, to) = sides(t.min(other), t.max(other));
+        let (from, to) = span_at(t.min(other), t.max(other));
         Some(if a > 0.0 {
             Sides::Inner(from, to)
         } else {
@@ -201,7 +201,7 @@ impl Cone {
     }
 }
 
-/// The inside of `2b·t + c <= 0`, for a ray parallel to a line of the cone.
+/// The solution of `2b·t + c <= 0`, for a ray parallel to a line of the cone.
 fn linear_sides(b: f64, c: f64, middle: f64) -> Option<Sides> {
     if b == 0.0 {
         return (c < 0.0).then_some(Sides::Inner(f64::NEG_INFINITY, f64::INFINITY));
@@ -224,7 +224,7 @@ impl Geometry for Cone {
         first_visible(&self.crossings(ray), from, to)
     }
 
-    /// As of a cylinder; an hourglass is not convex.
+    /// Same test as for a cylinder; an hourglass is not convex.
     fn is_exiting(&self, ray: &Ray) -> bool {
         let is_convex = self.apex_radius >= 0.0;
         is_convex && self.axis.is_exiting(ray, self.base_radius, self.slope())
@@ -246,17 +246,17 @@ impl Geometry for Cone {
 
     fn contains(&self, point: DVec3) -> bool {
         let (above, below) = self.axis.heights(point);
-        let distance = (self.axis.across(point - self.axis.base) / self.widest()).length();
-        let width = ((self.base_radius + self.slope() * above) / self.widest()).abs();
+        let distance = (self.axis.across(point - self.axis.base) / self.max_radius()).length();
+        let radius = ((self.base_radius + self.slope() * above) / self.max_radius()).abs();
         if self.is_open {
-            above >= 0.0 && below >= 0.0 && distance <= width
+            above >= 0.0 && below >= 0.0 && distance <= radius
         } else {
-            above > 0.0 && below > 0.0 && distance < width
+            above > 0.0 && below > 0.0 && distance < radius
         }
     }
 
     fn bounds(&self) -> Bounds {
-        if self.widest() == 0.0 {
+        if self.max_radius() == 0.0 {
             return Bounds::EMPTY;
         }
         self.axis.bounds(self.base_radius, self.apex_radius.abs())
@@ -337,9 +337,9 @@ mod tests {
             let ray = rng.ray_near(&round.bounds());
             let mut expected = Vec::new();
             cylinder.roots(&ray, &mut expected);
-            let found = round.crossings(&ray);
-            assert_eq!(found.len(), expected.len(), "{ray:?}");
-            for (a, b) in found.iter().zip(&expected) {
+            let hits = round.crossings(&ray);
+            assert_eq!(hits.len(), expected.len(), "{ray:?}");
+            for (a, b) in hits.iter().zip(&expected) {
                 assert!((a.t - b.t).abs() < 1e-9, "{a:?} {b:?}");
             }
         }
@@ -367,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_leave_it_round_are_absorbed() {
+    fn steps_that_preserve_circles_are_absorbed() {
         let steps = [
             Step::Scale(DVec3::new(2.0, 3.0, -2.0)),
             Step::Rotate(DVec3::new(10.0, 20.0, 30.0)),

@@ -1,8 +1,9 @@
 //! `box { <corner>, <opposite corner> }`, named `Cuboid` here because `Box` is Rust's.
 //!
-//! Slabs: on each axis the ray lies between the two faces for a stretch; the box is what the three share. Every depth
-//! is `(corner − origin) / dir` and nothing else, so faces in one plane get the same bits, whatever box they belong to.
-//! Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
+//! Slab method: on each axis the ray lies between the two faces for an interval of `t`; the box is the intersection of
+//! the three. Every depth is `(corner − origin) / dir` and nothing else, so coplanar faces get the same bits, whatever
+//! box they belong to. Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A
+//! box without thickness is visible, as in POV-Ray.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::simd::F64Lanes;
@@ -14,7 +15,7 @@ use crate::scene::shape::{
 };
 use glam::DVec3;
 
-/// A box with faces along the axes. Face `2·axis` is the one with the smaller coordinate, `2·axis + 1` the other.
+/// An axis-aligned box. Face `2·axis` is the one with the smaller coordinate, `2·axis + 1` the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid {
     /// The corner with the smallest coordinates.
@@ -48,14 +49,14 @@ impl Cuboid {
         let to_min = (self.min - ray.origin) / ray.dir;
         let to_max = (self.max - ray.origin) / ray.dir;
         let (mut near, mut far) = (to_min.min(to_max), to_min.max(to_max));
-        let is_along = ray.dir.cmpeq(DVec3::ZERO);
-        if is_along.any() {
-            let is_in = ray.origin.cmpge(self.min) & ray.origin.cmple(self.max);
-            if (is_along & !is_in).any() {
+        let is_parallel = ray.dir.cmpeq(DVec3::ZERO);
+        if is_parallel.any() {
+            let is_between = ray.origin.cmpge(self.min) & ray.origin.cmple(self.max);
+            if (is_parallel & !is_between).any() {
                 return None;
             }
-            near = DVec3::select(is_along, DVec3::NEG_INFINITY, near);
-            far = DVec3::select(is_along, DVec3::INFINITY, far);
+            near = DVec3::select(is_parallel, DVec3::NEG_INFINITY, near);
+            far = DVec3::select(is_parallel, DVec3::INFINITY, far);
         }
         let (enter, leave) = (near.max_element(), far.min_element());
         if enter > leave {
@@ -69,24 +70,24 @@ impl Cuboid {
         )
     }
 
-    /// The root that a ray is known to have at `t`, if it lies surely on one face alone.
+    /// The root at `t`, where the ray is known to have one; `None` unless it lies clearly on one face.
     #[inline]
     pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
         let point = ray.at(t);
         let (low, high) = ((point - self.min).abs(), (point - self.max).abs());
-        let off = low.min(high);
-        let (axis, dir, is_upper) = if off.x <= off.y && off.x <= off.z {
+        let gap = low.min(high);
+        let (axis, dir, is_upper) = if gap.x <= gap.y && gap.x <= gap.z {
             (0, ray.dir.x, high.x < low.x)
-        } else if off.y <= off.z {
+        } else if gap.y <= gap.z {
             (1, ray.dir.y, high.y < low.y)
         } else {
             (2, ray.dir.z, high.z < low.z)
         };
         let lengths = ray.origin.abs() + (t * ray.dir).abs() + self.min.abs() + self.max.abs();
-        let care = SURELY_ASIDE * lengths.max_element();
-        // The second least of three.
-        let next = off.x.min(off.y).max(off.x.max(off.y).min(off.z));
-        let is_sure = next > care && low.max(high).min_element() > care && dir != 0.0;
+        let margin = SURELY_ASIDE * lengths.max_element();
+        // The second smallest gap.
+        let median = gap.x.min(gap.y).max(gap.x.max(gap.y).min(gap.z));
+        let is_sure = median > margin && low.max(high).min_element() > margin && dir != 0.0;
         is_sure.then_some(Root {
             t,
             crossing: match is_upper == (dir < 0.0) {
@@ -98,34 +99,34 @@ impl Cuboid {
         })
     }
 
-    /// Whether a ray lies well inside from its start to `to`: no rounding brings a face there.
+    /// True if a ray lies well inside from its start to `to`: no rounding can bring a face there.
     #[inline]
     pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
-        let care = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());
-        let (low, high) = (self.min + care, self.max - care);
+        let margin = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());
+        let (low, high) = (self.min + margin, self.max - margin);
         let is_inside = |point: DVec3| (point.cmpgt(low) & point.cmplt(high)).all();
         is_inside(ray.origin) && is_inside(ray.at(to))
     }
 
-    /// The spans of four rays. Those along a face are unknown.
+    /// Spans of a ray packet. Lanes parallel to a face take the scalar path.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
-        let to_min = ways(sub(splat(self.min), rays.origin), rays.dir);
-        let to_max = ways(sub(splat(self.max), rays.origin), rays.dir);
+        let to_min = depths(sub(splat(self.min), rays.origin), rays.dir);
+        let to_max = depths(sub(splat(self.max), rays.origin), rays.dir);
         let [x, y, z] = [
-            stretch(to_min[0], to_max[0]),
-            stretch(to_min[1], to_max[1]),
-            stretch(to_min[2], to_max[2]),
+            min_max(to_min[0], to_max[0]),
+            min_max(to_min[1], to_max[1]),
+            min_max(to_min[2], to_max[2]),
         ];
         let enter = x.0.lane_max(y.0.lane_max(z.0));
         let leave = x.1.lane_min(y.1.lane_min(z.1));
-        let none = F::splat(0.0);
-        let is_off =
-            none.lt(rays.dir[0].abs()) & (none.lt(rays.dir[1].abs()) & none.lt(rays.dir[2].abs()));
-        SpanPacket::new((enter, leave), enter.le(leave), is_off)
+        let zero = F::splat(0.0);
+        let is_slanted =
+            zero.lt(rays.dir[0].abs()) & (zero.lt(rays.dir[1].abs()) & zero.lt(rays.dir[2].abs()));
+        SpanPacket::new((enter, leave), enter.le(leave), is_slanted)
     }
 
-    /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
+    /// Position between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
     fn fractions(&self, point: DVec3) -> DVec3 {
         let size = self.max - self.min;
         DVec3::select(
@@ -137,16 +138,16 @@ impl Cuboid {
 }
 
 #[inline(always)]
-fn ways<F: F64Lanes>(to: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> Vec3Lanes<F> {
+fn depths<F: F64Lanes>(to: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> Vec3Lanes<F> {
     [to[0] / dir[0], to[1] / dir[1], to[2] / dir[2]]
 }
 
 #[inline(always)]
-fn stretch<F: F64Lanes>(a: F, b: F) -> (F, F) {
+fn min_max<F: F64Lanes>(a: F, b: F) -> (F, F) {
     (a.lane_min(b), a.lane_max(b))
 }
 
-/// The axis on which `all` equals `one`; on an edge the one whose face the ray meets more squarely.
+/// The axis on which `all` equals `one`; on an edge the one whose face the ray hits more squarely.
 #[inline]
 fn squarest(all: DVec3, one: f64, dir: DVec3) -> usize {
     let steepness = DVec3::select(all.cmpeq(DVec3::splat(one)), dir.abs(), DVec3::NEG_ONE);
@@ -174,11 +175,11 @@ impl Geometry for Cuboid {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    /// From a face on, or from before it, away from the box.
+    /// True from a face, or from outside it, away from the box.
     fn is_exiting(&self, ray: &Ray) -> bool {
-        let care = (1.0 - WELL_INSIDE) * (self.max - self.min);
-        let above = ray.origin.cmpgt(self.max - care) & ray.dir.cmpgt(DVec3::ZERO);
-        let below = ray.origin.cmplt(self.min + care) & ray.dir.cmplt(DVec3::ZERO);
+        let margin = (1.0 - WELL_INSIDE) * (self.max - self.min);
+        let above = ray.origin.cmpgt(self.max - margin) & ray.dir.cmpgt(DVec3::ZERO);
+        let below = ray.origin.cmplt(self.min + margin) & ray.dir.cmplt(DVec3::ZERO);
         (above | below).any()
     }
 
@@ -279,14 +280,14 @@ mod tests {
     }
 
     #[test]
-    fn a_box_without_thickness_is_seen() {
+    fn a_box_without_thickness_is_visible() {
         let sheet = Cuboid::new(DVec3::new(-1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
         let ray = Ray::new(DVec3::new(0.0, 0.0, -2.0), DVec3::Z);
         assert_eq!(sheet.span(&ray).unwrap().map(|root| root.t), [2.0, 2.0]);
     }
 
     #[test]
-    fn a_root_is_known_by_its_place() {
+    fn root_at_identifies_the_root_by_its_point() {
         let mut rng = Random::new(12);
         let (mut known, mut all) = (0, 0);
         for number in 0..20_000 {
@@ -301,9 +302,12 @@ mod tests {
             }
             let ray = Ray::new(origin, dir);
             for root in cuboid.span(&ray).into_iter().flatten() {
-                let found = cuboid.root_at(&ray, root.t);
-                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
-                known += usize::from(found.is_some());
+                let result = cuboid.root_at(&ray, root.t);
+                assert!(
+                    result.is_none_or(|result| result == root),
+                    "{ray:?} {root:?}"
+                );
+                known += usize::from(result.is_some());
                 all += 1;
             }
         }
@@ -323,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn moves_and_scalings_are_absorbed_and_turns_are_not() {
+    fn translations_and_scalings_are_absorbed_and_rotations_are_not() {
         let mut cuboid = cube();
         assert!(cuboid.absorb(&Step::Scale(DVec3::new(-2.0, 1.0, 3.0))));
         assert!(cuboid.absorb(&Step::Translate(DVec3::X)));

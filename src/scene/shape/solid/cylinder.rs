@@ -1,11 +1,11 @@
 //! `cylinder { <base>, <apex>, radius [open] }`.
 //!
-//! The infinite cylinder is the quadratic of a ball for the parts of the ray across the axis ([`ball_chord`]); the
-//! closed one is what it shares with the slab between the caps. An open cylinder is the same solid with caps that are
-//! not visible, as POV-Ray's inside test has it. A negative radius works like its absolute value.
+//! The infinite cylinder is the quadratic of a sphere for the components of the ray perpendicular to the axis
+//! ([`ball_chord`]); the slab between the caps clips it. An open cylinder is the same solid with caps that are not
+//! visible, as in POV-Ray's inside test. A negative radius works like its absolute value.
 //!
-//! Error bound: that of the ball; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹ times
-//! its size (`shape/roundings.rs`).
+//! Error bound: as for a sphere; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹
+//! times its size (`shape/roundings.rs`).
 
 use super::axial::{APEX, Axis, BASE, SIDE};
 use crate::base::args::{Args, Parse, Word};
@@ -17,7 +17,7 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::packet;
 use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::{
-    Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, push_span, read, unease,
+    Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -40,7 +40,7 @@ impl Cylinder {
         })
     }
 
-    /// The same without visible caps.
+    /// The same cylinder without visible caps.
     #[must_use]
     pub fn open(self) -> Self {
         Cylinder {
@@ -49,7 +49,7 @@ impl Cylinder {
         }
     }
 
-    /// The same without ends: a point of its axis, the direction of that, and the radius.
+    /// The infinite cylinder: a point of its axis, the unit direction of the axis, and the radius.
     pub(crate) fn rod(&self) -> (DVec3, DVec3, f64) {
         (self.axis.base, self.axis.unit, self.radius)
     }
@@ -80,14 +80,14 @@ impl Cylinder {
     fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let p = ray.origin - self.axis.base;
         if is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) {
-            self.comfortable_span(ray)
+            self.span_in_range(ray)
         } else {
-            self.far_span(ray)
+            self.rescaled_span(ray)
         }
     }
 
     #[inline]
-    fn comfortable_span(&self, ray: &Ray) -> Option<[Root; 2]> {
+    fn span_in_range(&self, ray: &Ray) -> Option<[Root; 2]> {
         let slab = self.axis.slab(ray)?;
         let p = self.axis.across(ray.origin - self.axis.base);
         let dir = self.axis.across(ray.dir);
@@ -102,30 +102,30 @@ impl Cylinder {
         slab.clip(side, self.is_open)
     }
 
-    /// The root that a ray is known to have at `t`, if it lies surely on the side or one cap alone.
+    /// The root at `t`, where the ray is known to have one; `None` unless it lies clearly on the side or on one cap.
     #[inline]
     pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
-        let (from_base, way) = (ray.origin - self.axis.base, t * ray.dir);
-        let p = from_base + way;
+        let (from_base, displacement) = (ray.origin - self.axis.base, t * ray.dir);
+        let p = from_base + displacement;
         let to_apex = self.axis.apex - self.axis.base;
         let height = self.axis.unit.dot(p);
-        let rest = self.axis.unit.dot(to_apex) - height;
-        let off = p - height * self.axis.unit;
-        let lengths = from_base.abs() + way.abs() + to_apex.abs();
-        let care = SURELY_ASIDE * (lengths.max_element() + self.radius);
-        let is_on_cap = off.length_squared() < (self.radius - care) * (self.radius - care);
+        let to_top = self.axis.unit.dot(to_apex) - height;
+        let radial = p - height * self.axis.unit;
+        let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
+        let margin = SURELY_ASIDE * (lengths.max_element() + self.radius);
+        let is_on_cap = radial.length_squared() < (self.radius - margin) * (self.radius - margin);
         let slope = self.axis.unit.dot(ray.dir);
-        let along = off.dot(ray.dir);
-        let (enters, is_sure, face) = match (height > care, rest > care) {
+        let outward = radial.dot(ray.dir);
+        let (enters, is_sure, face) = match (height > margin, to_top > margin) {
             (true, true) => {
-                let is_sure = along.abs() > care * ray.dir.abs().max_element();
-                (along < 0.0, is_sure, SIDE)
+                let is_sure = outward.abs() > margin * ray.dir.abs().max_element();
+                (outward < 0.0, is_sure, SIDE)
             }
             (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
             (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
             (false, false) => return None,
         };
-        (is_sure && !self.is_open && self.radius > care).then_some(Root {
+        (is_sure && !self.is_open && self.radius > margin).then_some(Root {
             t,
             crossing: match enters {
                 true => Crossing::Enter,
@@ -136,22 +136,22 @@ impl Cylinder {
         })
     }
 
-    /// Whether [`Cylinder::four`] knows anything.
+    /// True if [`Cylinder::four`] applies to this cylinder.
     pub(crate) fn has_four(&self) -> bool {
         !self.is_open && is_comfortable_size(self.radius)
     }
 
-    /// The spans of four rays. Those along the axis or along the caps are unknown.
+    /// Spans of a ray packet. Lanes parallel to the axis or to the caps take the scalar path.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let unit = splat(self.axis.unit);
         let p = sub(rays.origin, splat(self.axis.base));
         let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         let dir = across(unit, rays.dir);
-        let (side_enter, side_leave, is_met) = chords(across(unit, p), dir, self.radius);
-        if F::bitmask(is_met) == 0 && F::bitmask(is_known) == 0b1111 {
+        let (side_enter, side_leave, is_hit) = chords(across(unit, p), dir, self.radius);
+        if F::bitmask(is_hit) == 0 && F::bitmask(is_known) == 0b1111 {
             let is_slanted = F::splat(0.0).lt(dot(dir, dir));
-            return SpanPacket::new((side_enter, side_leave), is_met, is_slanted);
+            return SpanPacket::new((side_enter, side_leave), is_hit, is_slanted);
         }
         let slope = dot(unit, rays.dir);
         let to_base = dot(unit, sub(splat(self.axis.base), rays.origin)) / slope;
@@ -162,25 +162,25 @@ impl Cylinder {
         let enter = F::select(side_enter.lt(first), first, side_enter);
         let leave = F::select(last.lt(side_leave), last, side_leave);
         let is_slanted = F::splat(0.0).lt(dot(dir, dir)) & F::splat(0.0).lt(slope.abs());
-        SpanPacket::new((enter, leave), is_met, is_known & is_slanted)
+        SpanPacket::new((enter, leave), is_hit, is_known & is_slanted)
     }
 
     #[cold]
-    fn far_span(&self, ray: &Ray) -> Option<[Root; 2]> {
+    fn rescaled_span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let to_apex = self.axis.apex - self.axis.base;
         let size = self.radius.max(to_apex.abs().max_element());
-        let eased = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
+        let rescaled = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
         let small = Cylinder {
             axis: Axis {
                 base: DVec3::ZERO,
-                apex: to_apex / eased.size,
+                apex: to_apex / rescaled.size,
                 unit: self.axis.unit,
             },
-            radius: self.radius / eased.size,
+            radius: self.radius / rescaled.size,
             is_open: self.is_open,
         };
-        let roots = small.comfortable_span(&eased.ray)?;
-        unease(&eased, roots)
+        let roots = small.span_in_range(&rescaled.ray)?;
+        original_span(&rescaled, roots)
     }
 }
 
@@ -193,7 +193,7 @@ impl Geometry for Cylinder {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    /// From the side or a cap on, or from before it, away from the cylinder.
+    /// True from the surface, or from outside it, away from the cylinder.
     fn is_exiting(&self, ray: &Ray) -> bool {
         self.axis.is_exiting(ray, self.radius, 0.0)
     }
@@ -208,12 +208,12 @@ impl Geometry for Cylinder {
 
     fn contains(&self, point: DVec3) -> bool {
         let (above, below) = self.axis.heights(point);
-        let share = self.axis.across(point - self.axis.base) / self.radius;
-        let share_sq = share.length_squared();
+        let radial = self.axis.across(point - self.axis.base) / self.radius;
+        let radial_sq = radial.length_squared();
         if self.is_open {
-            above >= 0.0 && below >= 0.0 && share_sq <= 1.0
+            above >= 0.0 && below >= 0.0 && radial_sq <= 1.0
         } else {
-            above > 0.0 && below > 0.0 && share_sq < 1.0
+            above > 0.0 && below > 0.0 && radial_sq < 1.0
         }
     }
 
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn a_root_is_known_by_its_place() {
+    fn root_at_identifies_the_root_by_its_point() {
         let mut rng = Random::new(13);
         let mut known = [0; 3];
         for number in 0..30_000 {
@@ -272,16 +272,19 @@ mod tests {
             let aim = base + rng.vector(0.5);
             let ray = Ray::new(origin, (0.1 + rng.share()) * (aim - origin));
             for root in cylinder.span(&ray).into_iter().flatten() {
-                let found = cylinder.root_at(&ray, root.t);
-                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
-                known[root.face as usize] += usize::from(found.is_some());
+                let result = cylinder.root_at(&ray, root.t);
+                assert!(
+                    result.is_none_or(|result| result == root),
+                    "{ray:?} {root:?}"
+                );
+                known[root.face as usize] += usize::from(result.is_some());
             }
         }
         assert!(known.iter().all(|&known| known > 4000), "{known:?}");
     }
 
     #[test]
-    fn an_open_cylinder_is_the_same_solid_with_unseen_caps() {
+    fn an_open_cylinder_is_the_same_solid_with_invisible_caps() {
         let open = cylinder("<0,0,0>, <0,2,0>, 1 open");
         check::solid(&open);
         let ray = Ray::new(DVec3::new(0.0, 5.0, 0.0), DVec3::new(0.5, -4.5, 0.0));
@@ -298,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_along_the_axis_meets_the_caps() {
+    fn a_ray_along_the_axis_hits_the_caps() {
         let upright = cylinder("<0,1,0>, <0,3,0>, 1");
         for zero in [0.0, -0.0] {
             let ray = Ray::new(DVec3::new(0.5, 7.0, 0.5), DVec3::new(zero, -2.0, zero));
@@ -345,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_leave_it_round_are_absorbed() {
+    fn steps_that_preserve_circles_are_absorbed() {
         let steps = [
             Step::Scale(DVec3::new(2.0, -5.0, 2.0)),
             Step::Rotate(DVec3::new(10.0, 20.0, 30.0)),

@@ -1,8 +1,8 @@
-//! `lathe { [spline] number of points, <r, y>, ... }`: a curve turned about the y axis.
+//! `lathe { [spline] number of points, <r, y>, ... }`: a surface of revolution, a curve rotated about the y axis.
 //!
-//! Inside is what POV-Ray takes for it: where a way outward crosses the curve an odd number of times, but not nearer
-//! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which
-//! are not seen.
+//! The inside test is POV-Ray's: a point is inside if a line outward crosses the curve an odd number of times, but not
+//! if it is nearer to the axis than the curve comes. That closes a curve with open ends by two level rings and an
+//! upright wall, which are invisible.
 
 mod climb;
 mod profile;
@@ -14,11 +14,11 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, Start, first_visible};
 use climb::flat;
 use glam::{DVec2, DVec3};
-use profile::{Asked, Profile};
+use profile::{Profile, RootQuery};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A surface of revolution. It is one piece, face 0.
+/// A surface of revolution. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lathe(Arc<Profile>);
 
@@ -26,7 +26,8 @@ impl Lathe {
     /// Reads the kind of spline and the points.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters, too few points, a point beyond the axis other than the first and the last, as in POV-Ray.
+    /// Malformed or non-finite parameters, too few points, a point beyond the axis other than the first and the last,
+    /// as in POV-Ray.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let mut kind = Kind::Linear;
         while let Some(named) = Kind::accept(args)? {
@@ -57,44 +58,48 @@ impl Lathe {
     }
 }
 
-/// The place of a point in the half-plane of the curve.
+/// The position of a point in the half-plane of the curve.
 fn in_plane(point: DVec3) -> DVec2 {
     DVec2::new(point.x.hypot(point.z), point.y)
 }
 
 impl Geometry for Lathe {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.0.crossings(ray, Asked::EVERYWHERE));
+        roots.extend_from_slice(&self.0.crossings(ray, RootQuery::EVERYWHERE));
         Start::Outside
     }
 
     fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
         let to = f64::INFINITY;
-        roots.extend_from_slice(&self.0.crossings(ray, Asked { from, to, enough }));
+        roots.extend_from_slice(&self.0.crossings(ray, RootQuery { from, to, enough }));
         false
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         let enough = from;
-        first_visible(&self.0.crossings(ray, Asked { from, to, enough }), from, to)
+        first_visible(
+            &self.0.crossings(ray, RootQuery { from, to, enough }),
+            from,
+            to,
+        )
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         let profile = &*self.0;
-        let place = in_plane(point);
-        let curve = &profile.segments[..profile.seen];
-        let Some((number, x)) = spline::nearest(curve, place) else {
+        let position = in_plane(point);
+        let curve = &profile.segments[..profile.visible_count];
+        let Some((number, x)) = spline::nearest(curve, position) else {
             return DVec3::Y;
         };
         let on_curve = curve[number].at(x);
         let across = curve[number].tangent(x).perp();
         let normal = profile.segments.outward(on_curve, across);
-        let outward = if place.x > 0.0 {
-            flat(point) / place.x
+        let radial = if position.x > 0.0 {
+            flat(point) / position.x
         } else {
             DVec2::X
         };
-        DVec3::new(normal.x * outward.x, normal.y, normal.x * outward.y)
+        DVec3::new(normal.x * radial.x, normal.y, normal.x * radial.y)
     }
 
     fn contains(&self, point: DVec3) -> bool {
@@ -109,11 +114,11 @@ impl Geometry for Lathe {
         false
     }
 
-    /// Around the axis from +x towards +z, and along the curve.
+    /// `u` around the axis from +x towards +z, `v` along the curve.
     fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let around = point.z.atan2(point.x) / TAU;
         let around = if around < 0.0 { around + 1.0 } else { around };
-        let curve = &self.0.segments[..self.0.seen];
+        let curve = &self.0.segments[..self.0.visible_count];
         let along = spline::nearest(curve, in_plane(point)).map_or(0.0, |(number, x)| {
             let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
             (count(number) + 0.5 * (x + 1.0)) / count(curve.len())

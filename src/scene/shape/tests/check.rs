@@ -1,4 +1,4 @@
-//! Facts that every shape must show, tried on a few thousand random rays.
+//! Properties of every shape, tested on a few thousand random rays.
 
 pub(crate) use crate::base::math::sampling::random::Random;
 use crate::base::math::{Bounds, Ray, Transform};
@@ -11,7 +11,7 @@ fn roots_of(shape: &dyn Geometry, ray: &Ray) -> (Start, Vec<Root>) {
     (start, roots)
 }
 
-/// Roots are in order, enter and leave alternate from the start, `nearest` gives the same roots.
+/// Roots are sorted, enter and leave alternate from the start, and `nearest` returns the same roots.
 fn alternates(shape: &dyn Geometry, ray: &Ray) -> Vec<Root> {
     let (start, roots) = roots_of(shape, ray);
     let mut is_inside = start == Start::Inside;
@@ -47,7 +47,7 @@ fn nearest_agrees(shape: &dyn Geometry, ray: &Ray, roots: &[Root]) {
     assert_eq!(shape.nearest(ray, from, f64::INFINITY), None);
 }
 
-/// Close to the hit the normal points out, and a neighbouring ray that meets the same face does so across the normal.
+/// The normal at a hit points out, and a neighbouring ray hits the same face at a point in the tangent plane.
 fn surface(shape: &dyn Geometry, ray: &Ray, root: &Root, size: f64) {
     let point = ray.at(root.t);
     let normal = shape.normal(point, root.face).normalize();
@@ -58,7 +58,7 @@ fn surface(shape: &dyn Geometry, ray: &Ray, root: &Root, size: f64) {
         Crossing::Leave => assert!(slope > -1e-6, "{ray:?} {root:?} {slope}"),
         Crossing::Touch => {}
     }
-    // Grazing hits and edges say nothing at this distance.
+    // Grazing hits and edges prove nothing at this distance.
     if slope.abs() < 0.1 {
         return;
     }
@@ -114,7 +114,7 @@ fn within(bounds: &Bounds, ray: &Ray, root: &Root) {
     assert!(is_in, "{point} is not in {bounds:?}");
 }
 
-/// What every bounded solid shows.
+/// Properties of every bounded solid.
 pub(crate) fn solid(shape: &dyn Geometry) {
     creased(shape);
     let bounds = shape.bounds();
@@ -128,7 +128,7 @@ pub(crate) fn solid(shape: &dyn Geometry) {
     }
 }
 
-/// What a bounded solid shows that has creases within a face, across which normals say nothing.
+/// Properties of a bounded solid with creases within a face, across which normals are not continuous.
 pub(crate) fn creased(shape: &dyn Geometry) {
     let bounds = shape.bounds();
     let size = (bounds.max - bounds.min).length();
@@ -147,7 +147,7 @@ pub(crate) fn creased(shape: &dyn Geometry) {
     assert!(hits > 500, "only {hits} hits");
 }
 
-/// What every half-space shows.
+/// Properties of every half-space.
 pub(crate) fn half_space(shape: &dyn Geometry) {
     let bounds = Bounds::new(DVec3::splat(-4.0), DVec3::splat(4.0));
     let mut rng = Random::new(2);
@@ -165,7 +165,7 @@ pub(crate) fn half_space(shape: &dyn Geometry) {
     }
 }
 
-/// What every patch shows.
+/// Properties of every patch.
 pub(crate) fn patch(shape: &dyn Geometry) {
     let bounds = shape.bounds();
     let size = (bounds.max - bounds.min).length();
@@ -187,7 +187,7 @@ pub(crate) fn patch(shape: &dyn Geometry) {
     assert!(hits > 200, "only {hits} hits");
 }
 
-/// The scene in units of 2^k has the same roots to the bit.
+/// Scaling by 2^k gives the same roots to the bit.
 pub(crate) fn scales_exactly<S: Geometry>(shape: &S, scaled: impl Fn(f64) -> S) {
     let region = shape.bounds();
     let region = if region.is_finite() {

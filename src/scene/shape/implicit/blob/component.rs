@@ -1,4 +1,4 @@
-//! One component of a blob, and the parts of a ray on which its field is one polynomial.
+//! One component of a blob, and the segments of a ray on which its field is one polynomial.
 
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, unit};
@@ -10,49 +10,50 @@ use crate::scene::texture::Texture;
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 
-/// A field around a centre, or around the stretch between two ends.
+/// A field around a centre, or around the segment between two ends.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Component {
     pub(super) strength: f64,
-    /// Which of the textures of the blob it has.
+    /// Index of its texture in the blob, or [`TextureWeight::OF_THE_OBJECT`].
     pub(super) skin: u32,
-    /// Takes the blob to the space in which the radius is 1, one end is the origin and the other above it.
+    /// Transform from the blob to unit space, in which the radius is 1, one end is the origin and the other lies above
+    /// it.
     unit_from_blob: DAffine3,
-    /// The height of the other end; zero for a sphere.
+    /// Height of the other end in unit space; zero for a sphere.
     length: f64,
     bounds: Bounds,
-    /// Centre and radius of a ball around it.
-    ball: (DVec3, f64),
+    /// Centre and radius of a bounding sphere.
+    bounding_sphere: (DVec3, f64),
 }
 
-/// A stretch of a ray on which `d = |origin + t · dir|`.
+/// An interval of a ray on which `d = |origin + t · dir|`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
+pub(super) struct Segment {
     pub(super) from: f64,
     pub(super) to: f64,
     origin: DVec3,
     dir: DVec3,
     strength: f64,
-    most: f64,
+    max_field: f64,
 }
 
-pub(super) type Parts = SmallVec<[Part; 12]>;
+pub(super) type Segments = SmallVec<[Segment; 12]>;
 
-impl Part {
-    /// Nowhere on the ray its field is above this.
-    pub(super) fn most(&self) -> f64 {
-        self.most
+impl Segment {
+    /// Upper bound of the field on the segment.
+    pub(super) fn max_field(&self) -> f64 {
+        self.max_field
     }
 
-    /// The field at a place of the ray.
+    /// The field at `t`.
     pub(super) fn field(&self, t: f64) -> f64 {
         let p = self.origin + t * self.dir;
-        let rest = 1.0 - p.dot(p);
-        self.strength * rest * rest
+        let falloff = 1.0 - p.dot(p);
+        self.strength * falloff * falloff
     }
 
     /// Subtracts the field along `middle + half · x` from a quartic in `x`.
-    pub(super) fn take_from(&self, quartic: &mut [f64; 5], middle: f64, half: f64) {
+    pub(super) fn subtract_from(&self, quartic: &mut [f64; 5], middle: f64, half: f64) {
         let p = self.origin + middle * self.dir;
         let h = half * self.dir;
         let (a, b, c) = (1.0 - p.dot(p), -2.0 * p.dot(h), -h.dot(h));
@@ -66,7 +67,7 @@ impl Part {
 }
 
 impl Component {
-    /// The component that begins at the next word, if one does, with the texture that it has of its own.
+    /// Reads the component that begins at the next keyword, if one does, with the texture of its own.
     pub(super) fn read(args: &mut dyn Args) -> Parse<Option<(Self, Option<Texture>)>> {
         if args.accept(Word::Component)? {
             let strength = read::number(args, "the strength of the component")?;
@@ -111,7 +112,7 @@ impl Component {
             matrix3: DMat3::from_diagonal(DVec3::splat(1.0 / radius)),
             translation: -centre / radius,
         };
-        Component::placed((own, inverse), 0.0, strength, steps)
+        Component::with_steps(own, inverse, 0.0, strength, steps)
     }
 
     pub(super) fn cylinder(
@@ -122,70 +123,77 @@ impl Component {
     ) -> Option<Self> {
         let axis = unit(other - end)?;
         let across = axis.any_orthonormal_vector();
-        let turn = DMat3::from_cols(across, axis, across.cross(axis));
+        let rotation = DMat3::from_cols(across, axis, across.cross(axis));
         let own = DAffine3 {
-            matrix3: turn * radius.abs(),
+            matrix3: rotation * radius.abs(),
             translation: end,
         };
-        let back = turn.transpose() * (1.0 / radius.abs());
+        let inverse_rotation = rotation.transpose() * (1.0 / radius.abs());
         let inverse = DAffine3 {
-            matrix3: back,
-            translation: -(back * end),
+            matrix3: inverse_rotation,
+            translation: -(inverse_rotation * end),
         };
         let length = (other - end).length() / radius.abs();
-        Some(Component::placed((own, inverse), length, strength, steps))
+        Some(Component::with_steps(own, inverse, length, strength, steps))
     }
 
-    /// `own` takes the unit space to that of the component before its steps, and back.
-    fn placed(own: (DAffine3, DAffine3), length: f64, strength: f64, steps: &[Step]) -> Self {
-        let moved = Transform::from_steps(steps);
-        let blob_from_unit = moved.world_from_object * own.0;
-        let unit_from_blob = own.1 * moved.object_from_world;
-        // A ball of radius 1 reaches along an axis as far as the row of its matrix is long.
-        let rows = blob_from_unit.matrix3.transpose();
-        let reach = DVec3::new(
-            rows.x_axis.length(),
-            rows.y_axis.length(),
-            rows.z_axis.length(),
+    /// The component with its own transform and its inverse, from unit space to the space before `steps`.
+    fn with_steps(
+        own: DAffine3,
+        inverse: DAffine3,
+        length: f64,
+        strength: f64,
+        steps: &[Step],
+    ) -> Self {
+        let transform = Transform::from_steps(steps);
+        let blob_from_unit = transform.world_from_object * own;
+        let unit_from_blob = inverse * transform.object_from_world;
+        // The image of the unit sphere extends along an axis by the length of that row of its matrix.
+        let transposed = blob_from_unit.matrix3.transpose();
+        let half_extent = DVec3::new(
+            transposed.x_axis.length(),
+            transposed.y_axis.length(),
+            transposed.z_axis.length(),
         );
-        // No matrix stretches by more than the mean, in products, of its largest column and row in sums of sizes.
+        // The spectral norm of a matrix is at most the geometric mean of its largest column sum and row sum of absolute
+        // values.
         let sums = |m: DMat3| m.abs() * DVec3::ONE;
-        let stretch =
-            (sums(rows).max_element() * sums(blob_from_unit.matrix3).max_element()).sqrt();
+        let max_scale =
+            (sums(transposed).max_element() * sums(blob_from_unit.matrix3).max_element()).sqrt();
         let ends = [DVec3::ZERO, length * DVec3::Y].map(|end| blob_from_unit.transform_point3(end));
-        let slack = 8.0 * f64::EPSILON * (ends[0].abs().max(ends[1].abs()) + reach);
+        let slack = 8.0 * f64::EPSILON * (ends[0].abs().max(ends[1].abs()) + half_extent);
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        let bounds = Bounds::new(low - reach - slack, high + reach + slack);
-        let is_empty = reach == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
+        let bounds = Bounds::new(low - half_extent - slack, high + half_extent + slack);
+        let is_empty = half_extent == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
         Component {
             strength,
             skin: TextureWeight::OF_THE_OBJECT,
             unit_from_blob,
             length,
             bounds: if is_empty { Bounds::EMPTY } else { bounds },
-            ball: (
+            bounding_sphere: (
                 ends[0].midpoint(ends[1]),
-                0.5 * ends[0].distance(ends[1]) + stretch,
+                0.5 * ends[0].distance(ends[1]) + max_scale,
             ),
         }
     }
 
-    pub(super) fn ball(&self) -> (DVec3, f64) {
-        self.ball
+    pub(super) fn bounding_sphere(&self) -> (DVec3, f64) {
+        self.bounding_sphere
     }
 
     pub(super) fn bounds(&self) -> Bounds {
         self.bounds
     }
 
-    /// Appends the parts of a ray within reach.
-    pub(super) fn parts(&self, ray: &Ray, parts: &mut Parts) {
+    /// Appends the segments of a ray inside the component.
+    pub(super) fn segments(&self, ray: &Ray, segments: &mut Segments) {
         if self.bounds.is_empty() {
             return;
         }
         let local = ray.to_object(&self.unit_from_blob);
         if self.length == 0.0 {
-            self.push(&local, (f64::NEG_INFINITY, f64::INFINITY), parts);
+            self.push(&local, f64::NEG_INFINITY, f64::INFINITY, segments);
             return;
         }
         let above = Ray::new(local.origin - self.length * DVec3::Y, local.dir);
@@ -199,41 +207,41 @@ impl Component {
             } else {
                 &between
             };
-            self.push(piece, (f64::NEG_INFINITY, f64::INFINITY), parts);
+            self.push(piece, f64::NEG_INFINITY, f64::INFINITY, segments);
             return;
         }
         let bottom = -local.origin.y / local.dir.y;
         let top = -above.origin.y / local.dir.y;
-        let (first, second, pieces) = if local.dir.y > 0.0 {
+        let (first, second, locals) = if local.dir.y > 0.0 {
             (bottom, top, [&local, &between, &above])
         } else {
             (top, bottom, [&above, &between, &local])
         };
-        self.push(pieces[0], (f64::NEG_INFINITY, first), parts);
-        self.push(pieces[1], (first, second), parts);
-        self.push(pieces[2], (second, f64::INFINITY), parts);
+        self.push(locals[0], f64::NEG_INFINITY, first, segments);
+        self.push(locals[1], first, second, segments);
+        self.push(locals[2], second, f64::INFINITY, segments);
     }
 
-    /// Appends the part of a ray, given about a centre, that lies in the ball of radius 1 and in a stretch.
-    fn push(&self, about: &Ray, stretch: (f64, f64), parts: &mut Parts) {
-        let Some((enter, leave)) = unit_chord(about, stretch) else {
+    /// Appends the segment of a ray, relative to a centre, that lies in the unit sphere and between two parameters.
+    fn push(&self, about: &Ray, start: f64, end: f64, segments: &mut Segments) {
+        let Some((enter, leave)) = unit_chord(about, start, end) else {
             return;
         };
-        let (from, to) = (enter.max(stretch.0), leave.min(stretch.1));
+        let (from, to) = (enter.max(start), leave.min(end));
         if from < to {
-            parts.push(Part {
+            segments.push(Segment {
                 from,
                 to,
                 origin: about.origin,
                 dir: about.dir,
                 strength: self.strength,
-                most: self.most_along(about, (from, to)),
+                max_field: self.max_field_along(about, from, to),
             });
         }
     }
 
-    /// A bound on the field along a part of a ray that is given about a centre.
-    fn most_along(&self, about: &Ray, (from, to): (f64, f64)) -> f64 {
+    /// Upper bound of the field on an interval of a ray relative to a centre.
+    fn max_field_along(&self, about: &Ray, from: f64, to: f64) -> f64 {
         if self.strength <= 0.0 {
             return 0.0;
         }
@@ -243,51 +251,51 @@ impl Component {
         } else {
             from
         });
-        let rest = (1.0 - p.dot(p)).max(0.0);
-        self.strength * rest * rest
+        let falloff = (1.0 - p.dot(p)).max(0.0);
+        self.strength * falloff * falloff
     }
 
     /// The field at a point.
     pub(super) fn field(&self, point: DVec3) -> f64 {
         let p = self.off_axis(self.unit_from_blob.transform_point3(point));
-        let rest = 1.0 - p.dot(p);
-        if rest > 0.0 {
-            self.strength * rest * rest
+        let falloff = 1.0 - p.dot(p);
+        if falloff > 0.0 {
+            self.strength * falloff * falloff
         } else {
             0.0
         }
     }
 
-    /// The direction and half the rate in which the field falls at a point.
+    /// The negative gradient of the field at a point, halved.
     pub(super) fn outward(&self, point: DVec3) -> DVec3 {
         let p = self.off_axis(self.unit_from_blob.transform_point3(point));
-        let rest = 1.0 - p.dot(p);
-        if rest > 0.0 {
-            self.unit_from_blob.matrix3.transpose() * (p * (2.0 * self.strength * rest))
+        let falloff = 1.0 - p.dot(p);
+        if falloff > 0.0 {
+            self.unit_from_blob.matrix3.transpose() * (p * (2.0 * self.strength * falloff))
         } else {
             DVec3::ZERO
         }
     }
 
-    /// From the nearest point of the stretch between the ends.
+    /// Offset from the nearest point of the axis segment.
     fn off_axis(&self, p: DVec3) -> DVec3 {
         DVec3::new(p.x, p.y - p.y.clamp(0.0, self.length), p.z)
     }
 }
 
-/// Where a ray is in the ball of radius 1 about the origin; one without direction is there always or never.
-fn unit_chord(about: &Ray, stretch: (f64, f64)) -> Option<(f64, f64)> {
+/// Interval of a ray inside the unit sphere about the origin; without a direction, `start..end` or nothing.
+fn unit_chord(about: &Ray, start: f64, end: f64) -> Option<(f64, f64)> {
     let dir_sq = about.dir.dot(about.dir);
     let origin_sq = about.origin.dot(about.origin);
     if about.dir == DVec3::ZERO {
-        return (origin_sq < 1.0).then_some(stretch);
+        return (origin_sq < 1.0).then_some((start, end));
     }
     if is_comfortable(1.0, dir_sq, origin_sq) {
         return ball_chord(about.origin, about.dir, 1.0);
     }
-    let eased = RescaledRay::new(about, 1.0)?;
-    let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, 1.0 / eased.size)?;
-    Some((eased.t(enter), eased.t(leave)))
+    let rescaled = RescaledRay::new(about, 1.0)?;
+    let (enter, leave) = ball_chord(rescaled.ray.origin, rescaled.ray.dir, 1.0 / rescaled.size)?;
+    Some((rescaled.t(enter), rescaled.t(leave)))
 }
 
 fn read_strength(args: &mut dyn Args) -> Parse<f64> {
@@ -296,7 +304,7 @@ fn read_strength(args: &mut dyn Args) -> Parse<f64> {
     read::number(args, "the strength of the component")
 }
 
-/// Transforms and textures up to the closing brace; the transforms move the textures before them.
+/// Reads transforms and textures up to the closing brace; the transforms move the textures before them.
 fn read_modifiers(args: &mut dyn Args) -> Parse<(Vec<Step>, Option<Texture>)> {
     let mut steps = Vec::new();
     let mut texture: Option<Texture> = None;

@@ -22,7 +22,7 @@ fn spheres_and_cylinders_make_a_solid() {
 }
 
 #[test]
-fn many_components_are_found_by_the_tree() {
+fn many_components_are_visited_through_the_bvh() {
     let mut text = String::from("threshold 0.4");
     for i in 0..20 {
         let angle = 0.7 * f64::from(i);
@@ -33,7 +33,7 @@ fn many_components_are_found_by_the_tree() {
         );
     }
     let whole = blob(&text);
-    assert!(whole.0.tree.is_some());
+    assert!(whole.0.bvh.is_some());
     check::solid(&whole);
 }
 
@@ -48,21 +48,21 @@ fn one_sphere_is_a_sphere() {
 }
 
 #[test]
-fn a_threshold_at_the_strength_leaves_nothing_and_one_below_zero_all_but_the_holes() {
+fn a_threshold_at_the_strength_leaves_nothing_and_a_negative_one_all_but_the_holes() {
     let nothing = blob("sphere { <0,0,0>, 1, 1 }");
     let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
     assert_eq!(nothing.nearest(&ray, 0.0, f64::INFINITY), None);
     let hole = blob("threshold -.25 sphere { <0,0,0>, 1, -1 }");
     let mut roots = Vec::new();
     assert_eq!(hole.roots(&ray, &mut roots), Start::Inside);
-    let found: Vec<_> = roots.iter().map(|root| root.crossing).collect();
-    assert_eq!(found, [Crossing::Leave, Crossing::Enter]);
+    let crossings: Vec<_> = roots.iter().map(|root| root.crossing).collect();
+    assert_eq!(crossings, [Crossing::Leave, Crossing::Enter]);
     assert!(hole.contains(DVec3::X * 9.0) && !hole.contains(DVec3::ZERO));
     assert_eq!(hole.solid_bounds(), Bounds::EVERYTHING);
 }
 
 #[test]
-fn a_threshold_of_zero_draws_the_reach_of_the_field() {
+fn a_threshold_of_zero_shows_the_whole_extent_of_the_field() {
     let all = blob("threshold 0 sphere { <0,0,0>, 1, 1 } sphere { <.5,0,0>, 1, 1 }");
     let ray = Ray::new(DVec3::new(-4.0, 0.3, 0.0), DVec3::X);
     let mut roots = Vec::new();
@@ -74,7 +74,7 @@ fn a_threshold_of_zero_draws_the_reach_of_the_field() {
 }
 
 #[test]
-fn a_cylinder_without_length_a_blob_without_components_and_switches_of_components_are_errors() {
+fn degenerate_cylinders_empty_blobs_and_object_modifiers_are_errors() {
     for (text, expected) in [
         (
             "cylinder { <1,1,1>, <1,1,1>, 1, 1 }",
@@ -103,9 +103,9 @@ fn negative_radii_count_as_positive_and_zero_is_nothing() {
     assert_eq!(nothing.nearest(&ray, 0.0, f64::INFINITY), None);
 }
 
-/// POV-Ray 3.7 blends them like this: what is taken away counts as what is added does.
+/// POV-Ray 3.7 blends like this: a negative field weighs as much as a positive one.
 #[test]
-fn components_share_the_look_of_a_point_by_their_fields() {
+fn textures_of_components_are_weighted_by_their_fields() {
     let pair = blob(
         "threshold 0.2 sphere { <-0.5,0,0>, 1, 1 pigment { rgb 1 } }
         sphere { <0.5,0,0>, 1, -0.5 } sphere { <5,0,0>, 1, 1 finish { phong 1 } }",

@@ -29,12 +29,12 @@ pub(super) enum Function {
     Atan,
     Tanh,
     Atanh,
-    /// To the power of this.
+    /// The power with this exponent.
     Power(Complex),
 }
 
 impl Function {
-    /// The functions without a parameter, by their words. The cube of hypercomplex numbers is their square, as in POV-Ray
+    /// The functions without a parameter, by keyword. The cube of hypercomplex numbers is their square, as in POV-Ray
     /// 3.7 (measured).
     pub(super) const NAMED: &[(Word, Function)] = &[
         (Word::Sqr, Function::Square),
@@ -81,7 +81,7 @@ impl Function {
     }
 
     /// The derivative at `z`.
-    pub(super) fn slope(self, z: Complex) -> Complex {
+    pub(super) fn derivative(self, z: Complex) -> Complex {
         let one = Complex::ONE;
         match self {
             Function::Square => z + z,
@@ -218,7 +218,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slopes_are_those_of_the_values() {
+    fn derivatives_agree_with_differences() {
         let power = Function::Power(Complex::new(1.5, 0.3));
         let named = Function::NAMED.iter().map(|(_, function)| *function);
         for function in named.chain([power]) {
@@ -230,9 +230,9 @@ mod tests {
                 let step = 1e-6;
                 for along in [Complex::new(step, 0.0), Complex::new(0.0, step)] {
                     let rise = function.value(z + along) - function.value(z - along);
-                    let expected = function.slope(z) * (along + along);
-                    let off = (rise - expected).norm_sq().sqrt();
-                    assert!(off < 1e-8 * step.sqrt(), "{function:?} at {z:?}: {off}");
+                    let expected = function.derivative(z) * (along + along);
+                    let error = (rise - expected).norm_sq().sqrt();
+                    assert!(error < 1e-8 * step.sqrt(), "{function:?} at {z:?}: {error}");
                 }
             }
         }

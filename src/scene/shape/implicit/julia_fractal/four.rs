@@ -1,163 +1,169 @@
-//! Four rays and a fractal at once: each goes its own steps, to the bit as by itself, while their orbits are followed
+//! Ray packets of four lanes: each ray takes its own steps, bit for bit as by itself, while the orbits are iterated
 //! together.
 //!
-//! Rays that start inside, and those that would have to go on behind a root, are left to be asked for singly.
+//! Rays that start inside, and rays that would have to continue after a root, take the scalar path.
 
 use super::complex::Function;
-use super::places::{Orbit, Pair, Places, Quaternion};
-use super::{Fractal, JuliaFractal, LEAST_WAY, Rule, TOLERANCE, unit};
+use super::places::{Orbit, Pair, PointStates, Quaternion};
+use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE, unit};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{add, scale};
 use crate::scene::shape::packet_search::{FourAsked, FourFound};
 
-/// What a length may lose by rounding.
+/// Relative rounding error of a length.
 const LOSS: f64 = 1e-9;
 
-struct Following<'a> {
+struct PacketSearch<'a> {
     fractal: &'a Fractal,
-    asked: &'a FourAsked,
+    query: &'a FourAsked,
 }
 
-/// Four rays of unit direction.
+/// A packet of rays of unit direction.
 struct Rays<F> {
     origin: Vec3Lanes<F>,
     dir: Vec3Lanes<F>,
 }
 
 impl JuliaFractal {
-    /// Whether it can be asked for four rays at once.
+    /// True if [`JuliaFractal::nearest_of_four`] applies to this fractal.
     pub(crate) fn has_four(&self) -> bool {
-        self.0.together() > 1
+        self.0.batch_size() > 1
     }
 
-    /// Where those of four rays that are asked for enter it.
-    pub(crate) fn nearest_of_four(&self, asked: &FourAsked) -> FourFound {
+    /// Nearest entries of the active rays of a packet.
+    pub(crate) fn nearest_of_four(&self, query: &FourAsked) -> FourFound {
         let fractal = &self.0;
-        with_widest(|lanes| lanes.run(Following { fractal, asked }))
+        with_widest(|lanes| lanes.run(PacketSearch { fractal, query }))
     }
 }
 
-impl SimdKernel for Following<'_> {
+impl SimdKernel for PacketSearch<'_> {
     type Output = FourFound;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> FourFound {
         match self.fractal.rule {
-            Rule::QuaternionSquare => self.follow::<F, Quaternion<F, 2>>(),
-            Rule::QuaternionCube => self.follow::<F, Quaternion<F, 3>>(),
-            Rule::Hypercomplex(Function::Square) => self.follow::<F, Pair<F>>(),
+            Rule::QuaternionSquare => self.search::<F, Quaternion<F, 2>>(),
+            Rule::QuaternionCube => self.search::<F, Quaternion<F, 3>>(),
+            Rule::Hypercomplex(Function::Square) => self.search::<F, Pair<F>>(),
             Rule::Hypercomplex(_) => FourFound {
-                unknown: self.asked.there,
+                unknown: self.query.there,
                 ..FourFound::default()
             },
         }
     }
 }
 
-impl Following<'_> {
+impl PacketSearch<'_> {
     #[inline(always)]
-    fn follow<F: F64Lanes, O: Orbit<F>>(&self) -> FourFound {
-        let (fractal, asked) = (self.fractal, self.asked);
-        let rays = asked.rays::<F>();
+    fn search<F: F64Lanes, O: Orbit<F>>(&self) -> FourFound {
+        let (fractal, query) = (self.fractal, self.query);
+        let rays = query.rays::<F>();
         let length = dot(rays.dir, rays.dir).sqrt();
         let rays = Rays {
             origin: rays.origin,
             dir: divide(rays.dir, length),
         };
-        let middle = -dot(rays.origin, rays.dir);
-        let nearest = add(rays.origin, scale(rays.dir, middle));
-        let half_sq = F::splat(fractal.radius * fractal.radius) - dot(nearest, nearest);
+        let closest = -dot(rays.origin, rays.dir);
+        let closest_point = add(rays.origin, scale(rays.dir, closest));
+        let half_sq = F::splat(fractal.radius * fractal.radius) - dot(closest_point, closest_point);
         let half = half_sq.sqrt();
-        let (enter, leave) = (middle - half, middle + half);
-        let (least, from) = (F::splat(TOLERANCE), F::from_array(&asked.from));
+        let (enter, leave) = (closest - half, closest + half);
+        let (tolerance, from) = (F::splat(TOLERANCE), F::from_array(&query.from));
         let start = F::select(
-            F::mask_from_bits(asked.left),
-            least,
-            (from * length).lane_max(least),
+            F::mask_from_bits(query.left),
+            tolerance,
+            (from * length).lane_max(tolerance),
         );
         let mut depth = enter.lane_max(start);
-        let mut found = FourFound {
+        let mut result = FourFound {
             t: [f64::INFINITY; 4],
             met: 0,
-            // Those whose start is no number go back to all that is behind them.
-            unknown: asked.there & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
+            // Lanes without a finite start take the scalar path, since they report all roots behind the origin.
+            unknown: query.there & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
         };
-        let is_met = F::splat(0.0).lt(half_sq) & depth.lt(leave);
-        let mut going = F::bitmask(is_met) & asked.there & !found.unknown;
-        // Behind this no root is wanted.
-        let end = F::from_array(&asked.far) * length * F::splat(1.0 + LOSS);
-        let mut places = self.places::<F, O>(&rays, depth, going);
-        found.unknown |= places.inside();
-        going &= !places.inside();
-        while going != 0 {
-            let step = self.steps(&places, going);
+        let is_hit = F::splat(0.0).lt(half_sq) & depth.lt(leave);
+        let mut active = F::bitmask(is_hit) & query.there & !result.unknown;
+        // Roots beyond this are not needed.
+        let end = F::from_array(&query.far) * length * F::splat(1.0 + LOSS);
+        let mut states = self.states::<F, O>(&rays, depth, active);
+        result.unknown |= states.inside();
+        active &= !states.inside();
+        while active != 0 {
+            let step = self.steps(&states, active);
             let next = depth + F::from_array(&step);
-            let is_over = leave.lt(next) | next.eq(depth);
-            going &= !F::bitmask(is_over | end.lt(depth));
-            if going == 0 {
+            let is_done = leave.lt(next) | next.eq(depth);
+            active &= !F::bitmask(is_done | end.lt(depth));
+            if active == 0 {
                 break;
             }
-            places = self.places::<F, O>(&rays, next, going);
-            let mut changing = places.inside();
-            going &= !changing;
+            states = self.states::<F, O>(&rays, next, active);
+            let mut changing = states.inside();
+            active &= !changing;
             while changing != 0 {
                 let lane = changing.trailing_zeros() as usize % 4;
                 changing &= changing - 1;
-                self.meet(
+                self.record_root(
                     lane,
-                    (depth.to_array()[lane], step[lane]),
+                    depth.to_array()[lane],
+                    step[lane],
                     enter.to_array()[lane],
-                    &mut found,
+                    &mut result,
                 );
             }
             depth = next;
         }
-        found
+        result
     }
 
-    /// What is known of a place on each ray that is going.
+    /// The state of a point on each active ray.
     #[inline(always)]
-    fn places<F: F64Lanes, O: Orbit<F>>(&self, rays: &Rays<F>, depth: F, going: u32) -> Places {
+    fn states<F: F64Lanes, O: Orbit<F>>(
+        &self,
+        rays: &Rays<F>,
+        depth: F,
+        active: u32,
+    ) -> PointStates {
         let fractal = self.fractal;
         let [x, y, z] = add(rays.origin, scale(rays.dir, depth));
         let slope = fractal.slope;
         let slope = [F::splat(slope.x), F::splat(slope.y), F::splat(slope.z)];
         let w = F::splat(fractal.offset) + dot(slope, [x, y, z]);
-        // As two complex numbers; the fourth coordinate is taken as if it stood still.
+        // As two complex numbers; the fourth coordinate is treated as constant.
         let [i, j, k] = rays.dir;
-        let none = F::splat(0.0);
-        let along = [[i - none, j + k], [i + none, j - k]];
-        fractal.iterate([O::start(fractal, [x, y, z, w], along)], going)
+        let zero = F::splat(0.0);
+        let along = [[i - zero, j + k], [i + zero, j - k]];
+        fractal.iterate([O::start(fractal, [x, y, z, w], along)], active)
     }
 
     #[inline(always)]
-    fn steps(&self, places: &Places, going: u32) -> [f64; 4] {
+    fn steps(&self, states: &PointStates, active: u32) -> [f64; 4] {
         let mut steps = [0.0; 4];
         let mut lane = 0;
         while lane < 4 {
-            if going >> lane & 1 == 1 {
-                steps[lane] = self.fractal.step(places, lane);
+            if active >> lane & 1 == 1 {
+                steps[lane] = self.fractal.step(states, lane);
             }
             lane += 1;
         }
         steps
     }
 
-    /// Notes the root of a ray within a step.
+    /// Records the root of a ray within a step.
     #[inline(never)]
-    fn meet(&self, lane: usize, (depth, step): (f64, f64), enter: f64, found: &mut FourFound) {
-        let asked = self.asked;
-        let (ray, length) = unit(&asked.ray(lane));
-        let place = self.fractal.halve(&ray, depth, step, false);
-        let t = place / length;
-        let is_first = if asked.left >> lane & 1 == 1 {
-            asked.from[lane].max(self.fractal.unit * LEAST_WAY) < t
+    fn record_root(&self, lane: usize, depth: f64, step: f64, enter: f64, result: &mut FourFound) {
+        let query = self.query;
+        let (ray, length) = unit(&query.ray(lane));
+        let hit_depth = self.fractal.bisect(&ray, depth, step, false);
+        let t = hit_depth / length;
+        let is_first = if query.left >> lane & 1 == 1 {
+            query.from[lane].max(self.fractal.unit * SHADOW_TOLERANCE) < t
         } else {
-            enter < place
+            enter < hit_depth
         };
-        found.t[lane] = t;
-        found.unknown |= u32::from(!is_first) << lane;
-        found.met |= u32::from(is_first && t <= asked.far[lane]) << lane;
+        result.t[lane] = t;
+        result.unknown |= u32::from(!is_first) << lane;
+        result.met |= u32::from(is_first && t <= query.far[lane]) << lane;
     }
 }

@@ -1,102 +1,102 @@
-//! What is known of places on a ray: eight at once where the fractal is made by squares and cubes, whose chain of products
+//! Inside test and step length at points of a ray: eight points at once for squares and cubes, whose chain of products
 //! and sums takes no longer for eight than for one.
 
 use super::complex::{Complex, Function};
-use super::{Fractal, MOST_LEAST_STEPS, Rule, TOLERANCE};
+use super::{Fractal, MAX_STEP_RATIO, Rule, TOLERANCE};
 use crate::base::math::Ray;
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec4;
 
-/// So many places are looked at together.
-pub(super) const TOGETHER: usize = 8;
+/// Points evaluated together.
+pub(super) const BATCH: usize = 8;
 
-/// What is known of a place: whether it is inside, and how far a ray may go from it.
+/// State of a point: inside or not, and the next step of a ray from it.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct PointState {
     pub(super) is_inside: bool,
     pub(super) step: f64,
 }
 
-/// What is known of some places: how their iterations ended.
-pub(super) struct Places {
-    /// One bit for each place that stays in the ball.
-    staying: u32,
-    /// Of those that leave it, the square of the distance from the origin where they do.
-    norms: [f64; TOGETHER],
-    /// What the orbit tells there.
-    told: [f64; TOGETHER],
-    /// One over the degree of all that was done until there.
-    scales: [f64; TOGETHER],
+/// States of a batch of points: how their iterations ended.
+pub(super) struct PointStates {
+    /// Bit mask of the points whose orbit stays in the bounding sphere.
+    inside_mask: u32,
+    /// For the other points, the squared norm at which the orbit leaves the sphere.
+    norms: [f64; BATCH],
+    /// The denominator of the distance estimate there, see [`Orbit::denominator`].
+    denominators: [f64; BATCH],
+    /// One over the degree of all iterations until there.
+    scales: [f64; BATCH],
 }
 
-impl Places {
-    /// None: all leave the ball, and nothing is told of that.
-    const NOTHING: Places = Places {
-        staying: 0,
-        norms: [0.0; TOGETHER],
-        told: [0.0; TOGETHER],
-        scales: [0.0; TOGETHER],
+impl PointStates {
+    /// All orbits leave the sphere, without further data.
+    const ESCAPED: PointStates = PointStates {
+        inside_mask: 0,
+        norms: [0.0; BATCH],
+        denominators: [0.0; BATCH],
+        scales: [0.0; BATCH],
     };
 
-    /// Which places are inside, one bit each.
+    /// Bit mask of the points that are inside.
     pub(super) fn inside(&self) -> u32 {
-        self.staying
+        self.inside_mask
     }
 
     pub(super) fn is_inside(&self, number: usize) -> bool {
-        self.staying >> number & 1 == 1
+        self.inside_mask >> number & 1 == 1
     }
 }
 
 impl Fractal {
-    /// How many places [`Self::places`] looks at.
-    pub(super) fn together(&self) -> usize {
+    /// Number of points that [`Self::states`] evaluates.
+    pub(super) fn batch_size(&self) -> usize {
         match self.rule {
             Rule::QuaternionSquare
             | Rule::QuaternionCube
-            | Rule::Hypercomplex(Function::Square) => TOGETHER,
+            | Rule::Hypercomplex(Function::Square) => BATCH,
             Rule::Hypercomplex(_) => 1,
         }
     }
 
-    /// What is known of the first places of these on a ray of unit direction.
-    pub(super) fn places(&self, ray: &Ray, depths: &[f64; TOGETHER]) -> Places {
+    /// States of the first points of `depths` on a ray of unit direction.
+    pub(super) fn states(&self, ray: &Ray, depths: &[f64; BATCH]) -> PointStates {
         if let Rule::Hypercomplex(function) = self.rule
             && function != Function::Square
         {
-            let is_inside = self.stays(self.start(ray.at(depths[0])), function);
-            return Places {
-                staying: u32::from(is_inside),
-                ..Places::NOTHING
+            let is_inside = self.is_bounded(self.start(ray.at(depths[0])), function);
+            return PointStates {
+                inside_mask: u32::from(is_inside),
+                ..PointStates::ESCAPED
             };
         }
-        let mut starts = [[0.0; TOGETHER]; 4];
+        let mut starts = [[0.0; BATCH]; 4];
         for (number, &depth) in depths.iter().enumerate() {
             for (axis, x) in self.start(ray.at(depth)).to_array().into_iter().enumerate() {
                 starts[axis][number] = x;
             }
         }
-        let along = split(ray.dir.extend(0.0));
+        let along = to_complex_pair(ray.dir.extend(0.0));
         with_widest(
             #[inline(always)]
             |lanes| {
-                let iterating = Iterating {
+                let kernel = OrbitKernel {
                     fractal: self,
                     starts: &starts,
                     along,
                 };
-                lanes.run(iterating)
+                lanes.run(kernel)
             },
         )
     }
 
-    /// Whether a hypercomplex number stays in the ball.
-    fn stays(&self, start: DVec4, function: Function) -> bool {
-        let exit = self.radius * self.radius;
-        let (mut z, c) = (split(start), split(self.c));
+    /// True if the orbit of a hypercomplex number stays in the bounding sphere.
+    fn is_bounded(&self, start: DVec4, function: Function) -> bool {
+        let exit_sq = self.radius * self.radius;
+        let (mut z, c) = (to_complex_pair(start), to_complex_pair(self.c));
         for _ in 0..self.max_iteration {
             let norm = 0.5 * (z[0].norm_sq() + z[1].norm_sq());
-            if norm > exit || norm.is_nan() {
+            if norm > exit_sq || norm.is_nan() {
                 return false;
             }
             z = [0, 1].map(|i| function.value(z[i]) + c[i]);
@@ -104,116 +104,121 @@ impl Fractal {
         true
     }
 
-    /// How far a ray may go from a place.
-    pub(super) fn step(&self, places: &Places, number: usize) -> f64 {
-        let (norm, told) = (places.norms[number], places.told[number]);
+    /// Step length of a ray from a point.
+    pub(super) fn step(&self, states: &PointStates, number: usize) -> f64 {
+        let (norm, denominator) = (states.norms[number], states.denominators[number]);
         match self.rule {
-            _ if places.is_inside(number) => self.least,
+            _ if states.is_inside(number) => self.min_step,
             Rule::Hypercomplex(Function::Square) => {
-                // Only where the ray comes nearer.
-                let step = norm / told.max(TOLERANCE);
-                let is_useful = self.least < step && step < MOST_LEAST_STEPS * self.least;
-                if is_useful { step } else { self.least }
+                // Only useful where the ray approaches the set.
+                let step = norm / denominator.max(TOLERANCE);
+                let is_useful = self.min_step < step && step < MAX_STEP_RATIO * self.min_step;
+                if is_useful { step } else { self.min_step }
             }
-            Rule::Hypercomplex(_) => self.least,
+            Rule::Hypercomplex(_) => self.min_step,
             Rule::QuaternionSquare | Rule::QuaternionCube => {
-                let distance = places.scales[number] * (norm / told).sqrt() * norm.ln();
-                distance.max(self.least)
+                let distance = states.scales[number] * (norm / denominator).sqrt() * norm.ln();
+                distance.max(self.min_step)
             }
         }
     }
 }
 
-/// A hypercomplex number as two complex ones.
-pub(super) fn split(z: DVec4) -> [Complex; 2] {
+/// A hypercomplex number as two complex numbers.
+pub(super) fn to_complex_pair(z: DVec4) -> [Complex; 2] {
     [
         Complex::new(z.x - z.w, z.y + z.z),
         Complex::new(z.x + z.w, z.y - z.z),
     ]
 }
 
-/// The places on the way of a ray, looked at in advance as if each step were the least.
-pub(super) struct Ahead<'f> {
+/// States of points ahead on a ray, evaluated in batches as if each step were the minimum step.
+pub(super) struct Lookahead<'f> {
     fractal: &'f Fractal,
     ray: &'f Ray,
-    depths: [f64; TOGETHER],
-    places: Places,
+    depths: [f64; BATCH],
+    states: PointStates,
     next: usize,
 }
 
-impl<'f> Ahead<'f> {
+impl<'f> Lookahead<'f> {
     pub(super) fn new(fractal: &'f Fractal, ray: &'f Ray) -> Self {
-        Ahead {
+        Lookahead {
             fractal,
             ray,
-            depths: [f64::NAN; TOGETHER],
-            places: Places::NOTHING,
+            depths: [f64::NAN; BATCH],
+            states: PointStates::ESCAPED,
             next: 0,
         }
     }
 
-    /// What is known of a place.
-    pub(super) fn place(&mut self, depth: f64) -> Place {
-        if self.next == self.fractal.together() || self.depths[self.next] != depth {
+    /// The state at `depth`.
+    pub(super) fn state_at(&mut self, depth: f64) -> PointState {
+        if self.next == self.fractal.batch_size() || self.depths[self.next] != depth {
             let mut next = depth;
             for depth in &mut self.depths {
                 *depth = next;
-                next += self.fractal.least;
+                next += self.fractal.min_step;
             }
-            self.places = self.fractal.places(self.ray, &self.depths);
+            self.states = self.fractal.states(self.ray, &self.depths);
             self.next = 0;
         }
         let number = self.next;
         self.next += 1;
-        Place {
-            is_inside: self.places.is_inside(number),
-            step: self.fractal.step(&self.places, number),
+        PointState {
+            is_inside: self.states.is_inside(number),
+            step: self.fractal.step(&self.states, number),
         }
     }
 }
 
-/// Four numbers that are iterated.
+/// Orbits of four numbers, one per lane.
 pub(super) trait Orbit<F: F64Lanes>: Copy {
     const DEGREE: f64;
-    /// How much farther than the ball, in squares, an orbit may stay.
-    const BEYOND: f64;
-    /// From the real and imaginary parts, along rays on which they change by `along` as two complex numbers.
+    /// Added to the squared radius of the bounding sphere for the exit test.
+    const EXIT_SLACK: f64;
+    /// Starts from the four components; `along` is the derivative along the ray as two complex numbers.
     fn start(fractal: &Fractal, z: [F; 4], along: [[F; 2]; 2]) -> Self;
     fn norm(&self) -> F;
-    /// Notes the square of the distance from the origin.
-    fn passes(&mut self, norm: F);
-    fn told(&self) -> F;
+    /// Records the squared norm of the current iterate.
+    fn record(&mut self, norm: F);
+    fn denominator(&self) -> F;
     fn next(self) -> Self;
 }
 
-struct Iterating<'f> {
+struct OrbitKernel<'f> {
     fractal: &'f Fractal,
-    starts: &'f [[f64; TOGETHER]; 4],
+    starts: &'f [[f64; BATCH]; 4],
     along: [Complex; 2],
 }
 
-impl Iterating<'_> {
+impl OrbitKernel<'_> {
     #[inline(always)]
-    fn four<F: F64Lanes>(&self, axis: usize, first: usize) -> F {
-        let row = &self.starts[axis];
-        F::from_array(&[row[first], row[first + 1], row[first + 2], row[first + 3]])
+    fn load_packet<F: F64Lanes>(&self, axis: usize, first: usize) -> F {
+        let component = &self.starts[axis];
+        F::from_array(&[
+            component[first],
+            component[first + 1],
+            component[first + 2],
+            component[first + 3],
+        ])
     }
 
     #[inline(always)]
-    fn iterate<F: F64Lanes, O: Orbit<F>>(&self) -> Places {
+    fn iterate<F: F64Lanes, O: Orbit<F>>(&self) -> PointStates {
         let orbits = [self.orbit(0), self.orbit(4)];
         self.fractal.iterate::<F, O, 2>(orbits, 0xff)
     }
 
-    // Spelt out: a closure would not take part in the wide lanes.
+    // Written out: a closure would not be compiled for the wide lanes.
     #[inline(always)]
     fn orbit<F: F64Lanes, O: Orbit<F>>(&self, first: usize) -> O {
         let [i, k] = self.along;
         let z = [
-            self.four(0, first),
-            self.four(1, first),
-            self.four(2, first),
-            self.four(3, first),
+            self.load_packet(0, first),
+            self.load_packet(1, first),
+            self.load_packet(2, first),
+            self.load_packet(3, first),
         ];
         let along = [
             [F::splat(i.re), F::splat(i.im)],
@@ -224,64 +229,64 @@ impl Iterating<'_> {
 }
 
 impl Fractal {
-    /// Follows the orbits of some of four or eight places, marked by a bit each.
+    /// Iterates the orbits of the `active` points, in one or two packets.
     #[inline(always)]
-    pub(super) fn iterate<F: F64Lanes, O: Orbit<F>, const FOURS: usize>(
+    pub(super) fn iterate<F: F64Lanes, O: Orbit<F>, const PACKETS: usize>(
         &self,
-        mut orbits: [O; FOURS],
-        marked: u32,
-    ) -> Places {
-        let ball = self.radius * self.radius;
-        let exit = F::splat(ball + O::BEYOND);
-        let mut places = Places {
-            staying: marked,
-            ..Places::NOTHING
+        mut orbits: [O; PACKETS],
+        active: u32,
+    ) -> PointStates {
+        let radius_sq = self.radius * self.radius;
+        let exit_sq = F::splat(radius_sq + O::EXIT_SLACK);
+        let mut states = PointStates {
+            inside_mask: active,
+            ..PointStates::ESCAPED
         };
         let mut scale = 1.0;
-        let mut number = 0;
-        while number < self.max_iteration {
+        let mut iteration = 0;
+        while iteration < self.max_iteration {
             scale /= O::DEGREE;
-            let mut part = 0;
-            while part < FOURS {
-                let orbit = &mut orbits[part];
+            let mut packet = 0;
+            while packet < PACKETS {
+                let orbit = &mut orbits[packet];
                 let norm = orbit.norm();
-                orbit.passes(norm);
-                let staying = F::bitmask(norm.le(exit));
-                let leaving = places.staying >> (4 * part) & 0b1111 & !staying;
+                orbit.record(norm);
+                let inside_mask = F::bitmask(norm.le(exit_sq));
+                let leaving = states.inside_mask >> (4 * packet) & 0b1111 & !inside_mask;
                 if leaving != 0 {
-                    places.staying &= !(leaving << (4 * part));
-                    let (norms, told) = (norm.to_array(), orbit.told().to_array());
+                    states.inside_mask &= !(leaving << (4 * packet));
+                    let (norms, denominators) = (norm.to_array(), orbit.denominator().to_array());
                     let mut lane = 0;
                     while lane < 4 {
                         if leaving >> lane & 1 == 1 {
-                            places.norms[4 * part + lane] = norms[lane];
-                            places.told[4 * part + lane] = told[lane];
-                            places.scales[4 * part + lane] = scale;
+                            states.norms[4 * packet + lane] = norms[lane];
+                            states.denominators[4 * packet + lane] = denominators[lane];
+                            states.scales[4 * packet + lane] = scale;
                         }
                         lane += 1;
                     }
                 }
-                part += 1;
+                packet += 1;
             }
-            if places.staying == 0 {
+            if states.inside_mask == 0 {
                 break;
             }
-            let mut part = 0;
-            while part < FOURS {
-                orbits[part] = orbits[part].next();
-                part += 1;
+            let mut packet = 0;
+            while packet < PACKETS {
+                orbits[packet] = orbits[packet].next();
+                packet += 1;
             }
-            number += 1;
+            iteration += 1;
         }
-        places
+        states
     }
 }
 
-impl SimdKernel for Iterating<'_> {
-    type Output = Places;
+impl SimdKernel for OrbitKernel<'_> {
+    type Output = PointStates;
 
     #[inline(always)]
-    fn run<F: F64x4>(self) -> Places {
+    fn run<F: F64x4>(self) -> PointStates {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.iterate::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.iterate::<F, Quaternion<F, 3>>(),
@@ -290,18 +295,18 @@ impl SimdKernel for Iterating<'_> {
     }
 }
 
-/// Quaternions whose square or cube is taken.
+/// Quaternions under squaring or cubing.
 #[derive(Clone, Copy)]
 pub(super) struct Quaternion<F, const DEGREE: u8> {
     z: [F; 4],
     c: [F; 4],
-    /// The product of the squares of all distances from the origin.
-    passed: F,
+    /// Product of the squared norms of all iterates.
+    norm_product: F,
 }
 
 impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     const DEGREE: f64 = DEGREE as f64;
-    const BEYOND: f64 = TOLERANCE;
+    const EXIT_SLACK: f64 = TOLERANCE;
 
     #[inline(always)]
     fn start(fractal: &Fractal, z: [F; 4], _: [[F; 2]; 2]) -> Self {
@@ -309,7 +314,7 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
         Quaternion {
             z,
             c: [F::splat(c.x), F::splat(c.y), F::splat(c.z), F::splat(c.w)],
-            passed: F::splat(1.0),
+            norm_product: F::splat(1.0),
         }
     }
 
@@ -321,13 +326,13 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     }
 
     #[inline(always)]
-    fn passes(&mut self, norm: F) {
-        self.passed = self.passed * norm;
+    fn record(&mut self, norm: F) {
+        self.norm_product = self.norm_product * norm;
     }
 
     #[inline(always)]
-    fn told(&self) -> F {
-        self.passed
+    fn denominator(&self) -> F {
+        self.norm_product
     }
 
     #[inline(always)]
@@ -354,22 +359,22 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     }
 }
 
-/// Hypercomplex numbers, as two complex ones, whose squares are taken.
+/// Hypercomplex numbers under squaring, as two complex numbers.
 #[derive(Clone, Copy)]
 pub(super) struct Pair<F> {
     z: [[F; 2]; 2],
     c: [[F; 2]; 2],
-    /// How they change along the ray.
+    /// Derivative along the ray.
     along: [[F; 2]; 2],
 }
 
 impl<F: F64Lanes> Orbit<F> for Pair<F> {
     const DEGREE: f64 = 1.0;
-    const BEYOND: f64 = 0.0;
+    const EXIT_SLACK: f64 = 0.0;
 
     #[inline(always)]
     fn start(fractal: &Fractal, [x, y, z, w]: [F; 4], along: [[F; 2]; 2]) -> Self {
-        let [a, b] = split(fractal.c);
+        let [a, b] = to_complex_pair(fractal.c);
         Pair {
             z: [[x - w, y + z], [x + w, y - z]],
             c: [
@@ -389,11 +394,11 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
     }
 
     #[inline(always)]
-    fn passes(&mut self, _: F) {}
+    fn record(&mut self, _: F) {}
 
-    /// By how much the half square of the distance falls along the ray.
+    /// The rate at which half the squared norm falls along the ray.
     #[inline(always)]
-    fn told(&self) -> F {
+    fn denominator(&self) -> F {
         let [[a, b], [c, d]] = self.z;
         let [[e, f], [g, h]] = self.along;
         let first = -(a * e + b * f);
@@ -404,10 +409,13 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
     #[inline(always)]
     fn next(self) -> Self {
         Pair {
-            z: [squared(self.z[0], self.c[0]), squared(self.z[1], self.c[1])],
+            z: [
+                square_step(self.z[0], self.c[0]),
+                square_step(self.z[1], self.c[1]),
+            ],
             along: [
-                carried(self.z[0], self.along[0]),
-                carried(self.z[1], self.along[1]),
+                derivative_step(self.z[0], self.along[0]),
+                derivative_step(self.z[1], self.along[1]),
             ],
             ..self
         }
@@ -415,13 +423,13 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
 }
 
 #[inline(always)]
-fn squared<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
+fn square_step<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
     let across = re * im;
     [re * re - im * im + a, across + across + b]
 }
 
 #[inline(always)]
-fn carried<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
+fn derivative_step<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
     let (re, im) = (re + re, im + im);
     [re * a - im * b, re * b + im * a]
 }
@@ -432,7 +440,7 @@ mod tests {
     use glam::DVec3;
 
     #[test]
-    fn a_place_is_judged_as_if_it_were_alone() {
+    fn batches_agree_with_single_points() {
         let rules = [
             Rule::QuaternionSquare,
             Rule::QuaternionCube,
@@ -443,7 +451,7 @@ mod tests {
                 c: DVec4::new(-0.1, 0.6, 0.2, -0.2),
                 rule,
                 max_iteration: 9,
-                least: 0.05,
+                min_step: 0.05,
                 slope: DVec3::new(0.1, 0.0, 0.2),
                 offset: 0.1,
                 radius: 2.0,
@@ -451,11 +459,11 @@ mod tests {
             };
             let ray = Ray::new(DVec3::new(-1.5, 0.1, 0.2), DVec3::new(0.6, 0.0, 0.8));
             let depths = [0, 1, 2, 3, 4, 5, 6, 7].map(|number| 0.4 * f64::from(number));
-            let together = fractal.places(&ray, &depths);
+            let batch = fractal.states(&ray, &depths);
             for (number, &depth) in depths.iter().enumerate() {
-                let alone = fractal.places(&ray, &[depth; TOGETHER]);
-                assert_eq!(together.is_inside(number), alone.is_inside(0));
-                assert_eq!(fractal.step(&together, number), fractal.step(&alone, 0));
+                let alone = fractal.states(&ray, &[depth; BATCH]);
+                assert_eq!(batch.is_inside(number), alone.is_inside(0));
+                assert_eq!(fractal.step(&batch, number), fractal.step(&alone, 0));
             }
         }
     }

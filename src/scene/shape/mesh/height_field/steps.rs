@@ -1,33 +1,33 @@
-//! The way of a ray through the squares of a grid (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray
-//! tracing"); no border is summed up, so that no error grows along the ray.
+//! Grid traversal of a ray (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing"). Each border
+//! is computed exactly, so that no error accumulates along the ray.
 
 use crate::base::math::Ray;
 
-/// The steps of a ray through a grid: the cell, and the parameters where the ray enters and leaves it.
+/// Iterator over the cells of a grid that a ray visits, with the parameters at which it enters and leaves them.
 pub(super) struct Steps {
     along: [Axis; 2],
     near: f64,
     last: f64,
-    is_over: bool,
+    is_done: bool,
 }
 
 /// A ray and the cells of a grid along one axis.
 struct Axis {
     origin: f64,
     dir: f64,
-    /// The cell at hand.
+    /// The current cell.
     cell: usize,
-    /// The last one on the way of the ray.
+    /// The last cell on the ray.
     last: usize,
-    /// The border at which the ray leaves it, and the distance from there to the next.
+    /// Coordinate of the border at which the ray leaves the cell, and the distance from there to the next.
     border: f64,
     stride: f64,
-    /// Where the ray is there.
+    /// Ray parameter at the border.
     exit: f64,
 }
 
 impl Axis {
-    /// Of cells of `size` from `first` up to but not including `end`, counted from zero; the ray is at `at`.
+    /// The cells of `size` from `first` up to but not including `end`, counted from zero; the ray is at `at`.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -36,10 +36,10 @@ impl Axis {
     )]
     #[inline]
     fn new(at: f64, [origin, dir]: [f64; 2], size: f64, [first, end]: [usize; 2]) -> Self {
-        let place = at / size;
-        let whole = place.max(0.0) as usize;
-        // On a border the ray is in the cell it goes to.
-        let is_before = dir < 0.0 && whole as f64 == place;
+        let cell_at = at / size;
+        let whole = cell_at.max(0.0) as usize;
+        // On a border the ray is in the cell that it enters.
+        let is_before = dir < 0.0 && whole as f64 == cell_at;
         let cell = whole
             .saturating_sub(usize::from(is_before))
             .clamp(first, end - 1);
@@ -65,9 +65,9 @@ impl Axis {
         axis
     }
 
-    /// Goes on to the next cell; says whether there is one.
+    /// Advances to the next cell; false at the end.
     #[inline]
-    fn go_on(&mut self) -> bool {
+    fn advance(&mut self) -> bool {
         if self.cell == self.last {
             return false;
         }
@@ -83,14 +83,9 @@ impl Axis {
 }
 
 impl Steps {
-    /// Through the cells of `size` from `grid[0]` up to but not including `grid[1]`, counted from the origin.
+    /// Traverses the cells of `size` from `grid[0]` up to but not including `grid[1]`, counted from the origin.
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
-    pub(super) fn new(
-        ray: &Ray,
-        (near, last): (f64, f64),
-        size: usize,
-        grid: [[usize; 2]; 2],
-    ) -> Self {
+    pub(super) fn new(ray: &Ray, near: f64, last: f64, size: usize, grid: [[usize; 2]; 2]) -> Self {
         let size = size as f64;
         let Ray { origin, dir } = *ray;
         let at = if near.is_finite() {
@@ -106,28 +101,24 @@ impl Steps {
             ],
             near,
             last,
-            is_over: near > last,
+            is_done: near > last,
         }
     }
 
     #[inline]
-    /// The next cell, and the parameters where the ray enters and leaves it.
+    /// The next cell, and the parameters at which the ray enters and leaves it.
     pub(super) fn next(&mut self) -> Option<(usize, usize, f64, f64)> {
-        if self.is_over {
+        if self.is_done {
             return None;
         }
         let [x, z] = &mut self.along;
         let cell = [x.cell, z.cell];
         let leave = if x.exit < z.exit { x.exit } else { z.exit };
-        let before = if leave < self.last { leave } else { self.last };
-        let far = if before > self.near {
-            before
-        } else {
-            self.near
-        };
+        let end = if leave < self.last { leave } else { self.last };
+        let far = if end > self.near { end } else { self.near };
         let (leaves_x, leaves_z) = (x.exit <= leave, z.exit <= leave);
-        let goes_on = (!leaves_x || x.go_on()) & (!leaves_z || z.go_on());
-        self.is_over = leave >= self.last || !goes_on;
+        let has_next = (!leaves_x || x.advance()) & (!leaves_z || z.advance());
+        self.is_done = leave >= self.last || !has_next;
         let near = std::mem::replace(&mut self.near, far);
         Some((cell[0], cell[1], near, far))
     }

@@ -9,11 +9,11 @@ fn field(width: usize, rows: &[u16], water: f64, is_smooth: bool) -> HeightField
     };
     HeightField {
         field: Arc::new(Field::new(heights, water * HEIGHT, is_smooth)),
-        place: Box::new(Transform::IDENTITY),
+        transform: Box::new(Transform::IDENTITY),
     }
 }
 
-/// Hills of `width` by `width` pixels.
+/// Random hills of `width` by `width` pixels.
 fn hills(width: usize, water: f64) -> HeightField {
     let mut rng = check::Random::new(7);
     let rows: Vec<u16> = (0..width * width)
@@ -22,10 +22,10 @@ fn hills(width: usize, water: f64) -> HeightField {
     field(width, &rows, water, false)
 }
 
-/// All roots of a ray by trying every triangle.
-fn slow(shape: &HeightField, ray: &Ray) -> Vec<f64> {
+/// Brute force: all roots of a ray over all triangles.
+fn brute_force(shape: &HeightField, ray: &Ray) -> Vec<f64> {
     let field = &shape.field;
-    let mut found = Vec::new();
+    let mut hits = Vec::new();
     let scale = field.scale();
     for face in 0..u32::try_from(2 * field.cells[0] * field.cells[1]).unwrap() {
         let (x, z, is_far) = field.cell(face);
@@ -36,15 +36,15 @@ fn slow(shape: &HeightField, ray: &Ray) -> Vec<f64> {
         let third = if is_far { corner(1, 1) } else { corner(0, 0) };
         let corners = [third, corner(1, 0), corner(0, 1)];
         let frame = crate::base::math::watertight::RayFrame::new(ray);
-        found.extend(frame.hit(&corners).map(|hit| hit.t));
+        hits.extend(frame.hit(&corners).map(|hit| hit.t));
     }
-    found.sort_by(f64::total_cmp);
-    found.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-    found
+    hits.sort_by(f64::total_cmp);
+    hits.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    hits
 }
 
 #[test]
-fn a_walk_finds_what_trying_every_triangle_finds() {
+fn traversal_agrees_with_brute_force() {
     for width in [2, 3, 17, 40] {
         let shape = hills(width, 0.0);
         let mut rng = check::Random::new(11);
@@ -54,21 +54,21 @@ fn a_walk_finds_what_trying_every_triangle_finds() {
             let mut roots = Vec::new();
             shape.roots(&ray, &mut roots);
             let seen = roots.iter().filter(|root| root.is_visible);
-            let mut found: Vec<f64> = seen.map(|root| root.t).collect();
-            found.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-            let expected = slow(&shape, &ray);
+            let mut hit_ts: Vec<f64> = seen.map(|root| root.t).collect();
+            hit_ts.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+            let expected = brute_force(&shape, &ray);
             assert_eq!(
-                found.len(),
+                hit_ts.len(),
                 expected.len(),
-                "{ray:?} {found:?} {expected:?}"
+                "{ray:?} {hit_ts:?} {expected:?}"
             );
-            for (a, b) in found.iter().zip(&expected) {
+            for (a, b) in hit_ts.iter().zip(&expected) {
                 assert!((a - b).abs() < 1e-9);
             }
-            hits += found.len();
+            hits += hit_ts.len();
             for at in [0.0, 0.3, 1.0] {
                 let nearest = shape.nearest(&ray, at, f64::INFINITY).map(|root| root.t);
-                let next = found.iter().find(|t| **t > at).copied();
+                let next = hit_ts.iter().find(|t| **t > at).copied();
                 assert!((nearest.unwrap_or(-1.0) - next.unwrap_or(-1.0)).abs() < 1e-9);
             }
         }
@@ -77,7 +77,7 @@ fn a_walk_finds_what_trying_every_triangle_finds() {
 }
 
 #[test]
-fn enter_and_leave_alternate_and_agree_with_the_inside() {
+fn enter_and_leave_alternate_and_agree_with_contains() {
     for water in [0.0, 0.4] {
         let shape = hills(9, water);
         let mut rng = check::Random::new(13);
@@ -110,7 +110,7 @@ fn enter_and_leave_alternate_and_agree_with_the_inside() {
 }
 
 #[test]
-fn what_is_flat_or_vertical_is_met() {
+fn flat_fields_and_vertical_rays_are_hit() {
     let flat = field(3, &[10000; 9], 0.0, false);
     let down = flat.nearest(&Ray::new(DVec3::new(0.3, 5.0, 0.5), -DVec3::Y), 0.0, 100.0);
     assert!((down.unwrap().t - (5.0 - 10000.0 / 65536.0)).abs() < 1e-15);
@@ -120,7 +120,7 @@ fn what_is_flat_or_vertical_is_met() {
 }
 
 #[test]
-fn below_is_inside_without_end_and_so_is_the_water() {
+fn everything_below_ground_or_water_is_inside() {
     // Measured with POV-Ray 3.7.
     let shape = field(2, &[20000; 4], 0.5, false);
     for (point, is_inside) in [
@@ -148,7 +148,7 @@ fn the_bottom_row_of_the_picture_lies_at_z_zero() {
 }
 
 #[test]
-fn the_water_is_never_seen() {
+fn the_water_is_never_visible() {
     let shape = hills(9, 0.4);
     let mut rng = check::Random::new(17);
     for _ in 0..2000 {
@@ -170,7 +170,7 @@ fn the_water_is_never_seen() {
 }
 
 #[test]
-fn ground_as_high_as_the_water_is_seen() {
+fn ground_as_high_as_the_water_is_visible() {
     // A hill in one corner of a plain.
     let mut rows = [0; 25];
     rows[4] = 30_000;
@@ -188,7 +188,7 @@ fn ground_as_high_as_the_water_is_seen() {
 }
 
 #[test]
-fn kept_normals_are_those_at_the_pixels() {
+fn cached_normals_equal_those_at_the_pixels() {
     for width in [2, 5, 9, 40] {
         let mut shape = hills(width, 0.0);
         let field = Arc::get_mut(&mut shape.field).unwrap();

@@ -1,4 +1,4 @@
-//! A ray through the cells of a height field.
+//! Intersection of a ray with the cells of a height field.
 
 use super::steps::Steps;
 use super::{Field, WALL, WATER};
@@ -6,25 +6,25 @@ use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Root, Start};
 use glam::DVec3;
 
-/// A ray this much above all heights of a square, or below, does not meet them whatever is rounded; in steps of the
-/// picture.
+/// A ray this much above or below all heights of a block misses them, whatever is rounded; in height steps of the
+/// image.
 const SLACK: f64 = 1.0 / (1 << 20) as f64;
 
-/// What has been found on a ray.
-struct Walk<'a> {
+/// State of the traversal of a ray.
+struct Traversal<'a> {
     field: &'a Field,
     ray: Ray,
-    /// Whether the place at hand is inside; unknown where the walk begins in the middle.
+    /// Inside state at the current point; `None` until the first cell if the traversal begins in the middle.
     inside: Option<bool>,
-    /// The height of the place at hand above the ground, if it is known.
+    /// Height of the current point above the ground, if known.
     above: Option<f64>,
     emit: &'a mut dyn FnMut(Root) -> bool,
-    is_over: bool,
+    is_done: bool,
 }
 
-/// A stretch of the ray above one triangle: the parameters of its ends.
+/// Interval of the ray above one triangle.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct TriangleInterval {
     from: f64,
     to: f64,
     cell: [usize; 2],
@@ -33,12 +33,13 @@ struct Stretch {
 
 /// The plane of a triangle.
 struct Ground {
-    /// Where its cell begins.
+    /// Lower corner of its cell, in x and z.
     corner: [f64; 2],
-    /// Its heights at the corner of the cell that is its own, and at those beside along x and along z.
-    own: f64,
-    right: f64,
-    up: f64,
+    /// Heights at the triangle's right-angled corner, and at the two corners where the diagonal ends: at greater x and
+    /// at greater z.
+    corner_height: f64,
+    right_height: f64,
+    up_height: f64,
     is_far: bool,
 }
 
@@ -46,74 +47,82 @@ impl Ground {
     #[inline]
     fn height(&self, point: DVec3) -> f64 {
         let (u, v) = (point.x - self.corner[0], point.z - self.corner[1]);
-        let Ground { own, right, up, .. } = *self;
+        let Ground {
+            corner_height,
+            right_height,
+            up_height,
+            ..
+        } = *self;
         if self.is_far {
-            own + (1.0 - u) * (up - own) + (1.0 - v) * (right - own)
+            corner_height
+                + (1.0 - u) * (up_height - corner_height)
+                + (1.0 - v) * (right_height - corner_height)
         } else {
-            own + u * (right - own) + v * (up - own)
+            corner_height + u * (right_height - corner_height) + v * (up_height - corner_height)
         }
     }
 }
 
 impl Field {
-    /// Gives the roots of a ray in order, until `emit` says to stop. Those outside of `span` may be missing, and then
-    /// the first of those given may be too.
-    pub(super) fn walk(
+    /// Passes the roots of a ray in order to `emit` until it returns false. Roots outside of `from..to` may be missing,
+    /// and so may the first root inside.
+    pub(super) fn traverse(
         &self,
         ray: &Ray,
-        (from, to): (f64, f64),
+        from: f64,
+        to: f64,
         emit: &mut dyn FnMut(Root) -> bool,
     ) -> Start {
         let size = self.scale();
         let (enter, leave) = slab(ray.origin.x, ray.dir.x, 0.0, size.x);
         let (enter_z, leave_z) = slab(ray.origin.z, ray.dir.z, 0.0, size.z);
         let (enter, leave) = (enter.max(enter_z), leave.min(leave_z));
-        let is_met = enter <= leave && ray.origin.is_finite() && ray.dir.is_finite();
-        if self.is_empty() || !is_met {
+        let is_hit = enter <= leave && ray.origin.is_finite() && ray.dir.is_finite();
+        if self.is_empty() || !is_hit {
             return Start::Outside;
         }
-        let rises = ray.dir.y > 0.0;
-        let bottom = self.low;
-        let (near, far) = slab(ray.origin.y, ray.dir.y, bottom, self.high.max(bottom));
-        // Before it comes to the heights, and after it has passed them.
+        let goes_up = ray.dir.y > 0.0;
+        let lowest = self.low;
+        let (near, far) = slab(ray.origin.y, ray.dir.y, lowest, self.high.max(lowest));
+        // Inside state before the ray reaches the range of heights, and after it has left it.
         let (below_before, below_after) = if ray.dir.y == 0.0 {
-            (ray.origin.y < bottom, ray.origin.y < bottom)
+            (ray.origin.y < lowest, ray.origin.y < lowest)
         } else {
-            (rises, !rises)
+            (goes_up, !goes_up)
         };
-        let mut walk = Walk {
+        let mut traversal = Traversal {
             field: self,
             ray: *ray,
             inside: Some(false),
             above: None,
             emit,
-            is_over: false,
+            is_done: false,
         };
         if near > leave || near > far {
-            walk.wall(enter, below_before);
-            walk.wall(leave, false);
+            traversal.cross_wall(enter, below_before);
+            traversal.cross_wall(leave, false);
         } else if far < enter {
-            walk.wall(enter, below_after);
-            walk.wall(leave, false);
+            traversal.cross_wall(enter, below_after);
+            traversal.cross_wall(leave, false);
         } else {
             if near > enter {
-                walk.wall(enter, below_before);
+                traversal.cross_wall(enter, below_before);
             } else {
-                let face = walk.face_at(enter);
-                let is_inside = walk.is_inside(enter, walk.height_above(enter, face));
-                walk.wall(enter, is_inside);
+                let face = traversal.face_at(enter);
+                let is_inside = traversal.is_inside(enter, traversal.height_above(enter, face));
+                traversal.cross_wall(enter, is_inside);
             }
             let end = leave.min(far);
-            walk.squares((enter.max(near), end), (from, to));
+            traversal.walk_blocks(enter.max(near), end, from, to);
             if far < leave {
-                if bottom == self.water && below_after {
-                    let face = walk.face_at(far);
-                    walk.level(far, true, face);
+                if lowest == self.water && below_after {
+                    let face = traversal.face_at(far);
+                    traversal.cross_water_level(far, true, face);
                 } else {
-                    walk.change(far, below_after, None);
+                    traversal.set_inside(far, below_after, None);
                 }
             }
-            walk.wall(leave, false);
+            traversal.cross_wall(leave, false);
         }
         let is_below = enter == f64::NEG_INFINITY && below_before;
         if is_below {
@@ -123,7 +132,7 @@ impl Field {
         }
     }
 
-    /// Whether a point lies below the surface or the water.
+    /// Inside test: below the surface or the water.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -147,32 +156,32 @@ impl Field {
         2 * cell + u32::from(is_far)
     }
 
-    /// The height of the plane of a triangle.
+    /// Height of the plane of a triangle.
     pub(super) fn ground(&self, point: DVec3, face: u32) -> f64 {
         let (x, z, is_far) = self.cell(face);
-        self.ground_of([x, z], is_far).height(point)
+        self.plane_of([x, z], is_far).height(point)
     }
 
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
-    fn ground_of(&self, [x, z]: [usize; 2], is_far: bool) -> Ground {
-        let own = usize::from(is_far);
+    fn plane_of(&self, [x, z]: [usize; 2], is_far: bool) -> Ground {
+        let offset = usize::from(is_far);
         Ground {
             corner: [x as f64, z as f64],
-            own: self.height(x + own, z + own),
-            right: self.height(x + 1, z),
-            up: self.height(x, z + 1),
+            corner_height: self.height(x + offset, z + offset),
+            right_height: self.height(x + 1, z),
+            up_height: self.height(x, z + 1),
             is_far,
         }
     }
 }
 
-impl Walk<'_> {
+impl Traversal<'_> {
     #[inline]
     fn at(&self, t: f64) -> DVec3 {
         if t.is_finite() {
             self.ray.at(t)
         } else {
-            // A vertical ray is in one place.
+            // A vertical ray has constant x and z.
             self.ray.origin
         }
     }
@@ -186,7 +195,7 @@ impl Walk<'_> {
         above < 0.0 || self.at(t).y < self.field.water
     }
 
-    /// The triangle below a place of the ray.
+    /// The triangle below a point of the ray.
     fn face_at(&self, t: f64) -> u32 {
         let point = self.at(t);
         let (x, u) = cell(point.x, self.field.cells[0]);
@@ -194,26 +203,26 @@ impl Walk<'_> {
         self.field.face(x, z, u + v > 1.0)
     }
 
-    /// The height of a place of the ray.
+    /// Height of a point of the ray.
     #[inline]
     fn height(&self, t: f64) -> f64 {
         self.at(t).y
     }
 
-    /// The ray is inside from here on, or is not; `on` is the triangle it crosses, if the ground is what it crosses.
-    fn change(&mut self, t: f64, is_inside: bool, on: Option<u32>) {
-        if self.inside == Some(is_inside) || self.is_over {
+    /// Sets the inside state from `t` on, and emits a visible root if it changes; `on` is the triangle, if known.
+    fn set_inside(&mut self, t: f64, is_inside: bool, triangle: Option<u32>) {
+        if self.inside == Some(is_inside) || self.is_done {
             return;
         }
         let was_known = self.inside.replace(is_inside).is_some();
         if !was_known || !t.is_finite() {
             return;
         }
-        let face = on.unwrap_or_else(|| self.face_at(t));
+        let face = triangle.unwrap_or_else(|| self.face_at(t));
         self.root(t, is_inside, face, true);
     }
 
-    fn wall(&mut self, t: f64, is_inside: bool) {
+    fn cross_wall(&mut self, t: f64, is_inside: bool) {
         let was_inside = self.inside.replace(is_inside);
         if was_inside != Some(is_inside) && t.is_finite() {
             self.root(t, is_inside, WALL, false);
@@ -221,7 +230,7 @@ impl Walk<'_> {
     }
 
     fn root(&mut self, t: f64, enters: bool, face: u32, is_visible: bool) {
-        if self.is_over {
+        if self.is_done {
             return;
         }
         let crossing = if enters {
@@ -229,7 +238,7 @@ impl Walk<'_> {
         } else {
             Crossing::Leave
         };
-        self.is_over = !(self.emit)(Root {
+        self.is_done = !(self.emit)(Root {
             t,
             crossing,
             face,
@@ -237,67 +246,70 @@ impl Walk<'_> {
         });
     }
 
-    /// Follows the ray through squares of cells.
-    fn squares(&mut self, span: (f64, f64), (from, to): (f64, f64)) {
+    /// Traverses the blocks of cells.
+    fn walk_blocks(&mut self, start: f64, end: f64, from: f64, to: f64) {
         let field = self.field;
-        let across = [field.squares_along_x, field.cells[1].div_ceil(field.square)];
-        let mut steps = Steps::new(&self.ray, span, field.square, [[0, 0], across]);
-        let mut ahead = self.height(span.0);
+        let blocks = [
+            field.blocks_along_x,
+            field.cells[1].div_ceil(field.block_size),
+        ];
+        let mut steps = Steps::new(&self.ray, start, end, field.block_size, [[0, 0], blocks]);
+        let mut end_height = self.height(start);
         while let Some((x, z, near, far)) = steps.next() {
-            let heights = [ahead, self.height(far)];
-            ahead = heights[1];
+            let heights = [end_height, self.height(far)];
+            end_height = heights[1];
             if far < from {
                 self.inside = None;
                 self.above = None;
                 continue;
             }
-            if near > to || self.is_over {
-                self.is_over = true;
+            if near > to || self.is_done {
+                self.is_done = true;
                 return;
             }
-            let range = field.squares[z * field.squares_along_x + x];
-            if !self.passes(range, heights, near) {
-                self.cells([x, z], (near, far));
+            let range = field.block_ranges[z * field.blocks_along_x + x];
+            if !self.skip_clear(range, heights, near) {
+                self.walk_cells([x, z], near, far);
             }
         }
     }
 
-    /// Goes past ground between these heights if the ray, which is at other heights from `near` on, is above or below all of
-    /// it; says whether it is.
+    /// Skips ground with heights in `low..=high` if the ray, at heights `a` and `b` at its ends, is entirely above or
+    /// below it; returns true if so.
     #[inline]
-    fn passes(&mut self, [low, high]: [u16; 2], [a, b]: [f64; 2], near: f64) -> bool {
+    fn skip_clear(&mut self, [low, high]: [u16; 2], [a, b]: [f64; 2], near: f64) -> bool {
         let water = self.field.water;
         let [low, high] = [low, high].map(|height| {
             let height = f64::from(height);
             if height > water { height } else { water }
         });
-        let (least, most) = if a < b { (a, b) } else { (b, a) };
-        let is_above = least > high + SLACK;
-        let is_below = most < low - SLACK;
-        let is_passed = is_above || is_below;
-        if is_passed {
+        let (lowest, highest) = if a < b { (a, b) } else { (b, a) };
+        let is_above = lowest > high + SLACK;
+        let is_below = highest < low - SLACK;
+        let is_clear = is_above || is_below;
+        if is_clear {
             self.above = None;
             if self.inside != Some(is_below) {
-                self.change(near, is_below, None);
+                self.set_inside(near, is_below, None);
             }
         }
-        is_passed
+        is_clear
     }
 
-    /// Follows the ray through the cells of a square.
+    /// Traverses the cells of a block.
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
-    fn cells(&mut self, [x, z]: [usize; 2], span: (f64, f64)) {
-        let size = self.field.square;
+    fn walk_cells(&mut self, [x, z]: [usize; 2], start: f64, end: f64) {
+        let size = self.field.block_size;
         let first = [x * size, z * size];
-        let end = [0, 1].map(|axis| (first[axis] + size).min(self.field.cells[axis]));
-        let mut steps = Steps::new(&self.ray, span, 1, [first, end]);
+        let last = [0, 1].map(|axis| (first[axis] + size).min(self.field.cells[axis]));
+        let mut steps = Steps::new(&self.ray, start, end, 1, [first, last]);
         let Ray { origin, dir } = self.ray;
-        let mut ahead = self.height(span.0);
+        let mut end_height = self.height(start);
         while let Some((x, z, near, far)) = steps.next() {
-            let heights = [ahead, self.height(far)];
-            ahead = heights[1];
-            if self.passes(self.field.heights_of(x, z), heights, near) {
-                if self.is_over {
+            let heights = [end_height, self.height(far)];
+            end_height = heights[1];
+            if self.skip_clear(self.field.heights_of(x, z), heights, near) {
+                if self.is_done {
                     return;
                 }
                 continue;
@@ -316,72 +328,76 @@ impl Walk<'_> {
                     self.at(0.5 * (from + to))
                 };
                 let is_far = middle.x - x as f64 + (middle.z - z as f64) > 1.0;
-                self.pass(Stretch {
+                self.intersect_triangle(TriangleInterval {
                     from: *from,
                     to: *to,
                     cell: [x, z],
                     is_far,
                 });
-                if self.is_over {
+                if self.is_done {
                     return;
                 }
             }
         }
     }
 
-    /// Passes over one triangle.
-    fn pass(&mut self, stretch: Stretch) {
-        let Stretch { from, to, .. } = stretch;
-        let [x, z] = stretch.cell;
-        let face = self.field.face(x, z, stretch.is_far);
-        let ground = self.field.ground_of([x, z], stretch.is_far);
+    /// Intersects one triangle.
+    fn intersect_triangle(&mut self, interval: TriangleInterval) {
+        let TriangleInterval { from, to, .. } = interval;
+        let [x, z] = interval.cell;
+        let face = self.field.face(x, z, interval.is_far);
+        let plane = self.field.plane_of([x, z], interval.is_far);
         let [start, end] = [from, to].map(|t| self.at(t));
         let above = match self.above {
             Some(above) => above,
-            None => start.y - ground.height(start),
+            None => start.y - plane.height(start),
         };
-        let above_after = end.y - ground.height(end);
+        let above_after = end.y - plane.height(end);
         self.above = Some(above_after);
         let water = self.field.water;
         let is_inside = above < 0.0 || start.y < water;
-        let (wet, wet_after) = (start.y - water, end.y - water);
+        let (above_water, above_water_after) = (start.y - water, end.y - water);
         match self.inside {
             None => self.inside = Some(is_inside),
-            // The end of the stretch before was rounded to the other side.
+            // The end of the previous interval was rounded to the other side.
             Some(was_inside) if was_inside != is_inside => {
-                if wet.abs() < above.abs() {
-                    self.level(from, is_inside, face);
+                if above_water.abs() < above.abs() {
+                    self.cross_water_level(from, is_inside, face);
                 } else {
-                    self.change(from, is_inside, Some(face));
+                    self.set_inside(from, is_inside, Some(face));
                 }
             }
             Some(_) => {}
         }
-        let ground = zero(stretch, above, above_after);
-        let sea = zero(stretch, wet, wet_after);
-        let is_inside_after = above_after < 0.0 || wet_after < 0.0;
+        let ground_t = sign_change(interval, above, above_after);
+        let water_t = sign_change(interval, above_water, above_water_after);
+        let is_inside_after = above_after < 0.0 || above_water_after < 0.0;
         match (is_inside, is_inside_after) {
-            (false, true) => match (ground, sea) {
-                (Some(ground), Some(sea)) if sea < ground => self.level(sea, true, face),
-                (Some(ground), _) => self.change(ground, true, Some(face)),
-                (None, Some(sea)) => self.level(sea, true, face),
+            (false, true) => match (ground_t, water_t) {
+                (Some(ground_t), Some(water_t)) if water_t < ground_t => {
+                    self.cross_water_level(water_t, true, face)
+                }
+                (Some(ground_t), _) => self.set_inside(ground_t, true, Some(face)),
+                (None, Some(water_t)) => self.cross_water_level(water_t, true, face),
                 (None, None) => {}
             },
-            (true, false) => match (ground, sea) {
-                (Some(ground), Some(sea)) if sea > ground => self.level(sea, false, face),
-                (Some(ground), _) => self.change(ground, false, Some(face)),
-                (None, Some(sea)) => self.level(sea, false, face),
+            (true, false) => match (ground_t, water_t) {
+                (Some(ground_t), Some(water_t)) if water_t > ground_t => {
+                    self.cross_water_level(water_t, false, face)
+                }
+                (Some(ground_t), _) => self.set_inside(ground_t, false, Some(face)),
+                (None, Some(water_t)) => self.cross_water_level(water_t, false, face),
                 (None, None) => {}
             },
             (true, true) => {
-                if let (Some(ground), Some(sea)) = (ground, sea) {
-                    // Out of the ground and into the water, or the other way round, with air between.
-                    if above < 0.0 && ground < sea {
-                        self.change(ground, false, Some(face));
-                        self.water(sea, true);
-                    } else if above >= 0.0 && sea < ground {
-                        self.water(sea, false);
-                        self.change(ground, true, Some(face));
+                if let (Some(ground_t), Some(water_t)) = (ground_t, water_t) {
+                    // From the ground into the water or back, with air between.
+                    if above < 0.0 && ground_t < water_t {
+                        self.set_inside(ground_t, false, Some(face));
+                        self.cross_water(water_t, true);
+                    } else if above >= 0.0 && water_t < ground_t {
+                        self.cross_water(water_t, false);
+                        self.set_inside(ground_t, true, Some(face));
                     }
                 }
             }
@@ -389,30 +405,30 @@ impl Walk<'_> {
         }
     }
 
-    /// At the level of the water: of ground that lies as high, the ground is met (measured with POV-Ray).
-    fn level(&mut self, t: f64, is_inside: bool, face: u32) {
+    /// Crosses the water level: ground of the same height is hit instead (measured with POV-Ray).
+    fn cross_water_level(&mut self, t: f64, is_inside: bool, face: u32) {
         if self.field.ground(self.at(t), face) >= self.field.water {
-            self.change(t, is_inside, Some(face));
+            self.set_inside(t, is_inside, Some(face));
         } else {
-            self.water(t, is_inside);
+            self.cross_water(t, is_inside);
         }
     }
 
-    fn water(&mut self, t: f64, is_inside: bool) {
+    fn cross_water(&mut self, t: f64, is_inside: bool) {
         if self.inside.replace(is_inside) != Some(is_inside) {
             self.root(t, is_inside, WATER, false);
         }
     }
 }
 
-/// Where a height that changes evenly over a stretch changes its sign.
-fn zero(stretch: Stretch, before: f64, after: f64) -> Option<f64> {
-    let Stretch { from, to, .. } = stretch;
+/// The zero of a height that is linear over the interval, if its sign changes.
+fn sign_change(interval: TriangleInterval, before: f64, after: f64) -> Option<f64> {
+    let TriangleInterval { from, to, .. } = interval;
     ((before < 0.0) != (after < 0.0))
         .then(|| (from + (to - from) * (before / (before - after))).clamp(from, to))
 }
 
-/// The part of a line between two planes across an axis; the first end is the larger if there is none.
+/// Interval of a line between two planes across an axis; the first end is the larger if there is none.
 fn slab(origin: f64, dir: f64, low: f64, high: f64) -> (f64, f64) {
     if dir == 0.0 {
         return if low <= origin && origin <= high {
@@ -425,7 +441,7 @@ fn slab(origin: f64, dir: f64, low: f64, high: f64) -> (f64, f64) {
     (a.min(b), a.max(b))
 }
 
-/// The cell of a coordinate and the place in it.
+/// The cell of a coordinate and the position in it.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

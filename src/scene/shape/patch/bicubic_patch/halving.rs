@@ -1,20 +1,20 @@
-//! How a patch is halved until its parts are flat or its steps are used up, and made of triangles.
+//! Recursive subdivision of a patch until its parts are flat or its steps are used up, and their triangles.
 
-use super::{Corner, Net, Points};
+use super::{Net, Points, Vertex};
 use crate::scene::shape::Triangle;
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 
-/// A part of the surface while it is halved.
-pub(super) struct Part {
+/// A part of the surface during subdivision.
+pub(super) struct SubPatch {
     pub(super) points: Points,
-    /// The parameters of its corners.
+    /// Parameters of its corners.
     pub(super) low: DVec2,
     pub(super) high: DVec2,
 }
 
-/// The two halves of a curve (de Casteljau).
-fn halves([a, b, c, d]: [DVec3; 4]) -> ([DVec3; 4], [DVec3; 4]) {
+/// Splits a curve in two halves (de Casteljau).
+fn split_curve([a, b, c, d]: [DVec3; 4]) -> ([DVec3; 4], [DVec3; 4]) {
     let mean = |a: DVec3, b: DVec3| 0.5 * (a + b);
     let (ab, bc, cd) = (mean(a, b), mean(b, c), mean(c, d));
     let (abc, bcd) = (mean(ab, bc), mean(bc, cd));
@@ -22,44 +22,44 @@ fn halves([a, b, c, d]: [DVec3; 4]) -> ([DVec3; 4], [DVec3; 4]) {
     ([a, ab, abc, middle], [middle, bcd, cd, d])
 }
 
-fn turned(points: &Points) -> Points {
+fn transposed(points: &Points) -> Points {
     std::array::from_fn(|i| std::array::from_fn(|j| points[j][i]))
 }
 
-fn halves_along_v(points: &Points) -> (Points, Points) {
-    let halved = points.map(halves);
+fn split_v(points: &Points) -> (Points, Points) {
+    let halved = points.map(split_curve);
     (halved.map(|half| half.0), halved.map(|half| half.1))
 }
 
-impl Part {
-    fn halves_along_u(&self) -> [Part; 2] {
-        let (near, far) = halves_along_v(&turned(&self.points));
+impl SubPatch {
+    fn split_u(&self) -> [SubPatch; 2] {
+        let (first, second) = split_v(&transposed(&self.points));
         let middle = 0.5 * (self.low.x + self.high.x);
         [
-            Part {
-                points: turned(&near),
+            SubPatch {
+                points: transposed(&first),
                 low: self.low,
                 high: DVec2::new(middle, self.high.y),
             },
-            Part {
-                points: turned(&far),
+            SubPatch {
+                points: transposed(&second),
                 low: DVec2::new(middle, self.low.y),
                 high: self.high,
             },
         ]
     }
 
-    fn halves_along_v(&self) -> [Part; 2] {
-        let (near, far) = halves_along_v(&self.points);
+    fn split_v(&self) -> [SubPatch; 2] {
+        let (first, second) = split_v(&self.points);
         let middle = 0.5 * (self.low.y + self.high.y);
         [
-            Part {
-                points: near,
+            SubPatch {
+                points: first,
                 low: self.low,
                 high: DVec2::new(self.high.x, middle),
             },
-            Part {
-                points: far,
+            SubPatch {
+                points: second,
                 low: DVec2::new(self.low.x, middle),
                 high: self.high,
             },
@@ -67,59 +67,63 @@ impl Part {
     }
 }
 
-pub(super) struct Maker<'a> {
+pub(super) struct Tessellator<'a> {
     pub(super) net: &'a Net,
     pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) corners: Vec<Corner>,
-    /// By the bits of the parameters.
-    pub(super) known: FxHashMap<[u64; 2], u32>,
+    pub(super) vertices: Vec<Vertex>,
+    /// Index into `vertices` by the bits of the parameters.
+    pub(super) vertex_ids: FxHashMap<[u64; 2], u32>,
 }
 
-impl Maker<'_> {
-    pub(super) fn halve(&mut self, part: &Part, depth: u32) {
+impl Tessellator<'_> {
+    pub(super) fn subdivide(&mut self, part: &SubPatch, depth: u32) {
         let (by_u, by_v) = (depth < self.net.u_steps, depth < self.net.v_steps);
         if !(by_u || by_v) || self.net.is_flat(&part.points) {
-            self.leaf(part);
+            self.push_triangles(part);
             return;
         }
         let parts = if by_u {
-            &part.halves_along_u()[..]
+            &part.split_u()[..]
         } else {
             std::slice::from_ref(part)
         };
         for part in parts {
             if by_v {
-                for part in &part.halves_along_v() {
-                    self.halve(part, depth + 1);
+                for part in &part.split_v() {
+                    self.subdivide(part, depth + 1);
                 }
             } else {
-                self.halve(part, depth + 1);
+                self.subdivide(part, depth + 1);
             }
         }
     }
 
-    fn leaf(&mut self, part: &Part) {
-        let Part { points, low, high } = part;
-        let a = self.corner(points[0][0], *low);
-        let b = self.corner(points[0][3], DVec2::new(low.x, high.y));
-        let c = self.corner(points[3][3], *high);
-        let d = self.corner(points[3][0], DVec2::new(high.x, low.y));
+    fn push_triangles(&mut self, part: &SubPatch) {
+        let SubPatch { points, low, high } = part;
+        let a = self.vertex(points[0][0], *low);
+        let b = self.vertex(points[0][3], DVec2::new(low.x, high.y));
+        let c = self.vertex(points[3][3], *high);
+        let d = self.vertex(points[3][0], DVec2::new(high.x, low.y));
         for triangle in [[a, b, c], [a, c, d]] {
-            let corners = triangle.map(|corner| self.corners[corner as usize].point);
+            let corners = triangle.map(|index| self.vertices[index as usize].point);
             if !(Triangle { corners }).is_flat_line() {
                 self.triangles.push(triangle);
             }
         }
     }
 
-    fn corner(&mut self, point: DVec3, at: DVec2) -> u32 {
-        let corners = &mut self.corners;
+    fn vertex(&mut self, point: DVec3, params: DVec2) -> u32 {
+        let vertices = &mut self.vertices;
         let net = self.net;
-        let key = at.to_array().map(f64::to_bits);
-        *self.known.entry(key).or_insert_with(|| {
-            let normal = net.normal(at);
-            corners.push(Corner { point, normal, at });
-            u32::try_from(corners.len() - 1).expect("the steps are limited")
+        let key = params.to_array().map(f64::to_bits);
+        *self.vertex_ids.entry(key).or_insert_with(|| {
+            let normal = net.normal(params);
+            vertices.push(Vertex {
+                point,
+                normal,
+                params,
+            });
+            u32::try_from(vertices.len() - 1).expect("the steps are limited")
         })
     }
 }

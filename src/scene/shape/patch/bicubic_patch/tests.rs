@@ -19,28 +19,28 @@ fn it_is_a_patch() {
 }
 
 #[test]
-fn steps_double_the_pieces_of_each_direction() {
-    let pieces = |words| patch(words).pieces().triangles.len();
-    assert_eq!(pieces("type 1"), 2);
-    assert_eq!(pieces("type 1 u_steps 3 v_steps 2"), 64);
-    assert_eq!(pieces("type 1 u_steps 3 v_steps 3 flatness 100"), 2);
-    let some = pieces("type 1 u_steps 4 v_steps 4 flatness 0.05");
+fn each_step_doubles_the_parts_of_its_direction() {
+    let count = |words| patch(words).tessellation().triangles.len();
+    assert_eq!(count("type 1"), 2);
+    assert_eq!(count("type 1 u_steps 3 v_steps 2"), 64);
+    assert_eq!(count("type 1 u_steps 3 v_steps 3 flatness 100"), 2);
+    let some = count("type 1 u_steps 4 v_steps 4 flatness 0.05");
     assert!(2 < some && some < 512, "{some}");
-    assert_eq!(pieces("1, 2, 2"), 32);
+    assert_eq!(count("1, 2, 2"), 32);
 }
 
 #[test]
-fn the_corners_lie_on_the_surface() {
+fn the_vertices_lie_on_the_surface() {
     let patch = patch("type 1 u_steps 2 v_steps 3");
-    for corner in &patch.pieces().corners {
-        let (u, v) = (bernstein(corner.at.x), bernstein(corner.at.y));
+    for vertex in &patch.tessellation().vertices {
+        let (u, v) = (bernstein(vertex.params.x), bernstein(vertex.params.y));
         let mut point = DVec3::ZERO;
         for (row, u) in patch.net.points.iter().zip(u) {
             for (net, v) in row.iter().zip(v) {
                 point += u * v * *net;
             }
         }
-        assert!((point - corner.point).length() < 1e-14);
+        assert!((point - vertex.point).length() < 1e-14);
     }
 }
 
@@ -56,7 +56,7 @@ fn texture_coordinates_run_along_v_first() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_are_reported() {
     let fault = |text: &str| {
         BicubicPatch::read(&mut TextArgs::new(text))
             .unwrap_err()

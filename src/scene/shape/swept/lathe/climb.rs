@@ -1,4 +1,4 @@
-//! A ray about the axis of a surface of revolution, and how far it is from the points of a curve.
+//! A ray relative to the axis of a surface of revolution, and its distance from points of a curve.
 
 use crate::base::math::Ray;
 use crate::base::math::roots::interval_roots::{Interval, IntervalFunction};
@@ -6,57 +6,57 @@ use crate::base::math::simd::{F64x4, SimdKernel};
 use crate::scene::shape::swept::spline::Segment;
 use glam::{DVec2, DVec3};
 
-/// More roundings than it takes to find how far a point of the curve lies from a line.
+/// Bound, in roundings, of the error of the distance of a curve point from a line.
 const ROUNDINGS: f64 = 16.0;
 
 /// The signs of `h`.
 pub(super) const SIDES: [f64; 2] = [1.0, -1.0];
 
-/// A ray about the axis.
-pub(super) struct Climb {
-    /// The distance of the line from the axis.
-    pub(super) aside: f64,
-    /// `h` at the origin of the ray.
-    pub(super) ahead: f64,
-    /// The height of that origin.
-    pub(super) height: f64,
+/// A ray relative to the axis.
+pub(super) struct AxisRay {
+    /// The distance of the line from the axis, `a`.
+    pub(super) axis_distance: f64,
+    /// `h₀`: `h` at the origin of the ray.
+    pub(super) origin_h: f64,
+    /// `y₀`: the height of the origin.
+    pub(super) origin_y: f64,
     pub(super) sine: f64,
     pub(super) cosine: f64,
 }
 
-/// The least radii and heights of the points of four arcs, and the most.
+/// Least and greatest radii and heights of four arcs.
 #[derive(Debug, PartialEq)]
-pub(super) struct FourReaches {
+pub(super) struct ArcBounds4 {
     near: [f64; 4],
     far: [f64; 4],
     low: [f64; 4],
     high: [f64; 4],
 }
 
-/// Asks which of four arcs a line may meet.
-pub(super) struct FourAndClimb<'a> {
-    pub(super) reaches: &'a FourReaches,
-    pub(super) climb: &'a Climb,
+/// Kernel that tests which of four arcs a line may hit.
+pub(super) struct ArcTest4<'a> {
+    pub(super) arc_bounds: &'a ArcBounds4,
+    pub(super) axis_ray: &'a AxisRay,
 }
 
-/// The answer.
-pub(super) struct FourPasses {
-    /// For `h` positive and for `h` negative those that may be met, one bit each. By more than any rounding the points of
-    /// all others lie above the line, below it or nearer to the axis.
-    pub(super) met: [u32; 2],
-    /// How far from the place nearest to the axis the line reaches their radii.
+/// Result of [`ArcTest4`].
+pub(super) struct ArcHits4 {
+    /// Bit masks of the arcs that may be hit, for positive and negative `h`. The points of all others lie above the
+    /// line, below it or nearer to the axis, by more than any rounding.
+    pub(super) hit_mask: [u32; 2],
+    /// `|h|` of the line at their least and greatest radii.
     pub(super) near: [f64; 4],
     pub(super) far: [f64; 4],
 }
 
-/// `F` along an arc, for `h` positive or negative.
+/// `F` along an arc, for positive or negative `h`.
 pub(super) struct Half<'a> {
-    pub(super) climb: &'a Climb,
+    pub(super) axis_ray: &'a AxisRay,
     pub(super) segment: &'a Segment,
     pub(super) side: f64,
 }
 
-impl Climb {
+impl AxisRay {
     pub(super) fn new(ray: &Ray) -> Self {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
         let speed = ray.dir.length();
@@ -65,26 +65,30 @@ impl Climb {
         } else {
             dir / dir.length()
         };
-        Climb {
-            aside: along.perp_dot(origin).abs(),
-            ahead: along.dot(origin),
-            height: ray.origin.y,
+        AxisRay {
+            axis_distance: along.perp_dot(origin).abs(),
+            origin_h: along.dot(origin),
+            origin_y: ray.origin.y,
             sine: ray.dir.y / speed,
             cosine: dir.length() / speed,
         }
     }
 
-    /// How far from the place nearest to the axis the line has the distance `radius` from it; zero if it never has.
+    /// `|h|` at which the line is at distance `radius` from the axis; zero if it never is.
     #[inline]
-    pub(super) fn reach(&self, radius: f64) -> f64 {
+    pub(super) fn half_chord(&self, radius: f64) -> f64 {
         let radius = radius.abs();
-        let reach_sq = (radius - self.aside) * (radius + self.aside);
-        if reach_sq > 0.0 { reach_sq.sqrt() } else { 0.0 }
+        let half_chord_sq = (radius - self.axis_distance) * (radius + self.axis_distance);
+        if half_chord_sq > 0.0 {
+            half_chord_sq.sqrt()
+        } else {
+            0.0
+        }
     }
 
-    /// The lengths along the ray between which it comes to such points.
+    /// Distances along the ray between which it comes to points within these bounds.
     #[inline]
-    pub(super) fn lengths(
+    pub(super) fn distances(
         &self,
         [low, high]: [DVec2; 2],
         [near, far]: [f64; 2],
@@ -92,13 +96,13 @@ impl Climb {
     ) -> Interval {
         if self.is_steep() {
             Interval::new(
-                (low.y - self.height) / self.sine,
-                (high.y - self.height) / self.sine,
+                (low.y - self.origin_y) / self.sine,
+                (high.y - self.origin_y) / self.sine,
             )
         } else {
             Interval::new(
-                (side * near - self.ahead) / self.cosine,
-                (side * far - self.ahead) / self.cosine,
+                (side * near - self.origin_h) / self.cosine,
+                (side * far - self.origin_h) / self.cosine,
             )
         }
     }
@@ -109,25 +113,25 @@ impl Climb {
     }
 
     #[inline]
-    pub(super) fn excess(&self, point: DVec2, side: f64) -> f64 {
-        self.cosine * (point.y - self.height)
-            - self.sine * (side * self.reach(point.x) - self.ahead)
+    pub(super) fn residual(&self, point: DVec2, side: f64) -> f64 {
+        self.cosine * (point.y - self.origin_y)
+            - self.sine * (side * self.half_chord(point.x) - self.origin_h)
     }
 
-    /// The length along the ray to a point of it.
+    /// The distance along the ray to a point of it.
     pub(super) fn length(&self, point: DVec2, side: f64) -> f64 {
         if self.is_steep() {
-            (point.y - self.height) / self.sine
+            (point.y - self.origin_y) / self.sine
         } else {
-            (side * self.reach(point.x) - self.ahead) / self.cosine
+            (side * self.half_chord(point.x) - self.origin_h) / self.cosine
         }
     }
 }
 
-impl FourReaches {
-    /// Those of four arcs, from the least radius and height and the most of each.
+impl ArcBounds4 {
+    /// Bounds of four arcs, from the least and the greatest corner of each.
     pub(super) fn new(arc: impl Fn(usize) -> [DVec2; 2]) -> Self {
-        FourReaches {
+        ArcBounds4 {
             near: std::array::from_fn(|lane| arc(lane)[0].x),
             far: std::array::from_fn(|lane| arc(lane)[1].x),
             low: std::array::from_fn(|lane| arc(lane)[0].y),
@@ -136,43 +140,46 @@ impl FourReaches {
     }
 }
 
-impl SimdKernel for FourAndClimb<'_> {
-    type Output = FourPasses;
+impl SimdKernel for ArcTest4<'_> {
+    type Output = ArcHits4;
 
-    // Spelt out: closures are not always inlined.
+    // Written out: closures are not always inlined.
     #[inline(always)]
-    fn run<F: F64x4>(self) -> FourPasses {
-        let (of, climb) = (self.reaches, self.climb);
-        let (aside, height) = (F::splat(climb.aside), F::splat(climb.height));
-        let (sine, cosine) = (F::splat(climb.sine), F::splat(climb.cosine));
-        let (ahead, zero) = (F::splat(climb.ahead), F::splat(0.0));
-        let (least, most) = (F::from_array(&of.near), F::from_array(&of.far));
-        let near_sq = (least - aside) * (least + aside);
-        let far_sq = (most - aside) * (most + aside);
+    fn run<F: F64x4>(self) -> ArcHits4 {
+        let (bounds, axis_ray) = (self.arc_bounds, self.axis_ray);
+        let (axis_distance, origin_y) = (
+            F::splat(axis_ray.axis_distance),
+            F::splat(axis_ray.origin_y),
+        );
+        let (sine, cosine) = (F::splat(axis_ray.sine), F::splat(axis_ray.cosine));
+        let (origin_h, zero) = (F::splat(axis_ray.origin_h), F::splat(0.0));
+        let (least, most) = (F::from_array(&bounds.near), F::from_array(&bounds.far));
+        let near_sq = (least - axis_distance) * (least + axis_distance);
+        let far_sq = (most - axis_distance) * (most + axis_distance);
         let near = near_sq.lane_max(zero).sqrt();
         let far = far_sq.lane_max(zero).sqrt();
-        let (low, high) = (F::from_array(&of.low), F::from_array(&of.high));
-        let lowest = cosine * (low - height);
-        let highest = cosine * (high - height);
-        let tall = low.abs().lane_max(high.abs()) + height.abs();
+        let (low, high) = (F::from_array(&bounds.low), F::from_array(&bounds.high));
+        let lowest = cosine * (low - origin_y);
+        let highest = cosine * (high - origin_y);
+        let tall = low.abs().lane_max(high.abs()) + origin_y.abs();
         let size = cosine * tall;
-        let size = size + sine.abs() * (far + ahead.abs());
-        let care = F::splat(ROUNDINGS * f64::EPSILON) * size;
-        let first = sine * (near - ahead);
-        let last = sine * (far - ahead);
-        let above = care.lt(lowest - first.lane_max(last));
-        let below = (highest - first.lane_min(last)).lt(-care);
-        let passed = F::bitmask(above | below);
-        let first = sine * (-near - ahead);
-        let last = sine * (-far - ahead);
-        let above = care.lt(lowest - first.lane_max(last));
-        let below = (highest - first.lane_min(last)).lt(-care);
-        let passed_back = F::bitmask(above | below);
-        let within = F::bitmask(most.lt(aside));
-        FourPasses {
-            met: [
-                0b1111 & !(passed | within),
-                0b1111 & !(passed_back | within),
+        let size = size + sine.abs() * (far + origin_h.abs());
+        let margin = F::splat(ROUNDINGS * f64::EPSILON) * size;
+        let first = sine * (near - origin_h);
+        let last = sine * (far - origin_h);
+        let above = margin.lt(lowest - first.lane_max(last));
+        let below = (highest - first.lane_min(last)).lt(-margin);
+        let excluded = F::bitmask(above | below);
+        let first = sine * (-near - origin_h);
+        let last = sine * (-far - origin_h);
+        let above = margin.lt(lowest - first.lane_max(last));
+        let below = (highest - first.lane_min(last)).lt(-margin);
+        let excluded_back = F::bitmask(above | below);
+        let is_nearer = F::bitmask(most.lt(axis_distance));
+        ArcHits4 {
+            hit_mask: [
+                0b1111 & !(excluded | is_nearer),
+                0b1111 & !(excluded_back | is_nearer),
             ],
             near: near.to_array(),
             far: far.to_array(),
@@ -182,88 +189,91 @@ impl SimdKernel for FourAndClimb<'_> {
 
 impl IntervalFunction for Half<'_> {
     fn value(&self, x: f64) -> f64 {
-        self.climb.excess(self.segment.at(x), self.side)
+        self.axis_ray.residual(self.segment.at(x), self.side)
     }
 
     fn slope(&self, x: f64) -> f64 {
         let (point, slope) = (self.segment.at(x), self.segment.slope(x));
-        let outward = slope.x * point.x / self.climb.reach(point.x);
-        self.climb.cosine * slope.y - self.climb.sine * self.side * outward
+        let outward = slope.x * point.x / self.axis_ray.half_chord(point.x);
+        self.axis_ray.cosine * slope.y - self.axis_ray.sine * self.side * outward
     }
 
     fn values(&self, from: f64, to: f64) -> Interval {
         let (a, b) = (self.segment.at(from), self.segment.at(to));
-        let climb = self.climb;
-        let factor = climb.sine * self.side;
-        let rise = Interval::new(climb.cosine * a.y, climb.cosine * b.y);
-        let way = Interval::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
-        let rest = climb.sine * climb.ahead - climb.cosine * climb.height;
+        let axis_ray = self.axis_ray;
+        let factor = axis_ray.sine * self.side;
+        let rise = Interval::new(axis_ray.cosine * a.y, axis_ray.cosine * b.y);
+        let run = Interval::new(
+            factor * axis_ray.half_chord(a.x),
+            factor * axis_ray.half_chord(b.x),
+        );
+        let offset = axis_ray.sine * axis_ray.origin_h - axis_ray.cosine * axis_ray.origin_y;
         Interval {
-            low: rise.low - way.high + rest,
-            high: rise.high - way.low + rest,
+            low: rise.low - run.high + offset,
+            high: rise.high - run.low + offset,
         }
     }
 
     fn slopes(&self, from: f64, to: f64) -> Interval {
-        let climb = self.climb;
+        let axis_ray = self.axis_ray;
         let (a, b) = (self.segment.slope(from), self.segment.slope(to));
-        let rise = Interval::new(climb.cosine * a.y, climb.cosine * b.y);
-        let factor = climb.sine * self.side;
+        let rise = Interval::new(axis_ray.cosine * a.y, axis_ray.cosine * b.y);
+        let factor = axis_ray.sine * self.side;
         let narrowing = |x: f64| {
             let radius = self.segment.at(x).x;
-            radius / climb.reach(radius)
+            radius / axis_ray.half_chord(radius)
         };
         let (near, far) = (narrowing(from), narrowing(to));
-        let mut way = Interval::new(0.0, 0.0);
+        let mut run = Interval::new(0.0, 0.0);
         if factor != 0.0 {
             let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
             if products.iter().any(|p| p.is_nan()) {
                 return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
             }
-            way.low = products.iter().copied().fold(f64::INFINITY, f64::min);
-            way.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            run.low = products.iter().copied().fold(f64::INFINITY, f64::min);
+            run.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         }
         Interval {
-            low: rise.low - way.high,
-            high: rise.high - way.low,
+            low: rise.low - run.high,
+            high: rise.high - run.low,
         }
     }
 }
 
-/// Where a monotone radius reaches `level`, from a place below it to one that is not; on the far side of it.
+/// The parameter where a monotone radius reaches `level`, from one below to one above; rounded to the far side.
 pub(super) fn bisect(
     radius: &impl Fn(f64) -> f64,
     level: f64,
     mut below: f64,
     mut above: f64,
 ) -> f64 {
-    let excess = |x: f64| radius(x) - level;
-    let mut ends = [excess(below), excess(above)];
+    let residual = |x: f64| radius(x) - level;
+    let mut ends = [residual(below), residual(above)];
     let mut is_slow = false;
     loop {
         let middle = 0.5 * (below + above);
         if middle == below || middle == above {
             return above;
         }
-        // Where the chord is at the level, and a little farther from the end that is nearer to it, so that both ends close
-        // in; the middle after a step that gained too little.
+        // Regula falsi: where the chord reaches the level, moved slightly away from the nearer end, so that both ends
+        // close in; bisection after a step that gained too little.
         let along = ends[0] / (ends[0] - ends[1]);
-        let beside = 4.0 * f64::EPSILON * below.abs().max(above.abs());
-        let place = below + along * (above - below);
-        let nudge = beside.copysign(above - below);
-        let place = if along < 0.5 {
-            place + nudge
+        let nudge_size = 4.0 * f64::EPSILON * below.abs().max(above.abs());
+        let guess = below + along * (above - below);
+        let nudge = nudge_size.copysign(above - below);
+        let guess = if along < 0.5 {
+            guess + nudge
         } else {
-            place - nudge
+            guess - nudge
         };
-        let is_between = (below - place) * (place - above) > 0.0;
+        let is_between = (below - guess) * (guess - above) > 0.0;
         let x = if is_between && !is_slow {
-            place
+            guess
         } else {
             middle
         };
         let width = (above - below).abs();
-        let value = excess(x);
+        let value = residual(x);
         if value < 0.0 {
             (below, ends[0]) = (x, value);
         } else {
@@ -273,7 +283,7 @@ pub(super) fn bisect(
     }
 }
 
-/// The part of a point or direction across the axis.
+/// The component of a point or direction perpendicular to the axis.
 pub(super) fn flat(v: DVec3) -> DVec2 {
     DVec2::new(v.x, v.z)
 }

@@ -1,15 +1,16 @@
-//! Where a line crosses a surface of revolution.
+//! Intersection of a line with a surface of revolution.
 //!
-//! With `τ` the length along a ray, `s` and `c` the sine and cosine of its climb, `a` its distance from the axis and `h`
-//! how far it is from where it is nearest to the axis, a point `(r, y)` of the curve is met where `h = ±√(r² − a²)` and
-//! `F = c·(y − y₀) − s·(h − h₀) = 0`. Both halves of that are solved by themselves. The polynomial of degree six that
-//! joins them has double roots for level rays, and so loses what this keeps. The curve is cut into arcs on which
-//! `r`, `y` and their slopes are monotone; there values and slopes of `F` are bounded by those at the ends.
+//! Let `s` and `c` be the sine and cosine of a ray's elevation, `a` its distance from the axis, and `h` the horizontal
+//! distance from its closest approach to the axis; `(h₀, y₀)` is its origin. The ray hits a point `(r, y)` of the curve
+//! where `h = ±√(r² − a²)` and `F = c·(y − y₀) − s·(h − h₀) = 0`. Both halves of that are solved separately. The
+//! polynomial of degree six that joins them has double roots for level rays, and loses the digits that this form keeps.
+//! The curve is cut into arcs on which `r`, `y` and their slopes are monotone; there values and slopes of `F` are
+//! bounded by those at the ends.
 //!
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface where the curve is of lines
-//! (`shape/roundings.rs`), and within 4 on other curves (`tests/stability`, item 51).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface for curves of lines
+//! (`shape/roundings.rs`), and within 4 for other curves (`tests/stability`).
 
-use super::climb::{Climb, FourAndClimb, FourReaches, Half, SIDES, bisect};
+use super::climb::{ArcBounds4, ArcTest4, AxisRay, Half, SIDES, bisect};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::interval_roots::{
     Interval as Lengths, IntervalFunction, sign_changes,
@@ -23,77 +24,77 @@ use crate::scene::shape::{Crossing, Crossings, Root};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
-/// The curve, and all that rays need of it.
+/// The curve, prepared for ray queries.
 #[derive(Debug, PartialEq)]
 pub(super) struct Profile {
-    /// The curve, and behind it what closes it.
+    /// The segments of the curve, followed by those that close it.
     pub(super) segments: Chain,
-    /// How many of them are the curve.
-    pub(super) seen: usize,
-    arcs: Vec<Bow>,
-    /// The reaches of the arcs by four; behind the last it stands again.
-    reaches: Vec<FourReaches>,
-    /// Whether each segment begins where the one before ends, the first where the last does: only then a line crosses the
-    /// whole an even number of times.
+    /// Number of segments of the curve, the visible ones.
+    pub(super) visible_count: usize,
+    arcs: Vec<MonotoneArc>,
+    /// Bounds of the arcs in packets of four; the last packet is filled up with copies.
+    arc_bounds: Vec<ArcBounds4>,
+    /// True if each segment begins where the previous one ends, the first where the last does: only then a line crosses
+    /// the whole an even number of times.
     is_closed: bool,
-    /// The middle of the box around the solid.
-    middle: f64,
+    /// The y coordinate of the centre of the bounding box.
+    centre_y: f64,
     pub(super) bounds: Bounds,
 }
 
-/// A stretch of a segment on which radius, height and their slopes are monotone and the radius keeps its sign.
+/// A part of a segment on which radius, height and their slopes are monotone and the radius keeps its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Bow {
+struct MonotoneArc {
     segment: usize,
     from: f64,
     to: f64,
     /// The points at which it begins and ends.
     ends: [DVec2; 2],
-    /// The least radius and height of its points, and the most.
-    reach: [DVec2; 2],
+    /// Least and greatest radius and height of its points.
+    extent: [DVec2; 2],
 }
 
-/// A part of a line on which it may meet an arc.
+/// An interval of a line on which it may hit an arc.
 #[derive(Clone, Copy)]
-struct Pass {
+struct ArcInterval {
     arc: usize,
-    /// Whether the ends of the arc are as far from the axis as the line.
-    is_out: [bool; 2],
-    /// Whether `h` may be positive, and whether it may be negative: both only where one end of the arc is nearer to the
-    /// axis than the line.
+    /// For each end of the arc, true if it is at least as far from the axis as the line.
+    is_outside: [bool; 2],
+    /// Possible signs of `h`, positive and negative: both only where one end of the arc is nearer to the axis than the
+    /// line.
     sides: [bool; 2],
-    /// The lengths along the line between which it lies.
+    /// Distances along the line between which the interval lies.
     from: f64,
     to: f64,
 }
 
-/// The roots of a line that are asked for: those between `from` and `to`, both excluded, up to the first visible one
-/// beyond `enough`. Others before and behind may come with them.
+/// The roots of a line to report: those between `from` and `to`, both excluded, up to the first visible one beyond
+/// `enough`. Others before and after may be reported too.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked {
+pub(super) struct RootQuery {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) enough: f64,
 }
 
-impl Asked {
-    /// All of them.
-    pub(super) const EVERYWHERE: Asked = Asked {
+impl RootQuery {
+    /// All roots of the line.
+    pub(super) const EVERYWHERE: RootQuery = RootQuery {
         from: f64::NEG_INFINITY,
         to: f64::INFINITY,
         enough: f64::INFINITY,
     };
 }
 
-/// Adds the rings and the wall that close a curve whose ends are apart, at the distance to which it comes to the axis.
+/// Adds the rings and the wall that close a curve with separate ends, at the least distance of the curve from the axis.
 fn close(segments: &mut Vec<Segment>, inner: f64) {
     let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
         return;
     };
     let (start, end) = (first.start, last.end);
     if spline::is_same(start, end) {
-        let seen = segments.len();
-        segments[seen - 1] = segments[seen - 1].ending_at(start);
+        let count = segments.len();
+        segments[count - 1] = segments[count - 1].ending_at(start);
         return;
     }
     let wall = [DVec2::new(inner, end.y), DVec2::new(inner, start.y)];
@@ -104,7 +105,7 @@ fn close(segments: &mut Vec<Segment>, inner: f64) {
     }
 }
 
-fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
+fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<MonotoneArc>) {
     let mut stops: SmallVec<[f64; 12]> = SmallVec::new();
     stops.extend([-1.0, 1.0]);
     for axis in 0..2 {
@@ -116,18 +117,18 @@ fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
     stops.dedup();
     for pair in stops.windows(2) {
         let ends = [segment.at(pair[0]), segment.at(pair[1])];
-        // What lies on the axis has no surface.
+        // A part on the axis has no surface.
         if ends[0].x == 0.0 && ends[1].x == 0.0 {
             continue;
         }
         let [low, high] = segment.box_of_part(pair[0], pair[1]);
         let nearest = low.x.max(-high.x).max(0.0);
-        arcs.push(Bow {
+        arcs.push(MonotoneArc {
             segment: number,
             from: pair[0],
             to: pair[1],
             ends,
-            reach: [
+            extent: [
                 DVec2::new(nearest, low.y),
                 DVec2::new(high.x.max(-low.x), high.y),
             ],
@@ -136,9 +137,9 @@ fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
 }
 
 impl Profile {
-    /// The curve of these segments, closed.
+    /// The profile of a curve of these segments, closed.
     pub(super) fn new(mut segments: Vec<Segment>) -> Self {
-        let seen = segments.len();
+        let visible_count = segments.len();
         let low = segments
             .iter()
             .fold(DVec2::INFINITY, |low, s| low.min(s.low));
@@ -150,96 +151,97 @@ impl Profile {
         for (number, segment) in segments.iter().enumerate() {
             push_arcs(number, segment, &mut arcs);
         }
-        let fours = arcs.chunks(4);
-        let reaches = fours.map(|of| FourReaches::new(|lane| of[lane.min(of.len() - 1)].reach));
+        let packets = arcs.chunks(4);
+        let arc_bounds =
+            packets.map(|packet| ArcBounds4::new(|lane| packet[lane.min(packet.len() - 1)].extent));
         let next = segments.iter().cycle().skip(1);
         let is_closed = segments.iter().zip(next).all(|(a, b)| a.end == b.start);
-        let rim = high.x.max(-low.x);
-        let slack = 8.0 * f64::EPSILON * rim.max(low.y.abs()).max(high.y.abs());
-        let reach = rim + slack;
+        let max_radius = high.x.max(-low.x);
+        let slack = 8.0 * f64::EPSILON * max_radius.max(low.y.abs()).max(high.y.abs());
+        let half_width = max_radius + slack;
         let bounds = Bounds {
-            min: DVec3::new(-reach, low.y - slack, -reach),
-            max: DVec3::new(reach, high.y + slack, reach),
+            min: DVec3::new(-half_width, low.y - slack, -half_width),
+            max: DVec3::new(half_width, high.y + slack, half_width),
         };
         Profile {
             segments: Chain::new(segments),
-            seen,
-            reaches: reaches.collect(),
+            visible_count,
+            arc_bounds: arc_bounds.collect(),
             arcs,
             is_closed,
-            middle: 0.5 * (low.y + high.y),
+            centre_y: 0.5 * (low.y + high.y),
             bounds,
         }
     }
 
-    /// Where the line of a ray crosses the surface, in order, as far as is asked for.
+    /// The crossings of the line of a ray with the surface, in order, as far as `query` needs them.
     ///
-    /// Parts of the line are gone through in order, and what lies behind the root that is enough is not solved. Of a part
-    /// that lies before all that is asked for it is enough to know whether the line crosses it an odd number of times.
-    pub(super) fn crossings(&self, ray: &Ray, asked: Asked) -> Crossings {
-        let asked = if self.is_closed {
-            asked
+    /// Intervals of the line are visited in order, and those after the root that is enough are not solved. For an
+    /// interval before all requested roots the parity of its crossings is enough.
+    pub(super) fn crossings(&self, ray: &Ray, query: RootQuery) -> Crossings {
+        let query = if self.is_closed {
+            query
         } else {
-            Asked::EVERYWHERE
+            RootQuery::EVERYWHERE
         };
-        // From the place nearest to the middle, with a direction that can be squared.
+        // From the point nearest to the centre, with a direction that can be squared.
         let dir_size = power_of_two(ray.dir.abs().max_element());
         let dir = ray.dir / dir_size;
-        let about = DVec3::new(0.0, self.middle, 0.0);
-        let start = (about - ray.origin).dot(dir) / dir.dot(dir);
+        let centre = DVec3::new(0.0, self.centre_y, 0.0);
+        let start = (centre - ray.origin).dot(dir) / dir.dot(dir);
         let near = Ray::new(ray.origin + start * dir, dir);
         if !near.origin.is_finite() {
             return Crossings::new();
         }
         let speed = dir.length();
-        let climb = Climb::new(&near);
-        if climb.aside > self.bounds.max.x {
+        let axis_ray = AxisRay::new(&near);
+        if axis_ray.axis_distance > self.bounds.max.x {
             return Crossings::new();
         }
-        let place = |length: f64| (start + length / speed) / dir_size;
-        let is_all = asked.from == f64::NEG_INFINITY;
+        let param_at = |length: f64| (start + length / speed) / dir_size;
+        let is_all = query.from == f64::NEG_INFINITY;
         let mut is_inside = false;
         let mut is_far = false;
-        let mut passes: SmallVec<[(f64, Pass); 12]> = SmallVec::new();
-        let note = |pass: Pass| {
-            let (first, last) = (place(pass.from), place(pass.to));
-            is_far |= !(first.is_finite() && last.is_finite());
-            if last <= asked.from && !is_all {
-                is_inside ^= self.is_crossed_oddly(&pass, &climb);
-            } else if first < asked.to || is_far {
-                passes.push((first, pass));
+        let mut intervals: SmallVec<[(f64, ArcInterval); 12]> = SmallVec::new();
+        let keep = |interval: ArcInterval| {
+            let (start_t, last) = (param_at(interval.from), param_at(interval.to));
+            is_far |= !(start_t.is_finite() && last.is_finite());
+            if last <= query.from && !is_all {
+                is_inside ^= self.has_odd_crossings(&interval, &axis_ray);
+            } else if start_t < query.to || is_far {
+                intervals.push((start_t, interval));
             }
         };
         with_widest(
             #[inline(always)]
-            |lanes| self.passes(lanes, &climb, note),
+            |lanes| self.visit_intervals(lanes, &axis_ray, keep),
         );
-        if is_far && !(is_all && asked.enough == f64::INFINITY) {
-            return self.crossings(ray, Asked::EVERYWHERE);
+        if is_far && !(is_all && query.enough == f64::INFINITY) {
+            return self.crossings(ray, RootQuery::EVERYWHERE);
         }
-        if asked.enough < f64::INFINITY {
-            passes.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        if query.enough < f64::INFINITY {
+            intervals.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         }
-        let mut end = asked.to;
-        let mut found: SmallVec<[(f64, usize, bool); 8]> = SmallVec::new();
-        for (first, pass) in &passes {
-            if *first > end {
+        let mut end = query.to;
+        let mut hits: SmallVec<[(f64, usize, bool); 8]> = SmallVec::new();
+        for (start_t, interval) in &intervals {
+            if *start_t > end {
                 break;
             }
-            let is_seen = self.arcs[pass.arc].segment < self.seen;
-            self.meet(pass, &climb, |length, side| {
-                let t = place(length);
-                if is_seen && asked.enough < t {
+            let is_visible = self.arcs[interval.arc].segment < self.visible_count;
+            self.intersect(interval, &axis_ray, |length, side| {
+                let t = param_at(length);
+                if is_visible && query.enough < t {
                     end = end.min(t);
                 }
-                found.push((t, 2 * pass.arc + side, is_seen));
+                hits.push((t, 2 * interval.arc + side, is_visible));
             });
         }
-        found.retain(|place| place.0.is_finite());
-        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        hits.retain(|hit| hit.0.is_finite());
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut roots = Crossings::new();
-        for (t, _, is_visible) in found {
-            // Before it others may lie that have not been solved.
+        for (t, _, is_visible) in hits {
+            // Roots before it may not have been solved.
             if t > end {
                 break;
             }
@@ -249,7 +251,7 @@ impl Profile {
                 Crossing::Enter
             };
             is_inside = !is_inside;
-            if t > asked.from {
+            if t > query.from {
                 roots.push(Root {
                     t,
                     crossing,
@@ -258,85 +260,104 @@ impl Profile {
                 });
             }
         }
-        if is_inside && is_all && asked.enough == f64::INFINITY {
-            // Only beyond all numbers.
+        if is_inside && is_all && query.enough == f64::INFINITY {
+            // Only if a root overflowed.
             roots.pop();
         }
         roots
     }
 
-    /// Visits the parts of a line on which it may meet an arc.
+    /// Visits the intervals of a line on which it may hit an arc.
     #[inline(always)]
-    fn passes(&self, lanes: SimdLevel, climb: &Climb, mut visit: impl FnMut(Pass)) {
-        for (reaches, first) in self.reaches.iter().zip((0..).step_by(4)) {
-            let found = lanes.run(FourAndClimb { reaches, climb });
-            let mut met = found.met[0] | found.met[1];
-            let here = self.arcs.len() - first;
-            if here < 4 {
-                met &= (1 << here) - 1;
+    fn visit_intervals(
+        &self,
+        lanes: SimdLevel,
+        axis_ray: &AxisRay,
+        mut visit: impl FnMut(ArcInterval),
+    ) {
+        for (arc_bounds, first) in self.arc_bounds.iter().zip((0..).step_by(4)) {
+            let result = lanes.run(ArcTest4 {
+                arc_bounds,
+                axis_ray,
+            });
+            let mut hit_mask = result.hit_mask[0] | result.hit_mask[1];
+            let remaining = self.arcs.len() - first;
+            if remaining < 4 {
+                hit_mask &= (1 << remaining) - 1;
             }
-            while met != 0 {
-                let lane = met.trailing_zeros() as usize;
-                met &= met - 1;
-                let sides = [found.met[0] >> lane & 1 == 1, found.met[1] >> lane & 1 == 1];
-                let near_and_far = [found.near[lane], found.far[lane]];
-                self.passes_of(first + lane, climb, (sides, near_and_far), &mut visit);
+            while hit_mask != 0 {
+                let lane = hit_mask.trailing_zeros() as usize;
+                hit_mask &= hit_mask - 1;
+                let sides = [
+                    result.hit_mask[0] >> lane & 1 == 1,
+                    result.hit_mask[1] >> lane & 1 == 1,
+                ];
+                let half_chords = [result.near[lane], result.far[lane]];
+                self.visit_intervals_of_arc(first + lane, axis_ray, sides, half_chords, &mut visit);
             }
         }
     }
 
-    /// The same for an arc that may be met where `h` has these signs; `near_and_far` are how far from the place nearest
-    /// to the axis the line reaches the least of its radii, and the most.
-    fn passes_of(
+    /// The same for one arc that may be hit for the signs of `h` in `sides`; `half_chords` are `|h|` of the line at
+    /// the arc's least and greatest radius.
+    fn visit_intervals_of_arc(
         &self,
         number: usize,
-        climb: &Climb,
-        (sides, near_and_far): ([bool; 2], [f64; 2]),
-        visit: &mut impl FnMut(Pass),
+        axis_ray: &AxisRay,
+        sides: [bool; 2],
+        half_chords: [f64; 2],
+        visit: &mut impl FnMut(ArcInterval),
     ) {
         let arc = &self.arcs[number];
         let [first, last] = arc.ends;
-        let is_out = [first.x.abs() >= climb.aside, last.x.abs() >= climb.aside];
-        if is_out == [false; 2] {
+        let is_outside = [
+            first.x.abs() >= axis_ray.axis_distance,
+            last.x.abs() >= axis_ray.axis_distance,
+        ];
+        if is_outside == [false; 2] {
             return;
         }
-        let lengths = |side: usize| climb.lengths(arc.reach, near_and_far, SIDES[side]);
-        let pass = |sides, along: Lengths| Pass {
+        let distances = |side: usize| axis_ray.distances(arc.extent, half_chords, SIDES[side]);
+        let interval = |sides, along: Lengths| ArcInterval {
             arc: number,
-            is_out,
+            is_outside,
             sides,
             from: along.low,
             to: along.high,
         };
         match sides {
             [false, false] => {}
-            [true, false] => visit(pass(sides, lengths(0))),
-            [false, true] => visit(pass(sides, lengths(1))),
-            [true, true] if is_out == [true; 2] => {
-                visit(pass([true, false], lengths(0)));
-                visit(pass([false, true], lengths(1)));
+            [true, false] => visit(interval(sides, distances(0))),
+            [false, true] => visit(interval(sides, distances(1))),
+            [true, true] if is_outside == [true; 2] => {
+                visit(interval([true, false], distances(0)));
+                visit(interval([false, true], distances(1)));
             }
             [true, true] => {
-                let (one, other) = (lengths(0), lengths(1));
+                let (one, other) = (distances(0), distances(1));
                 let both = Lengths {
                     low: one.low.min(other.low),
                     high: one.high.max(other.high),
                 };
-                visit(pass(sides, both));
+                visit(interval(sides, both));
             }
         }
     }
 
-    /// Whether the line meets an arc an odd number of times there.
-    fn is_crossed_oddly(&self, pass: &Pass, climb: &Climb) -> bool {
-        let ends = self.arcs[pass.arc].ends;
-        let is_below = |end: DVec2, side: f64| climb.excess(end, side) < 0.0;
-        match pass.is_out {
+    /// True if the line crosses an arc an odd number of times on this interval.
+    fn has_odd_crossings(&self, interval: &ArcInterval, axis_ray: &AxisRay) -> bool {
+        let ends = self.arcs[interval.arc].ends;
+        let is_below = |end: DVec2, side: f64| axis_ray.residual(end, side) < 0.0;
+        match interval.is_outside {
             [true, true] => {
-                let side = if pass.sides[0] { SIDES[0] } else { SIDES[1] };
+                let side = if interval.sides[0] {
+                    SIDES[0]
+                } else {
+                    SIDES[1]
+                };
                 is_below(ends[0], side) != is_below(ends[1], side)
             }
-            // Both halves have one value where they meet. A half that is passed by keeps its sign.
+            // Both halves have the same value where they join. A half that is skipped keeps its sign.
             [is_first, _] => {
                 let own = ends[usize::from(!is_first)];
                 is_below(own, SIDES[0]) != is_below(own, SIDES[1])
@@ -344,40 +365,46 @@ impl Profile {
         }
     }
 
-    /// Visits the lengths at which the line meets an arc, and for which sign of `h`.
-    fn meet(&self, pass: &Pass, climb: &Climb, mut visit: impl FnMut(f64, usize)) {
-        let arc = &self.arcs[pass.arc];
+    /// Visits the distances at which the line hits an arc, and the index of the sign of `h`.
+    fn intersect(
+        &self,
+        interval: &ArcInterval,
+        axis_ray: &AxisRay,
+        mut visit: impl FnMut(f64, usize),
+    ) {
+        let arc = &self.arcs[interval.arc];
         let segment = &self.segments[arc.segment];
-        let [starts_out, ends_out] = pass.is_out;
+        let [starts_out, ends_out] = interval.is_outside;
         let (mut from, mut to) = (arc.from, arc.to);
         let radius = |x: f64| segment.at(x).x.abs();
         match (starts_out, ends_out) {
             (false, false) | (true, true) => {}
-            (false, true) => from = bisect(&radius, climb.aside, from, to),
-            (true, false) => to = bisect(&radius, climb.aside, to, from),
+            (false, true) => from = bisect(&radius, axis_ray.axis_distance, from, to),
+            (true, false) => to = bisect(&radius, axis_ray.axis_distance, to, from),
         }
         for (number, side) in SIDES.into_iter().enumerate() {
-            if !pass.sides[number] {
+            if !interval.sides[number] {
                 continue;
             }
             let half = Half {
-                climb,
+                axis_ray,
                 segment,
                 side,
             };
-            // Where the halves meet they have one value, and an end of an arc has the value of its neighbour.
+            // The halves have the same value where they join, and an end of an arc has the value of its neighbour.
             let end = |x: f64, is_own: bool| {
                 let value = if is_own {
                     half.value(x)
                 } else {
-                    climb.cosine * (segment.at(x).y - climb.height) + climb.sine * climb.ahead
+                    axis_ray.cosine * (segment.at(x).y - axis_ray.origin_y)
+                        + axis_ray.sine * axis_ray.origin_h
                 };
                 (x, value < 0.0)
             };
-            let mut places = Roots::new();
-            sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut places);
-            for x in places {
-                visit(climb.length(segment.at(x), side), number);
+            let mut params = Roots::new();
+            sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut params);
+            for x in params {
+                visit(axis_ray.length(segment.at(x), side), number);
             }
         }
     }

@@ -26,7 +26,7 @@ fn curves_from_axis_to_axis_are_solids() {
 }
 
 #[test]
-fn curves_with_open_ends_are_closed_out_of_sight() {
+fn curves_with_open_ends_are_closed_invisibly() {
     for text in [
         "3, <0.5,-1>, <1,0>, <0.7,1>",
         "cubic_spline 5, <0.5,-1.5>, <0.5,-1>, <1,0>, <0.6,1>, <0.5,1.5>",
@@ -36,7 +36,7 @@ fn curves_with_open_ends_are_closed_out_of_sight() {
 }
 
 #[test]
-fn what_lies_inside_is_what_pov_ray_takes_for_it() {
+fn contains_agrees_with_pov_ray() {
     let points = [
         (0.5, -0.8),
         (0.5, -5.0),
@@ -55,8 +55,8 @@ fn what_lies_inside_is_what_pov_ray_takes_for_it() {
         ("2, <0.5,-1>, <0.5,1>", [0, 0, 0, 0, 0, 0, 0, 0]),
     ] {
         let solid = lathe(text);
-        let found = points.map(|(r, y)| u8::from(solid.contains(DVec3::new(r, y, 0.0))));
-        assert_eq!(found, expected, "{text}");
+        let inside = points.map(|(r, y)| u8::from(solid.contains(DVec3::new(r, y, 0.0))));
+        assert_eq!(inside, expected, "{text}");
     }
 }
 
@@ -66,7 +66,7 @@ fn level_and_almost_level_rays_keep_both_sides() {
     for climb in [0.0, 1e-16, 1e-12, 1e-8, 1e-4] {
         let ray = Ray::new(DVec3::new(-5.0, 0.01, 0.0), DVec3::new(1.0, climb, 0.0));
         assert_eq!(
-            ring.0.crossings(&ray, Asked::EVERYWHERE).len(),
+            ring.0.crossings(&ray, RootQuery::EVERYWHERE).len(),
             4,
             "{climb}"
         );
@@ -78,7 +78,11 @@ fn upright_and_almost_upright_rays_keep_both_ends() {
     let ring = lathe(RING);
     for lean in [0.0, 1e-16, 1e-12, 1e-8, 1e-4] {
         let ray = Ray::new(DVec3::new(1.5, 5.0, 0.2), DVec3::new(lean, -1.0, 0.0));
-        assert_eq!(ring.0.crossings(&ray, Asked::EVERYWHERE).len(), 2, "{lean}");
+        assert_eq!(
+            ring.0.crossings(&ray, RootQuery::EVERYWHERE).len(),
+            2,
+            "{lean}"
+        );
     }
 }
 
@@ -93,7 +97,7 @@ fn a_straight_curve_is_a_cylinder_to_rounding_at_any_distance() {
 }
 
 #[test]
-fn too_few_points_and_points_beyond_the_axis_are_errors() {
+fn missing_points_and_points_beyond_the_axis_are_errors() {
     for (text, expected) in [
         (
             "1, <0.5,-1>",
@@ -122,7 +126,7 @@ fn u_turns_from_x_to_z_and_v_follows_the_curve() {
 }
 
 #[test]
-fn what_is_asked_for_is_what_is_there() {
+fn partial_queries_agree_with_all_roots() {
     let open = "cubic_spline 7, <1,-2>, <0.5,-1>, <1,0>, <0.3,0.4>, <0.9,0.8>, <0.6,1>, <0.5,2>";
     let gap =
         "bezier_spline 8, <0,-1>, <1,-1>, <1.5,-0.5>, <1,0>, <1,0.1>, <0.4,0.3>, <2,1>, <0,1>";
@@ -135,25 +139,25 @@ fn what_is_asked_for_is_what_is_there() {
             let mut all = Vec::new();
             solid.roots(&ray, &mut all);
             let ends = all.iter().map(|root| root.t);
-            let places: Vec<f64> = ends.chain([f64::NEG_INFINITY, -0.5, 0.0, 1.0]).collect();
-            for &from in &places {
+            let params: Vec<f64> = ends.chain([f64::NEG_INFINITY, -0.5, 0.0, 1.0]).collect();
+            for &from in &params {
                 for to in [f64::INFINITY, from + 0.7] {
                     let expected = first_visible(&all, from, to);
                     assert_eq!(solid.nearest(&ray, from, to), expected, "{text} {ray:?}");
                     hits += usize::from(expected.is_some());
                 }
-                let mut found = Vec::new();
+                let mut result = Vec::new();
                 let enough = from + 0.3;
-                solid.roots_from(&ray, from, enough, &mut found);
+                solid.roots_from(&ray, from, enough, &mut result);
                 let first = all
                     .iter()
                     .position(|root| root.is_visible && root.t > enough);
                 let wanted = &all[..first.map_or(all.len(), |first| first + 1)];
                 for root in wanted.iter().filter(|root| root.t > from) {
-                    assert!(found.contains(root), "{text} {ray:?} {root:?}");
+                    assert!(result.contains(root), "{text} {ray:?} {root:?}");
                 }
                 let known = |root: &Root| root.t <= from || all.contains(root);
-                assert!(found.iter().all(known));
+                assert!(result.iter().all(known));
             }
         }
         assert!(hits > 1000);
