@@ -1,7 +1,7 @@
 //! Heights from the pixels of an image as POV-Ray 3.7 reads them (measured), 16 bits per pixel:
 //!
 //! * 8-bit grey: the byte times 257; in a PNG without transparency the byte first goes through a sum in single
-//! precision that lowers about half of all values by one;
+//!   precision that lowers about half of all values by one;
 //! * 16-bit grey: unchanged;
 //! * palette: the index times 256;
 //! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value.
