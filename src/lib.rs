@@ -144,7 +144,7 @@ struct SceneCache {
 }
 
 /// Limit on the number of threads: beyond the number of cores they only take memory.
-const MOST_THREADS: usize = 1024;
+const MAX_THREADS: usize = 1024;
 
 /// A pool of render threads, 1,024 at the most.
 ///
@@ -152,7 +152,7 @@ const MOST_THREADS: usize = 1024;
 /// When the system gives none.
 pub fn pool(threads: usize, listen: &EventHandler<'_>) -> Result<rayon::ThreadPool, Failure> {
     rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.clamp(1, MOST_THREADS))
+        .num_threads(threads.clamp(1, MAX_THREADS))
         .stack_size(DRAWING_STACK_BYTES)
         .build()
         .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))
@@ -190,7 +190,7 @@ fn draw_with(
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
     if render.stop.is_asked() {
-        if let Some(pixels) = unfinished.and_then(Checkpoint::kept) {
+        if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
             listen(Event::Kept(pixels));
         }
         return Err(failure("the drawing was stopped".to_owned(), listen));
@@ -262,7 +262,7 @@ fn unfinished(
 /// Drops a world in a background thread: freeing a large one takes longer than writing its image, and a program that
 /// then ends need not wait.
 fn drop_in_background(world: World) {
-    if (world.shown() as usize) < LARGE_WORLD {
+    if (world.primitive_count() as usize) < LARGE_WORLD {
         return;
     }
     // Without a thread it is dropped here.
@@ -380,7 +380,7 @@ fn compiled_in_a_thread(scene: Scene, render: &RenderOptions) -> World {
     let compile = || {
         let (scene, sender) = work.lock().unwrap_or_else(PoisonError::into_inner).take()?;
         let mut batch = Vec::with_capacity(BATCH);
-        let world = world::compile_apart(scene, render, &mut |object| {
+        let world = world::compile_dropping(scene, render, &mut |object| {
             batch.push(object);
             if batch.len() == BATCH {
                 // Sending fails only where there is no second thread.

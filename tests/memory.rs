@@ -96,7 +96,7 @@ fn copies_of_a_large_union_share_its_parts() {
     let world = world(COPIES);
     let plan = world.plan();
     assert_eq!(world.leaves().len(), 0);
-    assert_eq!(world.shown(), 100_000);
+    assert_eq!(world.primitive_count(), 100_000);
     assert_eq!((plan.shared, plan.instances), (1, 1000));
     assert_eq!(plan.primitives.get("sphere"), Some(&100));
     // The inverse matrix, the shared model, and the start of its numbers.
@@ -111,7 +111,7 @@ fn copies_of_copies_share_at_each_level() {
         object { U }";
     let world = world(doubled);
     let plan = world.plan();
-    assert_eq!(world.shown(), 100 << 24);
+    assert_eq!(world.primitive_count(), 100 << 24);
     assert!(plan.instances < 100, "{}", plan.instances);
     let spheres = plan.primitives["sphere"];
     assert!(spheres < 20_000, "{spheres}");

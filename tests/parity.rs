@@ -113,7 +113,7 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
     };
     let Compared {
         limits,
-        found,
+        comparison: found,
         explanation,
         ..
     } = compared;

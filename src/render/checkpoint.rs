@@ -152,7 +152,7 @@ impl Checkpoint {
 
     /// The number of pixels that a later run can reuse; `None` if nothing is stored.
     #[must_use]
-    pub fn kept(&self) -> Option<u64> {
+    pub fn resumable_pixels(&self) -> Option<u64> {
         match &*self.state.lock().unwrap_or_else(PoisonError::into_inner) {
             FileState::Waiting(..) => None,
             // Whole records stay on a full disk.

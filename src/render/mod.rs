@@ -45,7 +45,7 @@ pub fn render(
         // Short parallel sections are started from one of the worker threads.
         return rayon::scope(|_| render(world, options, checkpoint, progress));
     }
-    let tracer = Tracer::new(world, options.quality).until(&options.stop);
+    let tracer = Tracer::new(world, options.quality).with_cancel_token(&options.stop);
     let (tracer, photons) = photon_pass::with_photons(tracer);
     let mut radiosity_pass = RadiosityPass::pretraced(&tracer, options);
     if let Sampling::Converging(settings) = &options.sampling {
@@ -115,7 +115,7 @@ pub fn render(
 /// Scratch memory for rendering in order, with one continuing stream of random numbers.
 fn sequential_scratch() -> BlockScratch {
     let mut scratch = BlockScratch::default();
-    scratch.single().goes_on = true;
+    scratch.single().continues_random = true;
     scratch
 }
 
@@ -182,7 +182,7 @@ impl<'a> TileRenderer<'a> {
         let pixels = if let Some(sampler) = &self.sampler {
             let whole = sampler.tile(tile, scratch);
             (cut_out(whole, tile, &wanted), scratch.take_rays())
-        } else if scratch.goes_on() {
+        } else if scratch.continues_random() {
             let (whole, rays) = draw_rows(tracer, tile, options, scratch);
             (cut_out(whole, tile, &wanted), rays)
         } else if scratch.single().order_dependent() {

@@ -24,7 +24,7 @@ pub(super) fn with_photons(tracer: Tracer<'_>) -> (Tracer<'_>, Option<PhotonPass
     let is_saved = settings.is_some_and(|photons| photons.settings.save_file.is_some());
     let file = is_saved.then(|| photons::write([&maps.surface, &maps.media]));
     let taken = PhotonStatistics {
-        shot: maps.shot,
+        shot: maps.emitted,
         on_surfaces: maps.surface.photons().len(),
         in_media: maps.media.photons().len(),
         bytes: maps.bytes(),

@@ -32,9 +32,9 @@ impl RadiosityPass {
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
-        scratch.single().goes_on = super::tiles::draws_in_order(world, options);
+        scratch.single().continues_random = super::tiles::draws_in_order(world, options);
         pretrace(tracer, options, scratch.single());
-        scratch.single().begin_anew();
+        scratch.single().restart_random();
         let rays = scratch.take_rays();
         let mut pretraced = 0;
         if let Some(session) = &mut scratch.single().radiosity {
@@ -64,7 +64,7 @@ impl RadiosityPass {
             progress((drawn.tile.columns.len() * drawn.tile.rows.len()) as u64);
             drawn
         };
-        let in_turn = rayon::current_num_threads() == 1 || self.scratch.goes_on();
+        let in_turn = rayon::current_num_threads() == 1 || self.scratch.continues_random();
         let Some(session) = &self.scratch.single().radiosity else {
             return Vec::new();
         };
@@ -111,7 +111,7 @@ impl RadiosityPass {
         let Some(session) = &mut self.scratch.single().radiosity else {
             return drawn;
         };
-        if notes.hold(&session.cache) {
+        if notes.are_valid(&session.cache) {
             return drawn;
         }
         notes.catch_up(&session.cache);

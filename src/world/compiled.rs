@@ -169,7 +169,7 @@ impl World {
     /// Transmittance of a surface, if it is uniform. `None` for all surfaces of an opaque scene.
     #[must_use]
     #[inline]
-    pub fn even_filter(&self, surface: u32) -> Option<Rgb> {
+    pub fn uniform_transmittance(&self, surface: u32) -> Option<Rgb> {
         let filters = &self.summary.filters;
         filters.get(surface as usize).copied().flatten()
     }
@@ -227,11 +227,11 @@ impl World {
 
     /// The weights of the textures in [`Surface::skins`] at a hit; empty if the object's own texture applies.
     #[must_use]
-    pub fn shares(&self, hit: &Hit) -> TextureWeights {
+    pub fn texture_weights(&self, hit: &Hit) -> TextureWeights {
         if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {
             return cutaway.shares(hit.point);
         }
-        let SpawnSurface { leaf, face, .. } = hit.departure;
+        let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
         self.model.shares(leaf, hit.point, face)
     }
 
@@ -239,14 +239,17 @@ impl World {
     /// whose components have their own textures, and not for meshes (checked with POV-Ray).
     #[must_use]
     pub fn has_one_side(&self, hit: &Hit) -> bool {
-        let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
-        !self.surfaces[hit.surface as usize].skins().is_empty() && is_blob()
+        let is_blob = || matches!(self.model.shape(hit.spawn_surface.leaf), Shape::Blob(_));
+        !self.surfaces[hit.surface as usize]
+            .face_textures()
+            .is_empty()
+            && is_blob()
     }
 
     /// The texture coordinates at a hit: those of the shape before all transforms, or the position in world space.
     #[must_use]
     pub fn uv(&self, hit: &Hit) -> DVec2 {
-        let SpawnSurface { leaf, face, .. } = hit.departure;
+        let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
         let own = match self.surfaces[hit.surface as usize].unmoved() {
             Some(unmoved) => unmoved.uv(hit.point, face),
             None => self.model.uv(leaf, hit.point, face),
@@ -275,7 +278,7 @@ impl World {
 
     /// Number of visible primitives, with those of instances.
     #[must_use]
-    pub fn shown(&self) -> u32 {
+    pub fn primitive_count(&self) -> u32 {
         self.model.len()
     }
 

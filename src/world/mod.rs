@@ -41,12 +41,12 @@ const QUALITY_OF_PHOTONS: u8 = 9;
 /// CSG objects, and builds the BVH.
 #[must_use]
 pub fn compile(scene: Scene, options: &RenderOptions) -> World {
-    compile_apart(scene, options, &mut drop)
+    compile_dropping(scene, options, &mut drop)
 }
 
 /// Same as [`compile`]; passes each object to `drop_object` when it is no longer needed.
 #[must_use]
-pub fn compile_apart(
+pub fn compile_dropping(
     scene: Scene,
     options: &RenderOptions,
     drop_object: &mut dyn FnMut(Arc<Object>),

@@ -28,9 +28,9 @@ use smallvec::SmallVec;
 #[derive(Debug, Default)]
 pub struct Scratch {
     /// Light received from each sample of the current area light, where computed.
-    pub lamps: Vec<Option<Rgb>>,
+    pub area_samples: Vec<Option<Rgb>>,
     /// The shadow rays from a point to the samples of an area light.
-    pub to_lamps: Vec<ShadowPacket4>,
+    pub area_shadow_rays: Vec<ShadowPacket4>,
     /// Numbers of rays traced.
     pub rays: RayCounts,
     /// Random numbers for lights and rainbows in the current sample.
@@ -40,9 +40,9 @@ pub struct Scratch {
     /// State of the generator for `crand`.
     pub crand: u32,
     /// If true, random numbers continue from sample to sample instead of restarting.
-    pub goes_on: bool,
+    pub continues_random: bool,
     /// Recursion depth: the surfaces whose shading waits for the current ray.
-    pub followed: u32,
+    pub depth: u32,
     /// Radiosity state, if radiosity is on.
     pub radiosity: Option<Box<Session>>,
     /// Photons around a point.
@@ -66,11 +66,11 @@ impl Scratch {
     #[must_use]
     pub fn order_dependent(&self) -> bool {
         let session = self.radiosity.as_ref();
-        self.goes_on || session.is_some_and(|session| session.order_dependent())
+        self.continues_random || session.is_some_and(|session| session.order_dependent())
     }
 
     /// Restarts all random-number streams.
-    pub fn begin_anew(&mut self) {
+    pub fn restart_random(&mut self) {
         self.stream = Stream::default();
         self.media_stream = Stream::default();
         self.crand = 0;

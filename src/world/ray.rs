@@ -31,7 +31,7 @@ pub struct Hit {
     /// Index into [`super::World::surfaces`].
     pub surface: u32,
     /// Origin surface of the rays spawned here.
-    pub departure: SpawnSurface,
+    pub spawn_surface: SpawnSurface,
 }
 
 /// Kind of ray: selects between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.

@@ -310,13 +310,16 @@ impl Surface {
     /// Textures of single faces or components of the shape, transformed like the layers, or those taken from the cut
     /// objects by `cutaway_textures`.
     #[must_use]
-    pub fn skins(&self) -> &[Arc<PreparedTexture>] {
+    pub fn face_textures(&self) -> &[Arc<PreparedTexture>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.skins)
     }
 
     /// All its textures.
     pub(super) fn textures(&self) -> impl Iterator<Item = &PreparedTexture> {
-        let others = self.inside_texture().into_iter().chain(self.skins());
+        let others = self
+            .inside_texture()
+            .into_iter()
+            .chain(self.face_textures());
         std::iter::once(&*self.texture).chain(others.map(|texture| &**texture))
     }
 

@@ -14,7 +14,7 @@ pub struct MessageBuffer {
 #[derive(Debug)]
 enum BufferedEvent {
     Said(String),
-    Found(Box<Message>),
+    Finding(Box<Message>),
 }
 
 impl MessageBuffer {
@@ -22,7 +22,7 @@ impl MessageBuffer {
     pub fn push(&self, event: Event<'_>) {
         let buffered = match event {
             Event::Said(text) => BufferedEvent::Said(text.to_owned()),
-            Event::Found(message) => BufferedEvent::Found(Box::new(message.clone())),
+            Event::Found(message) => BufferedEvent::Finding(Box::new(message.clone())),
             _ => return,
         };
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
@@ -41,7 +41,7 @@ impl MessageBuffer {
         for buffered in all.unwrap_or_else(PoisonError::into_inner) {
             match &buffered {
                 BufferedEvent::Said(text) => listen(Event::Said(text)),
-                BufferedEvent::Found(message) => listen(Event::Found(message)),
+                BufferedEvent::Finding(message) => listen(Event::Found(message)),
             }
         }
     }

@@ -59,7 +59,7 @@ pub struct Compared {
     /// The grade; a warning is a difference with an explanation.
     pub grade: Grade,
     /// The numbers.
-    pub found: Comparison,
+    pub comparison: Comparison,
     /// The mean FLIP error.
     pub flip: f64,
     /// The limits that apply.
@@ -173,7 +173,7 @@ impl Bench {
             } else {
                 super::flip(expected, actual)
             },
-            found,
+            comparison: found,
             limits,
             verdict,
             explanation: None,
@@ -194,7 +194,7 @@ impl Bench {
         expected: &DynamicImage,
         actual: &DynamicImage,
     ) -> Result<Option<Explanation>, CheckError> {
-        let found = &compared.found;
+        let found = &compared.comparison;
         if case.limits.is_none() && found.differing_percent() <= Limits::DEFAULT.pixels {
             let (near, _) = self.own(case, &[AS_POVRAY])?;
             let is_near = compare(expected, &near)
@@ -240,7 +240,7 @@ pub fn pictures(
         grade: thresholds.grade(&expected, &actual)?,
         flip: super::flip(&expected, &actual),
         verdict: Limits::DEFAULT.verdict(&found),
-        found,
+        comparison: found,
         limits: Limits::DEFAULT,
         explanation: None,
     };

@@ -201,7 +201,7 @@ impl PixelSampler<'_> {
         samples.resize(start + scratch.positions.len(), AdaptiveSample::NONE);
         let chunks = scratch.positions.chunks(TOGETHER);
         for (first, positions) in (start..).step_by(TOGETHER).zip(chunks) {
-            self.tracer.places(
+            self.tracer.sample_positions(
                 positions,
                 self.size,
                 &mut scratch.block,

@@ -204,7 +204,7 @@ impl<'a> Sampler<'a> {
         let mut pixels = vec![Pixel::default(); positions.len()];
         for (positions, pixels) in positions.chunks(BATCH).zip(pixels.chunks_mut(BATCH)) {
             let take = |number: usize, sample, _| pixels[number] = pixel(sample);
-            self.tracer.places(positions, size, scratch, take);
+            self.tracer.sample_positions(positions, size, scratch, take);
         }
         pixels
     }

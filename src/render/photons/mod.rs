@@ -27,7 +27,7 @@ use radius::{CRand, Space};
 #[derive(Clone, Debug)]
 pub struct PhotonTarget {
     /// Its bounding box, as given by the scene.
-    pub around: Stored,
+    pub bounds: Stored,
     /// The factor on the spacing of its photons.
     pub density: f64,
     /// Its refraction and reflection of photons.
@@ -95,7 +95,7 @@ impl Photons {
 #[derive(Clone, Debug, Default)]
 pub struct PhotonMaps {
     /// The number of emitted photons.
-    pub shot: u64,
+    pub emitted: u64,
     /// On surfaces.
     pub surface: Map,
     /// In media.
@@ -112,7 +112,7 @@ const IN_MEDIA: f64 = 2.0;
 impl PhotonMaps {
     /// The photons of two maps, with their search parameters.
     #[must_use]
-    pub fn new(photons: &Photons, shot: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
+    pub fn new(photons: &Photons, emitted: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
         let settings = &photons.settings;
         let most = settings.gather[1] as usize;
         let mut random = CRand::new();
@@ -132,7 +132,7 @@ impl PhotonMaps {
         let on_surfaces = search(radius(&surface, 0, Space::Surface), false);
         let in_media = search(IN_MEDIA * radius(&media, 1, Space::Media), true);
         PhotonMaps {
-            shot,
+            emitted,
             surface,
             media,
             on_surfaces,

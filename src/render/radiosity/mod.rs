@@ -241,7 +241,7 @@ impl Session {
     }
 
     /// Returns and resets the flag of irradiance queries.
-    pub fn was_asked(&mut self) -> bool {
+    pub fn take_was_queried(&mut self) -> bool {
         std::mem::take(&mut self.has_queries)
     }
 

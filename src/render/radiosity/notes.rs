@@ -91,7 +91,7 @@ impl Notes {
 
     /// Reports if everything would be the same with the current samples.
     #[must_use]
-    pub fn hold(&self, cache: &Cache) -> bool {
+    pub fn are_valid(&self, cache: &Cache) -> bool {
         !self.is_ever_short && self.samples == cache.samples().len()
     }
 

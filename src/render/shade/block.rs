@@ -135,8 +135,8 @@ impl BlockScratch {
     }
 
     /// Reports if random numbers continue from sample to sample.
-    pub fn goes_on(&self) -> bool {
-        self.single.goes_on
+    pub fn continues_random(&self) -> bool {
+        self.single.continues_random
     }
 
     /// The buffers of scalar rays.
@@ -185,7 +185,7 @@ impl Tracer<'_> {
     /// Traces positions of a picture of `size`: no more than a block has pixels, neighbours in the list close to each
     /// other; integral numbers are pixel centres. `take` gets the index of the position, the sample, and the first hit
     /// if it is known, in any order. Bit-identical to [`Tracer::pixel`].
-    pub fn places(
+    pub fn sample_positions(
         &self,
         positions: &[(f64, f64)],
         size: (u32, u32),
@@ -201,7 +201,7 @@ impl Tracer<'_> {
         let bounds = |_, positions: &[_]| pixel_bounds(positions);
         self.trace_positions(positions, bounds, size, scratch, |number, sample, hits| {
             let lane = number % 4;
-            let hits = hits.filter(|hits| hits.is_met(lane));
+            let hits = hits.filter(|hits| hits.is_hit(lane));
             let first_hit = hits.map(|hits| FirstHit {
                 leaf: hits.leaf[lane],
                 normal: hits.shading_normal(lane),

@@ -207,7 +207,7 @@ impl<'w> Tracer<'w> {
 
     /// The same tracer with a cancellation token: once it is cancelled, all further rays are black.
     #[must_use]
-    pub fn until(self, stop: &CancelToken) -> Self {
+    pub fn with_cancel_token(self, stop: &CancelToken) -> Self {
         Tracer {
             stop: stop.clone(),
             ..self
@@ -345,7 +345,7 @@ impl<'w> Tracer<'w> {
                 break Sample::BLACK;
             }
             path.ray = Ray::new(hit.point, path.ray.dir);
-            path.from = Some(hit.departure);
+            path.from = Some(hit.spawn_surface);
             path.weight *= transmission.weight;
             path.inside = transmission.inside;
         };
@@ -410,7 +410,7 @@ impl Background {
 
 /// Seeds the random numbers of a sample, unless they continue from sample to sample.
 fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
-    if scratch.goes_on {
+    if scratch.continues_random {
         return;
     }
     scratch.stream = Stream::of_sample(x, y);

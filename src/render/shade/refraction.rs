@@ -122,23 +122,23 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         let path = lit.path;
-        if scratch.followed >= MAX_NESTED {
+        if scratch.depth >= MAX_NESTED {
             return;
         }
         let Some(onward) = view.unrefracted.take() else {
             return;
         };
         let behind = if path.level + 1 < self.world.globals.max_trace_level {
-            scratch.followed += 1;
+            scratch.depth += 1;
             let path = Path {
                 ray: Ray::new(hit.point, path.ray.dir),
-                from: Some(hit.departure),
+                from: Some(hit.spawn_surface),
                 weight: path.weight * onward.weight,
                 inside: onward.inside,
                 ..*path
             };
             let behind = self.trace(path, None, scratch);
-            scratch.followed -= 1;
+            scratch.depth -= 1;
             behind
         } else {
             Sample::BLACK
@@ -160,7 +160,7 @@ impl Tracer<'_> {
         let path = lit.path;
         let onward = Path {
             ray: Ray::new(hit.point, dir),
-            from: Some(hit.departure),
+            from: Some(hit.spawn_surface),
             kind: path.kind,
             level: path.level + 1,
             weight: path.weight * transmission.weight,
@@ -189,7 +189,7 @@ impl Tracer<'_> {
         let dir = mirrored_off(path.ray.dir, lit.at.normal, flat);
         let onward = Path {
             ray: Ray::new(hit.point, dir),
-            from: Some(hit.departure),
+            from: Some(hit.spawn_surface),
             kind: path.kind.mirrored(),
             level: path.level + 1,
             weight: path.weight * transmission.weight,

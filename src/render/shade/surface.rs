@@ -164,10 +164,10 @@ impl<'w> Tracer<'w> {
             }
             _ => &*surface.texture,
         };
-        let shares = if surface.skins().is_empty() {
+        let shares = if surface.face_textures().is_empty() {
             TextureWeights::new()
         } else {
-            self.world.shares(hit)
+            self.world.texture_weights(hit)
         };
         if shares.is_empty() {
             return self.single_texture(outside, hit, dir, purpose);
@@ -176,7 +176,7 @@ impl<'w> Tracer<'w> {
         let drawn = shares.iter().filter(|share| share.weight >= least);
         let texture_of = |number: u32| {
             surface
-                .skins()
+                .face_textures()
                 .get(number as usize)
                 .map_or(outside, |skin| skin)
         };
@@ -302,7 +302,7 @@ impl<'w> Tracer<'w> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let mut lit = ShadingPoint {
             at: ViewPoint::new(hit, path.ray.dir),
-            spawn_surface: Some(&hit.departure),
+            spawn_surface: Some(&hit.spawn_surface),
             path,
             known,
             shadow_cache,
@@ -432,7 +432,7 @@ impl<'w> Tracer<'w> {
         let path = lit.path;
         let reflected = Path {
             ray: Ray::new(hit.point, mirror.dir),
-            from: Some(hit.departure),
+            from: Some(hit.spawn_surface),
             kind: path.kind.mirrored(),
             level: path.level + 1,
             weight: path.weight * mirror.weight,

@@ -298,7 +298,7 @@ impl Tracer<'_> {
         let spawn_point = SpawnPoint {
             at,
             flat: at.normal,
-            spawn_surface: hits.departure(lane),
+            spawn_surface: hits.spawn_surface(lane),
             t: hits.t[lane],
             surface: hits.surface[lane],
         };
@@ -587,7 +587,7 @@ impl Tracer<'_> {
         let spawn_point = SpawnPoint {
             at: lit.at,
             flat: facing_normal(&hit, path.ray.dir),
-            spawn_surface: hit.departure,
+            spawn_surface: hit.spawn_surface,
             t: hit.t,
             surface: hit.surface,
         };

@@ -146,7 +146,7 @@ impl Lowering {
         let surface = &self.surfaces[*number as usize];
         let is_same = self.last_surface == Some(*number)
             && shape.skins().is_empty()
-            && surface.skins().is_empty()
+            && surface.face_textures().is_empty()
             && attributes.cutaway.is_none()
             && !surface.uses_uv()
             && attributes.is_same_material(last, surface.is_opaque());

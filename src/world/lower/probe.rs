@@ -49,7 +49,7 @@ impl ProbeModel {
             kind: RayKind::Camera,
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
-        let leaf = hit.departure.leaf;
+        let leaf = hit.spawn_surface.leaf;
         // POV-Ray does not flip the normals of single triangles.
         let is_triangle = matches!(
             world.shape(leaf),

@@ -400,7 +400,7 @@ impl World {
             point,
             shading_normal,
             surface: hit.surface,
-            departure,
+            spawn_surface: departure,
         }
     }
 }

@@ -78,7 +78,7 @@ impl World {
     /// Same for four rays, from their distances and the largest of the coordinates of `centre` and the distance.
     #[must_use]
     #[inline(always)]
-    pub(crate) fn reach_of_four(&self, distance: &[f64; 4], size: &[f64; 4]) -> [f64; 4] {
+    pub(crate) fn shadow_t_max_x4(&self, distance: &[f64; 4], size: &[f64; 4]) -> [f64; 4] {
         let mut reach = *distance;
         for (reach, size) in reach.iter_mut().zip(size) {
             *reach -= match self.least_distance {
@@ -104,7 +104,7 @@ impl World {
     /// Occlusion of a shadow ray to the light of this index. Transmissive items on it are gathered for
     /// [`World::next_transmissive_hit`].
     #[must_use]
-    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Occlusion {
+    pub fn occlusion(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Occlusion {
         scratch.rays.shadow += 1;
         self.occlusion_unrecorded(query, light, scratch)
     }
@@ -137,7 +137,7 @@ impl World {
         }
         // Neighbouring points are often in the shadow of the same object. With a light buffer, testing that object
         // first costs more than it saves.
-        let last = scratch.blockers[light].filter(|_| !self.knows_around(number));
+        let last = scratch.blockers[light].filter(|_| !self.has_light_buffer(number));
         // Not tested again in the traversal if it is clear of the ray.
         let mut passed = u32::MAX;
         if let Some(item) = last {

@@ -78,7 +78,7 @@ impl World {
                     }
                     let own = |hit: &&RawHit| leaves.contains(&hit.leaf);
                     for hit in program_hits.iter().filter(own) {
-                        self.even_filter(hit.surface)?;
+                        self.uniform_transmittance(hit.surface)?;
                         if hit.root.t <= search.origin_error {
                             return None;
                         }
@@ -90,7 +90,7 @@ impl World {
             };
             let leaf = &self.model.leaves[number as usize];
             let surface = &self.surfaces[leaf.surface as usize];
-            self.even_filter(leaf.surface)?;
+            self.uniform_transmittance(leaf.surface)?;
             if !self.has_stable_roots(number) {
                 return None;
             }

@@ -138,7 +138,7 @@ impl From<Grade> for Status {
 
 impl From<&Compared> for Numbers {
     fn from(compared: &Compared) -> Self {
-        let comparison = &compared.found;
+        let comparison = &compared.comparison;
         Numbers {
             pixels: comparison.pixels(),
             same: comparison.same,
@@ -271,7 +271,7 @@ fn explained(compared: &Compared) -> String {
             noise.percent, noise.rms, noise.max
         ),
         None if compared.verdict == Verdict::Within
-            && Limits::DEFAULT.verdict(&compared.found) != Verdict::Within =>
+            && Limits::DEFAULT.verdict(&compared.comparison) != Verdict::Within =>
         {
             format!("by limits that the scene states: {}", compared.limits)
         }

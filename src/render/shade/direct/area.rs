@@ -131,15 +131,17 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let [columns, rows] = area_light.area.sizes;
-        scratch.lamps.clear();
-        scratch.lamps.resize(columns as usize * rows as usize, None);
+        scratch.area_samples.clear();
+        scratch
+            .area_samples
+            .resize(columns as usize * rows as usize, None);
         area_light.hits = self.packet_for(area_light);
         if area_light.hits.is_some() {
             let first = area_light.area.first_lamps();
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
-                .map(|&corner| scratch.lamps[area_light.index(corner)]);
+                .map(|&corner| scratch.area_samples[area_light.index(corner)]);
             if let Some(Some(light)) = known.next()
                 && known.all(|other| other == Some(light))
                 && is_its_own_mean(light)
@@ -159,7 +161,7 @@ impl Tracer<'_> {
             && !self.has_media
             && !area_light.light.is_shadowless()
             && !lights.is_projected(area_light.light_index)
-            && self.world.asks_from_points();
+            && self.world.can_bundle_from_point();
         is_fit.then(|| HitPacket4::all_at(area_light.lit.at.point, spawn_surface))
     }
 
@@ -170,12 +172,12 @@ impl Tracer<'_> {
         };
         if requested.len() < MIN_PACKET_RAYS {
             for &[u, v] in requested {
-                scratch.lamps[area_light.index([u, v])] = None;
+                scratch.area_samples[area_light.index([u, v])] = None;
                 self.sample_grid_light(area_light, [u, v], scratch);
             }
             return;
         }
-        let mut shadow_rays = std::mem::take(&mut scratch.to_lamps);
+        let mut shadow_rays = std::mem::take(&mut scratch.area_shadow_rays);
         shadow_rays.clear();
         if area_light.light.is_parallel {
             let packet = |chunk: &[[u32; 2]]| self.parallel_shadow_packet(area_light, chunk);
@@ -191,21 +193,21 @@ impl Tracer<'_> {
             );
         }
         let rays_to_grid = (&mut shadow_rays[..], requested.len());
-        self.world.ways_from(hits, rays_to_grid, scratch);
+        self.world.occlusion_from_point(hits, rays_to_grid, scratch);
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
             let shadow_path = ShadowPath {
                 light: area_light.light_index,
                 query: shadow_rays.query(hits, lane),
                 distance: shadow_rays.distance[lane],
-                known: shadow_rays.way(lane),
+                known: shadow_rays.occlusion(lane),
                 inside: &area_light.lit.path.inside,
                 collects: area_light.lit.collects,
             };
-            scratch.lamps[area_light.index(grid_index)] =
+            scratch.area_samples[area_light.index(grid_index)] =
                 Some(self.transmittance(area_light.arriving, &shadow_path, scratch));
         }
-        scratch.to_lamps = shadow_rays;
+        scratch.area_shadow_rays = shadow_rays;
     }
 
     /// Shadow rays to up to four grid lights at a finite distance.
@@ -235,7 +237,7 @@ impl Tracer<'_> {
             offset: &offset,
         };
         let (mut shadow_rays, size) = lanes.run(aim);
-        shadow_rays.far = self.world.reach_of_four(&shadow_rays.distance, &size);
+        shadow_rays.t_max = self.world.shadow_t_max_x4(&shadow_rays.distance, &size);
         shadow_rays
     }
 
@@ -305,7 +307,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let index = area_light.index(grid_index);
-        if let Some(known) = scratch.lamps[index] {
+        if let Some(known) = scratch.area_samples[index] {
             return known;
         }
         let arrival = area_light.arrival(area_light.offset(grid_index[0], grid_index[1], scratch));
@@ -316,7 +318,7 @@ impl Tracer<'_> {
             &arrival,
             scratch,
         );
-        scratch.lamps[index] = Some(left);
+        scratch.area_samples[index] = Some(left);
         left
     }
 
@@ -371,7 +373,7 @@ fn request_corners(
     scratch: &mut Scratch,
 ) {
     for corner in part.corners() {
-        let known = &mut scratch.lamps[area_light.index(corner)];
+        let known = &mut scratch.area_samples[area_light.index(corner)];
         if known.is_none() {
             *known = Some(Rgb::BLACK);
             requested.push(corner);

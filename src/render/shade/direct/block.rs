@@ -120,7 +120,7 @@ impl Tracer<'_> {
         all.shadow_rays
             .resize(lights.len() * packets, ShadowPacket4::NOTHING);
         for shadow_rays in &mut all.shadow_rays {
-            shadow_rays.forget();
+            shadow_rays.reset_occlusion();
         }
         for number in (0u32..).take(lights.len()) {
             let light = lights.get(number);
@@ -150,7 +150,7 @@ impl Tracer<'_> {
             ..
         } = all;
         let shadow_rays = &mut shadow_rays[number as usize * hits.len()..][..hits.len()];
-        if self.world.knows_around(number) {
+        if self.world.has_light_buffer(number) {
             self.trace_through_light_buffer(number, light, hits, shadow_rays, count, single);
             return;
         }
@@ -269,7 +269,7 @@ impl Tracer<'_> {
         hits: &HitPacket4,
         shadow_rays: &mut ShadowPacket4,
     ) -> u32 {
-        if hits.met == 0 {
+        if hits.hit_mask == 0 {
             return 0;
         }
         let arriving = LightPacket {
@@ -282,8 +282,8 @@ impl Tracer<'_> {
         shadow_rays.cosine = arrived.cosine;
         shadow_rays.share = [1.0; 4];
         shadow_rays.goes_out = arrived.goes_out;
-        shadow_rays.far = self.world.reach_of_four(&arrived.distance, &arrived.size);
-        let mut active = hits.met & arrived.faces;
+        shadow_rays.t_max = self.world.shadow_t_max_x4(&arrived.distance, &arrived.size);
+        let mut active = hits.hit_mask & arrived.faces;
         if self.light_varies_by_surface || !self.world.lights.shines_on_all(number) {
             active = self.receiving_lanes(number, hits, &arrived);
         }
@@ -302,7 +302,7 @@ impl Tracer<'_> {
             let point = hits.point(lane);
             shadow_rays.share[lane] = light.share(point, &arrival);
             let end = point + arrival.distance * arrival.to_light;
-            shadow_rays.far[lane] = self.world.shadow_t_max(end, arrival.distance);
+            shadow_rays.t_max[lane] = self.world.shadow_t_max(end, arrival.distance);
             if shadow_rays.share[lane] == 0.0 {
                 active &= !(1 << lane);
             }
@@ -315,7 +315,7 @@ impl Tracer<'_> {
     fn receiving_lanes(&self, number: u32, hits: &HitPacket4, arrived: &ArrivedLight) -> u32 {
         let mut active = 0;
         let mut last = None;
-        for lane in (0..4).filter(|&lane| hits.is_met(lane)) {
+        for lane in (0..4).filter(|&lane| hits.is_hit(lane)) {
             let surface = hits.surface[lane];
             let lit = match last {
                 Some((previous, lit)) if previous == surface => lit,

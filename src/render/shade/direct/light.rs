@@ -89,7 +89,7 @@ impl LightSample {
 
     /// The sample of one lane.
     pub(in crate::render::shade) fn of(shadow_rays: &ShadowPacket4, lane: usize) -> LightSample {
-        let occlusion = shadow_rays.way(lane);
+        let occlusion = shadow_rays.occlusion(lane);
         if occlusion.is_none() {
             return LightSample::NOTHING;
         }
@@ -108,7 +108,7 @@ impl LightSample {
     #[inline]
     pub(in crate::render::shade) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
         let ray = Ray::new(hit.point, self.arrival.to_light);
-        shadow_query(world, Some(hit.departure), ray, self.arrival.distance)
+        shadow_query(world, Some(hit.spawn_surface), ray, self.arrival.distance)
     }
 }
 
@@ -142,7 +142,7 @@ impl<'a> LightSamples<'a> {
         let shadow_rays = all
             .shadow_rays
             .get(light as usize * all.hits.len() + index / 4)?;
-        shadow_rays.way(index % 4)
+        shadow_rays.occlusion(index % 4)
     }
 
     /// Reports if a transparent surface lies before any light.
@@ -150,7 +150,7 @@ impl<'a> LightSamples<'a> {
         self.0.is_some_and(|(all, index)| {
             let shadow_rays = all.shadow_rays.chunks(all.hits.len());
             let mut shadow_rays =
-                shadow_rays.map(|shadow_rays| shadow_rays[index / 4].way(index % 4));
+                shadow_rays.map(|shadow_rays| shadow_rays[index / 4].occlusion(index % 4));
             shadow_rays.any(|occlusion| occlusion == Some(Occlusion::Transmissive))
         })
     }

@@ -124,7 +124,7 @@ impl Tracer<'_> {
         let mut known = self.light_at(number, hit, at.normal);
         if known.share != 0.0 {
             let query = known.shadow_query(self.world, hit);
-            known.occlusion = Some(self.world.way(&query, number, scratch));
+            known.occlusion = Some(self.world.occlusion(&query, number, scratch));
         }
         known
     }

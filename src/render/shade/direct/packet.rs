@@ -230,7 +230,7 @@ impl<'w> Tracer<'w> {
         }
         let hits = &all.hits[packet];
         let there = 0b1111 >> (4 - (count - 4 * packet).min(4));
-        let has_no_hit = there & hits.met == 0;
+        let has_no_hit = there & hits.hit_mask == 0;
         if has_no_hit
             && self.world.sky.is_none()
             && !self.has_air()
@@ -240,7 +240,7 @@ impl<'w> Tracer<'w> {
             return;
         }
         seen.transmit = [0.0; 4];
-        each_lane(there & !hits.met, |lane| {
+        each_lane(there & !hits.hit_mask, |lane| {
             let behind = self.background_radiance(hits.dir(lane), rays.kind(lane));
             put(&mut seen.rgb, lane, behind.rgb);
             seen.transmit[lane] = behind.transmit;
@@ -250,13 +250,13 @@ impl<'w> Tracer<'w> {
             self.attenuate(rays, hits, scratch, seen);
             return;
         }
-        let mut lit = self.materials(hits, there & hits.met, cache, &mut seen.materials);
+        let mut lit = self.materials(hits, there & hits.hit_mask, cache, &mut seen.materials);
         let materials = &seen.materials;
         let mut sum = BLACK;
         let mut arriving = ArrivingLight { rgb: BLACK, lit: 0 };
         for &number in self.world.lights.of(materials.lights) {
             let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + packet];
-            let arrives = shadow_rays.asked & !shadow_rays.blocked;
+            let arrives = shadow_rays.known & !shadow_rays.blocked;
             if self.needs_backface_light {
                 each_lane(arrives, |lane| {
                     if shadow_rays.cosine[lane] < NEGLIGIBLE {
@@ -319,7 +319,7 @@ impl<'w> Tracer<'w> {
         if !self.has_air() {
             return None;
         }
-        let end = match hits.is_met(lane) {
+        let end = match hits.is_hit(lane) {
             true => {
                 let surface = &self.world.surfaces[hits.surface[lane] as usize];
                 End::Surface(hits.t[lane], surface.lights)
@@ -350,7 +350,7 @@ impl<'w> Tracer<'w> {
             query: shadow_rays.query(hits, lane),
             distance: shadow_rays.distance[lane],
             known: if all.has_occlusion {
-                shadow_rays.way(lane)
+                shadow_rays.occlusion(lane)
             } else {
                 None
             },

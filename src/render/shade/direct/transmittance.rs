@@ -91,7 +91,7 @@ impl Tracer<'_> {
         let is_attenuated = self.is_attenuated_by_air(light);
         match shadow_path
             .known
-            .unwrap_or_else(|| self.world.way(query, light, scratch))
+            .unwrap_or_else(|| self.world.occlusion(query, light, scratch))
         {
             Occlusion::Clear if !is_attenuated => return arriving,
             Occlusion::Opaque => return Rgb::BLACK,
@@ -152,7 +152,7 @@ impl Tracer<'_> {
                 return Rgb::BLACK;
             }
             query.ray.origin = hit.point;
-            query.origin_surface = Some(hit.departure);
+            query.origin_surface = Some(hit.spawn_surface);
             query.t_max -= hit.t;
         }
         Rgb::BLACK
@@ -171,7 +171,7 @@ impl Tracer<'_> {
         for passing in passed {
             let interior = self.world.surfaces[passing.surface() as usize].interior;
             let mut share = if self.world.interiors.get(interior).caustics == 0.0 {
-                let even = self.world.even_filter(passing.surface());
+                let even = self.world.uniform_transmittance(passing.surface());
                 even.unwrap_or(Rgb::WHITE)
             } else {
                 self.transmission(&self.world.hit_at(ray, passing), ray)

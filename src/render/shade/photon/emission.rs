@@ -128,8 +128,8 @@ fn emitting_grid(light: &Light) -> Option<[u32; 2]> {
 
 /// The bounding sphere of a target's box: centre and radius.
 fn bounding_sphere(target: &PhotonTarget) -> (DVec3, f64) {
-    let half = 0.5 * target.around.sides;
-    (target.around.min + half, half.length())
+    let half = 0.5 * target.bounds.sides;
+    (target.bounds.min + half, half.length())
 }
 
 impl<'w> Tracer<'w> {

@@ -76,7 +76,7 @@ impl PhotonInteraction<'_> {
         PhotonPath {
             path: Path {
                 ray: Ray::new(self.hit.point, dir),
-                from: Some(self.hit.departure),
+                from: Some(self.hit.spawn_surface),
                 kind: path.kind,
                 level: path.level + 1,
                 weight: path.weight * weight,
@@ -152,7 +152,7 @@ impl<'w> Tracer<'w> {
                     let interior = surface.interior;
                     crate::render::shade::interior_stack::cross(&mut photon.path.inside, interior);
                     photon.path.ray = Ray::new(hit.point, photon.path.ray.dir);
-                    photon.path.from = Some(hit.departure);
+                    photon.path.from = Some(hit.spawn_surface);
                     continue;
                 } else {
                     return;
@@ -201,7 +201,7 @@ impl<'w> Tracer<'w> {
             reflects,
         } = at;
         let path = &photon.path;
-        let spawn_surface: SpawnSurface = hit.departure;
+        let spawn_surface: SpawnSurface = hit.spawn_surface;
         let mut lit = ShadingPoint {
             at: ViewPoint::new(hit, path.ray.dir),
             spawn_surface: Some(&spawn_surface),

@@ -234,13 +234,13 @@ impl World {
 
     /// Returns true if [`World::ways_from`] pays off.
     #[must_use]
-    pub fn asks_from_points(&self) -> bool {
+    pub fn can_bundle_from_point(&self) -> bool {
         self.meshes.is_empty()
     }
 
     /// Records the occlusion of the first `count` shadow rays from one hit to samples of a light. All lanes of `hits`
     /// hold that hit; lanes past the last ray repeat some ray.
-    pub fn ways_from(
+    pub fn occlusion_from_point(
         &self,
         hits: &HitPacket4,
         (to_light, count): (&mut [ShadowPacket4], usize),

@@ -42,7 +42,7 @@ pub struct HitPacket4 {
     /// The crossings.
     pub crossing: [Crossing; 4],
     /// Mask of the rays that hit something.
-    pub met: u32,
+    pub hit_mask: u32,
     /// Mask of the rays whose shading normals are flipped to face them.
     turned: u32,
 }
@@ -60,7 +60,7 @@ impl HitPacket4 {
         face: [0; 4],
         surface: [0; 4],
         crossing: [Crossing::Touch; 4],
-        met: 0,
+        hit_mask: 0,
         turned: 0,
     };
 
@@ -75,7 +75,7 @@ impl HitPacket4 {
             face: [departure.face; 4],
             crossing: [departure.crossing; 4],
             blur: [departure.blur; 4],
-            met: 0b1111,
+            hit_mask: 0b1111,
             ..HitPacket4::NOTHING
         }
     }
@@ -96,7 +96,7 @@ impl HitPacket4 {
     /// Clears all hits.
     #[inline(always)]
     pub(in crate::world) fn clear_hits(&mut self) {
-        self.met = 0;
+        self.hit_mask = 0;
         self.leaf = [NO_LEAF; 4];
     }
 
@@ -117,8 +117,8 @@ impl HitPacket4 {
     /// Returns true if a ray hits something.
     #[must_use]
     #[inline(always)]
-    pub fn is_met(&self, lane: usize) -> bool {
-        self.met >> lane & 1 == 1
+    pub fn is_hit(&self, lane: usize) -> bool {
+        self.hit_mask >> lane & 1 == 1
     }
 
     /// The outward unit normal for shading.
@@ -136,7 +136,7 @@ impl HitPacket4 {
     /// Origin surface for the rays spawned at a hit.
     #[must_use]
     #[inline]
-    pub fn departure(&self, lane: usize) -> SpawnSurface {
+    pub fn spawn_surface(&self, lane: usize) -> SpawnSurface {
         SpawnSurface {
             leaf: self.leaf[lane],
             face: self.face[lane],
@@ -149,12 +149,12 @@ impl HitPacket4 {
     /// The hit of a ray, if it has one.
     #[must_use]
     pub fn hit(&self, lane: usize) -> Option<Hit> {
-        self.is_met(lane).then(|| Hit {
+        self.is_hit(lane).then(|| Hit {
             t: self.t[lane],
             point: self.point(lane),
             shading_normal: self.shading_normal(lane),
             surface: self.surface[lane],
-            departure: self.departure(lane),
+            spawn_surface: self.spawn_surface(lane),
         })
     }
 }
@@ -172,11 +172,11 @@ pub struct ShadowPacket4 {
     /// The shares of the light that arrive if nothing is in between.
     pub share: [f64; 4],
     /// Far limits of the shadow rays.
-    pub far: [f64; 4],
+    pub t_max: [f64; 4],
     /// Mask of the rays that go to the outer side of the surface.
     pub goes_out: u32,
     /// Mask of the rays whose occlusion is known; where the light does not matter it stays unknown.
-    pub asked: u32,
+    pub known: u32,
     /// Mask of the rays that an opaque surface blocks.
     pub blocked: u32,
     /// Mask of the other rays that pass a transmissive surface.
@@ -190,9 +190,9 @@ impl ShadowPacket4 {
         distance: [0.0; 4],
         cosine: [0.0; 4],
         share: [0.0; 4],
-        far: [0.0; 4],
+        t_max: [0.0; 4],
         goes_out: 0,
-        asked: 0,
+        known: 0,
         blocked: 0,
         filtered: 0,
     };
@@ -202,20 +202,20 @@ impl ShadowPacket4 {
     pub fn aim(&mut self, lane: usize, to_light: DVec3, distance: f64, far: f64) {
         put(&mut self.to_light, lane, to_light);
         self.distance[lane] = distance;
-        self.far[lane] = far;
+        self.t_max[lane] = far;
     }
 
     /// Marks the occlusion of all rays as unknown.
     #[inline(always)]
-    pub fn forget(&mut self) {
-        (self.asked, self.blocked, self.filtered) = (0, 0, 0);
+    pub fn reset_occlusion(&mut self) {
+        (self.known, self.blocked, self.filtered) = (0, 0, 0);
     }
 
     /// Records the occlusion of one ray.
     #[inline(always)]
     pub fn note(&mut self, lane: usize, occlusion: Occlusion) {
         let bit = 1 << lane;
-        self.asked |= bit;
+        self.known |= bit;
         self.blocked |= if occlusion == Occlusion::Opaque {
             bit
         } else {
@@ -231,9 +231,9 @@ impl ShadowPacket4 {
     /// The occlusion of one ray, if it is known.
     #[must_use]
     #[inline(always)]
-    pub fn way(&self, lane: usize) -> Option<Occlusion> {
+    pub fn occlusion(&self, lane: usize) -> Option<Occlusion> {
         let has = |bits: u32| bits >> lane & 1 == 1;
-        has(self.asked).then(|| {
+        has(self.known).then(|| {
             if has(self.blocked) {
                 Occlusion::Opaque
             } else if has(self.filtered) {
@@ -250,8 +250,8 @@ impl ShadowPacket4 {
     pub fn query(&self, hits: &HitPacket4, lane: usize) -> Query {
         Query {
             ray: Ray::new(hits.point(lane), self.to_light(lane)),
-            origin_surface: Some(hits.departure(lane)),
-            t_max: self.far[lane],
+            origin_surface: Some(hits.spawn_surface(lane)),
+            t_max: self.t_max[lane],
             kind: RayKind::Shadow,
         }
     }
@@ -364,7 +364,7 @@ impl World {
             [a.y, b.y, c.y, d.y],
             [a.z, b.z, c.z, d.z],
         ];
-        let hit_mask = hits.met;
+        let hit_mask = hits.hit_mask;
         if hit_mask == 0 {
             return;
         }
@@ -402,7 +402,7 @@ impl World {
         let Some(Some(ClosestHit { hit, .. })) = bests.get(lane) else {
             return DVec3::ZERO;
         };
-        hits.met |= 1 << lane;
+        hits.hit_mask |= 1 << lane;
         hits.t[lane] = hit.root.t;
         hits.leaf[lane] = hit.leaf;
         hits.face[lane] = hit.root.face;
@@ -439,8 +439,8 @@ impl World {
         }
         let hit = self.hit(&Ray::new(one_of(origin, lane), hits.dir(lane)), raw_hit);
         put(&mut hits.point, lane, hit.point);
-        put(&mut hits.normal, lane, hit.departure.normal);
+        put(&mut hits.normal, lane, hit.spawn_surface.normal);
         put(&mut hits.facing, lane, hit.shading_normal);
-        hits.blur[lane] = hit.departure.blur;
+        hits.blur[lane] = hit.spawn_surface.blur;
     }
 }

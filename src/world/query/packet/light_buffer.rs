@@ -174,7 +174,7 @@ impl World {
 
     /// Returns true if the light of this index has a light buffer.
     #[inline]
-    pub(crate) fn knows_around(&self, light: u32) -> bool {
+    pub(crate) fn has_light_buffer(&self, light: u32) -> bool {
         self.light_buffers.of_light(light).is_some()
     }
 
@@ -234,7 +234,7 @@ impl World {
         scratch.ray_stream = stream;
         for (half, shadow_rays) in shadow_rays.iter_mut().enumerate() {
             let of_half = |bits: u32| bits >> (4 * half) & 0b1111;
-            shadow_rays.asked = of_half(active);
+            shadow_rays.known = of_half(active);
             shadow_rays.blocked = of_half(shadows.blocked);
             shadow_rays.filtered = of_half(shadows.filtered & !shadows.blocked);
         }

@@ -105,7 +105,7 @@ impl RayStream {
             for lane in 0..4 {
                 packet.t_min[lane] = t_min_of(hits.blur[lane]);
             }
-            packet.t_max = shadow_rays.far;
+            packet.t_max = shadow_rays.t_max;
             packet.origin_leaf = hits.leaf;
             packet.goes_out = shadow_rays.goes_out;
         }
@@ -125,7 +125,7 @@ impl RayStream {
             packet.origin = hits.point;
             packet.dir = shadow_rays.to_light;
             packet.t_min = [t_min; 4];
-            packet.t_max = shadow_rays.far;
+            packet.t_max = shadow_rays.t_max;
             packet.origin_leaf = hits.leaf;
             packet.goes_out = shadow_rays.goes_out;
         }
@@ -153,7 +153,7 @@ impl RayStream {
                     packet.dir[axis][lane] = shadow_rays.to_light[axis][index % 4];
                 }
                 packet.t_min[lane] = t_min_of(hits.blur[index % 4]);
-                packet.t_max[lane] = shadow_rays.far[index % 4];
+                packet.t_max[lane] = shadow_rays.t_max[index % 4];
                 packet.origin_leaf[lane] = hits.leaf[index % 4];
                 packet.goes_out |= (shadow_rays.goes_out >> (index % 4) & 1) << lane;
             }
