@@ -18,14 +18,6 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// Exceptions to this order. The scratch of a query still owns the caches of radiosity and photons, and the settings of
-/// photons contain the limits of their files.
-const EXCEPTIONS: &[(&str, &str)] = &[
-    ("lang", "render::photons"),
-    ("world", "render::radiosity"),
-    ("world", "render::photons"),
-];
-
 /// The modules by layer, lowest first. Modules of one layer do not use each other, except for [`SIBLINGS`]; files of one
 /// module may.
 const LAYERS: &[&[&str]] = &[
@@ -52,9 +44,13 @@ const LAYERS: &[&[&str]] = &[
     ],
     &["output", "app::compare"],
     &["scene"],
-    &["render::radiosity", "render::photons"],
     &["lang", "world::ray", "world::index"],
-    &["world::primitive", "world::interiors", "world::sphere_soa"],
+    &[
+        "world::primitive",
+        "world::interiors",
+        "world::photons",
+        "world::sphere_soa",
+    ],
     &["world::csg"],
     &["world::lights", "world::model"],
     &["world::surface", "world::light_buffers"],
@@ -62,6 +58,7 @@ const LAYERS: &[&[&str]] = &[
     &["world::query", "world::plan"],
     &["world::lower"],
     &["world"],
+    &["render::radiosity", "render::photons"],
     &["render::shade"],
     &["render::checkpoint", "render::photon_pass"],
     &["render::tiles"],
@@ -174,9 +171,7 @@ fn is_allowed(module: &str, used: &str) -> bool {
     let (Some((layer, module)), Some((below, used))) = (layer_of(module), layer_of(used)) else {
         return true;
     };
-    let is_exception = |&(user, other): &(&str, &str)| user == own && other == used;
-    EXCEPTIONS.iter().any(is_exception)
-        || may_use && (module == used || below < layer || SIBLINGS.contains(&(module, used)))
+    may_use && (module == used || below < layer || SIBLINGS.contains(&(module, used)))
 }
 
 #[test]

@@ -115,7 +115,7 @@ pub fn render(
 /// Scratch memory for rendering in order, with one continuing stream of random numbers.
 fn sequential_scratch() -> BlockScratch {
     let mut scratch = BlockScratch::default();
-    scratch.single().continues_random = true;
+    scratch.single().random.continues = true;
     scratch
 }
 

@@ -6,8 +6,8 @@ use super::tiles::tiles_of;
 use crate::base::math::sampling::mersenne;
 use crate::base::options::RenderOptions;
 use crate::render::radiosity::Session;
+use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
-use crate::world::Scratch;
 use std::ops::Range;
 
 /// Rounding must not add a pass.
@@ -65,7 +65,7 @@ fn positions(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + us
 /// Makes the samples of a picture. Where a pass needs no indirect light in a block, POV-Ray skips it in later passes
 /// (measured by the numbers of samples that it reports).
 pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &mut Scratch) {
-    let Some(radiosity) = &tracer.world().radiosity else {
+    let Some(radiosity) = tracer.radiosity() else {
         return;
     };
     let settings = &radiosity.settings;

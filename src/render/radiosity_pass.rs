@@ -27,14 +27,14 @@ impl RadiosityPass {
     /// Runs the pretrace; `None` without radiosity.
     pub(super) fn pretraced(tracer: &Tracer<'_>, options: &RenderOptions) -> Option<RadiosityPass> {
         let world = tracer.world();
-        let radiosity = world.radiosity.as_ref()?;
+        let radiosity = tracer.radiosity()?;
         let start = Instant::now();
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
-        scratch.single().continues_random = super::tiles::draws_in_order(world, options);
+        scratch.single().random.continues = super::tiles::draws_in_order(world, options);
         pretrace(tracer, options, scratch.single());
-        scratch.single().restart_random();
+        scratch.single().random.restart();
         let rays = scratch.take_rays();
         let mut pretraced = 0;
         if let Some(session) = &mut scratch.single().radiosity {

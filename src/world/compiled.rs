@@ -4,16 +4,15 @@ use super::csg::program::RawHit;
 use super::interiors::{InteriorId, Interiors};
 use super::light_buffers::LightBuffers;
 use super::lights::Lights;
-use super::model::{IndexedItem, ItemBvh};
-use super::model::{Item, Model};
+use super::model::{IndexedItem, Item, ItemBvh, Model};
+use super::photons::Photons;
 use super::primitive::Leaf;
 use super::surface::{Surface, SurfaceSummary};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::math::Bounds;
 use crate::base::math::noise::NoiseGenerator;
 use crate::base::options::LeastDistance;
-use crate::render::photons::Photons;
-use crate::render::radiosity::Radiosity;
+use crate::scene::Radiosity;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
@@ -35,6 +34,8 @@ pub struct Globals {
     pub origin: DVec3,
     /// `max_trace_level`.
     pub max_trace_level: u32,
+    /// `radiosity { importance }` of objects without their own: the share of sample rays that count there.
+    pub importance: f64,
     /// `ambient_light`.
     pub ambient_light: Rgb,
     /// `irid_wavelength`.
@@ -70,7 +71,7 @@ pub struct World {
     pub fogs: Vec<Fog>,
     /// The rainbows.
     pub rainbows: Vec<Rainbow>,
-    /// Radiosity (indirect diffuse light), if it is on.
+    /// The settings of radiosity (indirect diffuse light), if it is on.
     pub radiosity: Option<Radiosity>,
     /// Photon mapping, if it is on.
     pub photons: Option<Photons>,

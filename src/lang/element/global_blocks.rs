@@ -3,7 +3,7 @@
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
 use crate::lang::reader::Reader;
-use crate::render::photons;
+use crate::scene::light::photon_file;
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 
 /// Number of stored radiosity directions unless a scene sets it.
@@ -197,7 +197,7 @@ impl Reader<'_> {
             Word::LoadFile => {
                 self.pass();
                 let (name, bytes) = Args::file(self, "the photon map", &[])?;
-                if photons::read(&bytes).is_none() {
+                if photon_file::records(&bytes).is_none() {
                     let message = format!("`{name}` is no photon map");
                     let error = Diagnostic::error(self.taken_span(), message)
                         .with_hint("Make one by `save_file`.");

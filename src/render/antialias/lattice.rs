@@ -110,10 +110,10 @@ impl Sampler<'_> {
             match self.borders.take(tile, side).filter(|_| is_owned) {
                 Some(border) => borders.push((points, border)),
                 None => {
-                    let rays = scratch.single().rays;
+                    let rays = scratch.single().query.rays;
                     trace(&points, scratch);
                     if is_owned {
-                        scratch.single().rays = rays;
+                        scratch.single().query.rays = rays;
                     }
                 }
             }

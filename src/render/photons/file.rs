@@ -1,9 +1,7 @@
-//! Photon files in POV-Ray's `save_file` format: for surfaces and for media the count and then twenty bytes for each
-//! photon, little-endian.
+//! Photon maps in the format of POV-Ray's `save_file`.
 
 use super::{Map, Photon};
-
-const RECORD: usize = 20;
+use crate::scene::light::photon_file::{RECORD, records};
 
 /// The bytes of a file with the photons of both maps.
 #[must_use]
@@ -26,18 +24,10 @@ pub fn write(maps: [&Map; 2]) -> Vec<u8> {
 /// The two maps of a file; a missing map is empty. `None` if the format is wrong.
 #[must_use]
 pub fn read(bytes: &[u8]) -> Option<[Map; 2]> {
-    let mut rest = bytes;
     let mut maps = [Map::default(), Map::default()];
-    for map in &mut maps {
-        if rest.is_empty() {
-            break;
-        }
-        let (count, records) = rest.split_first_chunk::<4>()?;
-        let size = (u32::from_le_bytes(*count) as usize).checked_mul(RECORD)?;
-        let (records, behind) = records.split_at_checked(size)?;
+    for (map, records) in maps.iter_mut().zip(records(bytes)?) {
         let photons = records.chunks_exact(RECORD).map(photon);
         *map = Map::of_sorted(photons.collect::<Option<_>>()?);
-        rest = behind;
     }
     Some(maps)
 }

@@ -2,8 +2,9 @@
 
 use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::math::Ray;
+use crate::render::shade::Scratch;
 use crate::scene::atmosphere::{Tint, WAY_TO_NOTHING, mean_of, sum_of};
-use crate::world::{LightList, Scratch};
+use crate::world::LightList;
 
 /// Attenuation and in-scattered light along a ray, in the order in which they apply.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +29,7 @@ pub(super) enum End {
 impl Tracer<'_> {
     /// Reports if the scene has media, fog or rainbows.
     pub(super) fn has_air(&self) -> bool {
-        self.has_media || !self.world.has_clear_air()
+        self.features.has_media || !self.world.has_clear_air()
     }
 
     /// The effect of the air on light along a ray; `None` where it has none. A ray without a hit is affected by the
@@ -51,7 +52,7 @@ impl Tracer<'_> {
         };
         // The last rainbow comes first, as in POV-Ray: it matters where they draw random numbers.
         let (rainbows, dir) = (self.world.rainbows.iter().rev(), path.ray.dir);
-        let stream = &mut scratch.stream;
+        let stream = &mut scratch.random.lights;
         let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
         Some(AirTint {
             inside,

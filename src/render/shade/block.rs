@@ -10,7 +10,8 @@ use super::wavefront::Wavefront;
 use super::{Path, Sample, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::world::{HitPacket4, InteriorId, RayCounts, RayKind, Scratch};
+use crate::render::shade::Scratch;
+use crate::world::{HitPacket4, InteriorId, RayCounts, RayKind};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -136,7 +137,7 @@ impl BlockScratch {
 
     /// Reports if random numbers continue from sample to sample.
     pub fn continues_random(&self) -> bool {
-        self.single.continues_random
+        self.single.random.continues
     }
 
     /// The buffers of scalar rays.
@@ -146,7 +147,7 @@ impl BlockScratch {
 
     /// Takes the ray counts since the last call.
     pub fn take_rays(&mut self) -> RayCounts {
-        std::mem::take(&mut self.single.rays)
+        std::mem::take(&mut self.single.query.rays)
     }
 }
 
@@ -239,7 +240,7 @@ impl Tracer<'_> {
             if uses_small_batches
                 && let Some(background) = self.background_within(bounds(piece, positions), size)
             {
-                scratch.single.rays.camera += positions.len() as u64;
+                scratch.single.query.rays.camera += positions.len() as u64;
                 for number in 0..positions.len() {
                     take(at_once * piece + number, background, None);
                 }
@@ -266,8 +267,10 @@ impl Tracer<'_> {
         (width, height): (u32, u32),
     ) -> Option<Sample> {
         let world = self.world;
-        let is_even =
-            self.uses_fast_path && !self.has_air() && world.sky.is_none() && world.lens.is_none();
+        let is_even = self.fast_paths.packets
+            && !self.has_air()
+            && world.sky.is_none()
+            && world.lens.is_none();
         if !is_even || self.stop.is_asked() {
             return None;
         }
@@ -371,7 +374,7 @@ impl Tracer<'_> {
         let world = self.world;
         let has_one_ray = world.lens.is_none() && world.camera.rays() == 1;
         let is_scalar = !has_one_ray
-            || !self.uses_wavefront
+            || !self.fast_paths.wavefront
             || world.radiosity.is_some()
             || !self.is_above_bailout(0, 1.0, 0);
         for (number, &(x, y)) in positions.iter().enumerate() {
@@ -410,7 +413,7 @@ impl Tracer<'_> {
         let hits = &scratch.all.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
         let single = &mut scratch.single;
-        if self.queues_all_surfaces && self.is_above_bailout(0, 1.0, 0) {
+        if self.fast_paths.queues_all_surfaces && self.is_above_bailout(0, 1.0, 0) {
             return self.shade_or_queue_camera_hit(
                 &mut scratch.wavefront,
                 number,
@@ -421,7 +424,7 @@ impl Tracer<'_> {
             );
         }
         let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
-        if self.world.radiosity.is_some() {
+        if self.radiosity.is_some() {
             let see = |single: &mut Scratch| self.trace(path, Some((hit, known)), single);
             return Some(self.recall_or_trace(x, y, single, see));
         }
@@ -468,7 +471,7 @@ impl Tracer<'_> {
             let origin = camera.location();
             let hits = &mut scratch.all.hits[first / 4..end.div_ceil(4)];
             self.world
-                .closest_hits_bundle(origin, end - first, hits, &mut scratch.single);
+                .closest_hits_bundle(origin, end - first, hits, &mut scratch.single.query);
             first = end;
         }
         true

@@ -4,7 +4,7 @@ use super::Tracer;
 use super::direct::light::{LayerBsdf, LightContribution, ShadingPoint};
 use crate::base::color::Rgb;
 use crate::render::photons::Near;
-use crate::world::Scratch;
+use crate::render::shade::Scratch;
 use glam::DVec3;
 use std::f64::consts::PI;
 

@@ -14,9 +14,10 @@ use crate::base::math::sampling::mersenne::{Stream, seed_of_sample};
 use crate::render::radiosity::{
     CacheQuery, Frame, IrradianceSample, LightRequest, Mode, Radiosity,
 };
+use crate::render::shade::Scratch;
 use crate::scene::Importance;
 use crate::scene::atmosphere::WAY_TO_NOTHING;
-use crate::world::{Hit, Query, RayCounts, RayKind, Scratch};
+use crate::world::{Hit, Query, RayCounts, RayKind};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -95,7 +96,11 @@ impl Tracer<'_> {
             nearest: WAY_TO_NOTHING * self.world.globals.unit,
             to_nearest: cache_query.normal,
         };
-        let random = (scratch.stream, scratch.media_stream, scratch.crand);
+        let random = (
+            scratch.random.lights,
+            scratch.random.media,
+            scratch.random.crand,
+        );
         if self.is_parallel(depth, count, scratch) {
             self.trace_in_parallel(
                 irradiance_point,
@@ -113,7 +118,11 @@ impl Tracer<'_> {
                 );
             }
         }
-        (scratch.stream, scratch.media_stream, scratch.crand) = random;
+        (
+            scratch.random.lights,
+            scratch.random.media,
+            scratch.random.crand,
+        ) = random;
         let eye = self.world.camera.location().distance(cache_query.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
         let sample = IrradianceSample {
@@ -156,10 +165,9 @@ impl Tracer<'_> {
         let Some(session) = scratch.radiosity.as_deref() else {
             return;
         };
-        let watching = || {
-            let mut scratch = Scratch::default();
-            scratch.radiosity = Some(Box::new(session.in_mode(Mode::Watch)));
-            scratch
+        let watching = || Scratch {
+            radiosity: Some(Box::new(session.in_mode(Mode::Watch))),
+            ..Scratch::default()
         };
         let watch = |scratch: &mut Scratch, &(number, dir): &(u32, DVec3)| {
             let gathered =
@@ -170,7 +178,7 @@ impl Tracer<'_> {
                 request: session
                     .map(|session| session.notes.take_request())
                     .unwrap_or_default(),
-                rays: std::mem::take(&mut scratch.rays),
+                rays: std::mem::take(&mut scratch.query.rays),
             }
         };
         let rays = aimed.par_iter().with_min_len(MIN_RAYS_PER_THREAD);
@@ -183,7 +191,7 @@ impl Tracer<'_> {
                 watched.request.is_valid(since, session.cache.unit())
             });
             if is_valid {
-                scratch.rays += watched.rays;
+                scratch.query.rays += watched.rays;
                 sum.add(dir, &watched.gathered);
             } else {
                 sum.add(
@@ -214,9 +222,9 @@ impl Tracer<'_> {
         }
         // Every ray seeds its own random numbers, or they would depend on the rays before it.
         let seed = cache_query.point.x + cache_query.point.y + cache_query.point.z;
-        scratch.stream = Stream::of_sample(f64::from(number), seed);
-        scratch.media_stream = scratch.stream;
-        scratch.crand = seed_of_sample(f64::from(number), seed);
+        scratch.random.lights = Stream::of_sample(f64::from(number), seed);
+        scratch.random.media = scratch.random.lights;
+        scratch.random.crand = seed_of_sample(f64::from(number), seed);
         let path = Path {
             ray: Ray::new(cache_query.point, dir),
             from: irradiance_point.spawn_surface,
@@ -233,7 +241,7 @@ impl Tracer<'_> {
             t_max: f64::INFINITY,
             kind: path.kind,
         };
-        let hit = self.world.nearest(&query, scratch);
+        let hit = self.world.nearest(&query, &mut scratch.query);
         let distance = hit.map(|hit| hit.t);
         let weight = self.weight_of(hit.as_ref(), radiosity, number, radiosity.rays(depth));
         if weight == 0.0 {

@@ -2,8 +2,8 @@
 
 use super::{Sample, Tracer};
 use crate::base::color::Rgb;
+use crate::render::shade::Scratch;
 use crate::scene::camera::{Lens, LensRay, Spread};
-use crate::world::Scratch;
 
 impl Tracer<'_> {
     /// The mean over the rays of a camera with several rays for each point.

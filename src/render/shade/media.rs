@@ -8,9 +8,10 @@ use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::chi_square::chi_square;
+use crate::render::shade::Scratch;
 use crate::scene::atmosphere::Tint;
 use crate::scene::interior::{Effect, PreparedMedia, Sampling};
-use crate::world::{LightList, Scratch};
+use crate::world::LightList;
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -67,7 +68,7 @@ impl Tracer<'_> {
         lights: LightList,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
-        if !self.has_media || path.inside.is_empty() || !self.is_in_air(&path.inside) {
+        if !self.features.has_media || path.inside.is_empty() || !self.is_in_air(&path.inside) {
             return None;
         }
         let media = self.media_of(&path.inside);
@@ -82,7 +83,7 @@ impl Tracer<'_> {
         lights: LightList,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
-        if !self.has_media {
+        if !self.features.has_media {
             return None;
         }
         let media: Mixture = self.world.media.iter().collect();
@@ -97,7 +98,7 @@ impl Tracer<'_> {
         inside: &InteriorStack,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if !self.has_media || inside.is_empty() || !self.is_in_air(inside) {
+        if !self.features.has_media || inside.is_empty() || !self.is_in_air(inside) {
             return Rgb::WHITE;
         }
         self.extinction(&self.media_of(inside), ray, length, scratch)
@@ -204,7 +205,7 @@ impl Tracer<'_> {
             method => {
                 let count = sampling.samples[0];
                 for number in 0..count {
-                    let random = scratch.media_stream.next_number();
+                    let random = scratch.random.media.next_number();
                     let at = if method == 1 {
                         random
                     } else {
@@ -236,7 +237,7 @@ impl Tracer<'_> {
             while sum.count <= most
                 && sum.variance() >= scale * chi_square(sum.count.max(1), confidence)
             {
-                let at = scratch.media_stream.next_number();
+                let at = scratch.random.media.next_number();
                 self.add_sample(segment, interval, at, sum, scratch);
             }
         }
@@ -271,7 +272,7 @@ impl Tracer<'_> {
         let width = 1.0 / (f64::from(steps) + 1.0);
         let jitter = width * sampling.jitter;
         let shifted = |at: f64, scratch: &mut Scratch| {
-            at + jitter * (scratch.media_stream.next_number() - 0.5)
+            at + jitter * (scratch.random.media.next_number() - 0.5)
         };
         let mut from = shifted(0.0, scratch);
         let mut first = self.media_sample(segment, interval, from, scratch);
@@ -299,7 +300,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> MediaSample {
         let sampling = &segment.sampling;
-        let random = scratch.media_stream.next_number() - 0.5;
+        let random = scratch.random.media.next_number() - 0.5;
         let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
         let middle = self.media_sample(segment, interval, at, scratch);
         if depth == 0 {
@@ -401,7 +402,7 @@ impl Tracer<'_> {
         }
         if !media.iter().any(|media| media.has_density()) {
             // A single sample draws a random number like any other.
-            scratch.media_stream.next_number();
+            scratch.random.media.next_number();
             return transmittance_of(effect_of(media, ray.origin).extinction * length);
         }
         let Some(sampling) = common_sampling(media) else {
@@ -418,7 +419,7 @@ impl Tracer<'_> {
         let all = (0..intervals).map(|interval| (f64::from(interval) * each, each));
         for (from, long) in all.chain(rest) {
             let mean = if is_even {
-                scratch.media_stream.next_number();
+                scratch.random.media.next_number();
                 taken(from)
             } else {
                 mean_of(&sampling, |at| taken(from + at * long), scratch)
@@ -450,7 +451,7 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
     let mut sum = Rgb::BLACK;
     if sampling.method != 3 {
         for number in 0..least {
-            let random = scratch.media_stream.next_number();
+            let random = scratch.random.media.next_number();
             sum += of(if sampling.method == 1 {
                 random
             } else {
@@ -462,7 +463,7 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
     let steps = steps_of(least);
     let width = 1.0 / (f64::from(steps) + 1.0);
     let mut shifted =
-        |at: f64, by: f64| at + by * sampling.jitter * (scratch.media_stream.next_number() - 0.5);
+        |at: f64, by: f64| at + by * sampling.jitter * (scratch.random.media.next_number() - 0.5);
     let mut from = shifted(0.0, width);
     let mut first = of(from);
     for step in 1..=steps {

@@ -8,6 +8,7 @@ mod atmosphere;
 mod block;
 mod caustics;
 mod direct;
+mod features;
 mod interior_stack;
 mod irradiance;
 mod lens;
@@ -15,6 +16,7 @@ mod media;
 mod photon;
 mod radiosity;
 mod refraction;
+mod scratch;
 mod shade_cache;
 mod spectrum;
 mod surface;
@@ -28,12 +30,14 @@ use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::{Stream, seed_of_sample};
 use crate::base::options::CancelToken;
 use crate::render::photons::PhotonMaps;
-use crate::render::radiosity::{Mode, Session};
-use crate::world::{Hit, InteriorId, Query, RayKind, Scratch, SpawnSurface, World};
+use crate::render::radiosity::{Mode, Radiosity, Session};
+use crate::world::{Hit, InteriorId, Query, RayKind, SpawnSurface, World};
 use atmosphere::{AirTint, End};
 pub use block::{BLOCK, BlockScratch, FirstHit};
 use direct::light::LightSamples;
+use features::{FastPaths, Features, Quality};
 use glam::DVec3;
+pub use scratch::Scratch;
 use smallvec::SmallVec;
 
 /// Limit on surfaces that a ray passes without refraction. Passing does not use up a trace level, so a scene with a
@@ -62,35 +66,6 @@ impl Sample {
     const OUTSIDE: Sample = Sample {
         rgb: Rgb::BLACK,
         transmit: 1.0,
-    };
-}
-
-/// Features switched off by a quality below 9 (`+Q`); measured with POV-Ray 3.7.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Quality {
-    /// From 2 on: lighting. Below, the pigment of the lowest layer is the colour.
-    has_light: bool,
-    /// From 4 on: shadows.
-    has_shadows: bool,
-    /// From 5 on: area lights.
-    has_area_lights: bool,
-    /// From 6 on: the real pigments rather than `quick_color`, and transparency.
-    has_transparency: bool,
-    /// From 8 on: reflection.
-    has_reflection: bool,
-    /// From 8 on: bump mapping.
-    has_normals: bool,
-}
-
-impl Quality {
-    /// Every feature.
-    const FULL: Quality = Quality {
-        has_light: true,
-        has_shadows: true,
-        has_area_lights: true,
-        has_transparency: true,
-        has_reflection: true,
-        has_normals: true,
     };
 }
 
@@ -125,27 +100,14 @@ struct PassedSurface {
 pub struct Tracer<'w> {
     world: &'w World,
     quality: Quality,
-    /// Some ray needs its interior stack.
-    needs_interiors: bool,
-    /// Some ray crosses media.
-    has_media: bool,
-    /// Some interior attenuates light with distance.
-    light_fades: bool,
-    /// Some material is lit from behind.
-    needs_backface_light: bool,
-    /// The lights that matter differ between surfaces in more than the side that faces them.
-    light_varies_by_surface: bool,
-    /// Secondary rays from plain surfaces may be traced as a wavefront. Not if light is dispersed, nor if random
-    /// numbers are drawn in the order of the rays.
-    uses_wavefront: bool,
-    /// The same for all surfaces. Not with radiosity either: its samples depend on the order of the rays.
-    queues_all_surfaces: bool,
-    /// Plain surfaces may be shaded by the fast path ([`direct`]).
-    uses_fast_path: bool,
+    features: Features,
+    fast_paths: FastPaths,
     /// The interiors around the camera, if all rays start at one point.
     around_camera: InteriorStack,
     background: Background,
     reflected_background: Background,
+    /// Radiosity, if it is on.
+    radiosity: Option<Radiosity>,
     /// The irradiance samples for threads that have no session of their own.
     session: Option<Box<Session>>,
     /// The photon maps, once photons are traced and some are stored.
@@ -157,42 +119,25 @@ impl<'w> Tracer<'w> {
     /// Creates a tracer of `world`; `quality` is that of `+Q`, 9 and more for every feature.
     #[must_use]
     pub fn new(world: &'w World, quality: u8) -> Self {
-        let is_all_opaque = world.is_opaque();
-        let has_fresnel = world.has_fresnel();
-        let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
-        let needs_interiors = !is_all_opaque || has_fresnel || has_media || !world.has_clear_air();
-        let around_camera = if needs_interiors && world.camera.has_one_origin() {
+        let features = Features::new(world, quality);
+        let around_camera = if features.needs_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
             InteriorStack::new()
         };
         let (background, reflected_background) = backgrounds(world);
-        let quality = Quality {
-            has_light: quality >= 2,
-            has_shadows: quality >= 4,
-            has_area_lights: quality >= 5,
-            has_transparency: quality >= 6,
-            has_reflection: quality >= 8,
-            has_normals: quality >= 8,
-        };
+        let quality = Quality::new(quality);
         Tracer {
             world,
             quality,
-            has_media,
-            light_fades: world.interiors.fade_light(),
-            needs_backface_light: world.needs_backface_light(),
-            light_varies_by_surface: world.needs_backface_light() || world.has_unlit(),
-            uses_wavefront: !world.interiors.split_light() && !world.uses_random(),
-            queues_all_surfaces: !world.interiors.split_light()
-                && !world.uses_random()
-                && world.radiosity.is_none(),
-            uses_fast_path: !has_media
-                && world.radiosity.is_none()
-                && direct::opaque::supports(world, quality),
-            needs_interiors,
+            features,
+            fast_paths: FastPaths::new(world, quality, features),
             around_camera,
             background,
             reflected_background,
+            radiosity: world
+                .radiosity
+                .map(|settings| Radiosity::new(settings, world.globals.importance)),
             session: None,
             photon_maps: None,
             stop: CancelToken::default(),
@@ -203,6 +148,12 @@ impl<'w> Tracer<'w> {
     #[must_use]
     pub fn world(&self) -> &'w World {
         self.world
+    }
+
+    /// Radiosity, if it is on.
+    #[must_use]
+    pub fn radiosity(&self) -> Option<&Radiosity> {
+        self.radiosity.as_ref()
     }
 
     /// The same tracer with a cancellation token: once it is cancelled, all further rays are black.
@@ -225,7 +176,10 @@ impl<'w> Tracer<'w> {
     #[must_use]
     pub fn with_photons(self, photon_maps: PhotonMaps) -> Self {
         Tracer {
-            uses_fast_path: false,
+            fast_paths: FastPaths {
+                packets: false,
+                ..self.fast_paths
+            },
             photon_maps: Some(Box::new(photon_maps)),
             ..self
         }
@@ -235,7 +189,7 @@ impl<'w> Tracer<'w> {
     /// camera has no ray the sample is black and fully transparent.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
-        if self.world.radiosity.is_some() {
+        if self.radiosity.is_some() {
             let see = |scratch: &mut Scratch| self.fresh_pixel(x, y, width, height, scratch);
             return self.recall_or_trace(x, y, scratch, see);
         }
@@ -270,7 +224,7 @@ impl<'w> Tracer<'w> {
     }
 
     fn camera_path(&self, ray: Ray) -> Path {
-        let inside = if self.needs_interiors && !self.world.camera.has_one_origin() {
+        let inside = if self.features.needs_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
             InteriorStack::from_slice(&self.around_camera)
@@ -308,7 +262,10 @@ impl<'w> Tracer<'w> {
                     t_max: f64::INFINITY,
                     kind: path.kind,
                 };
-                (self.world.nearest(&query, scratch), LightSamples::NONE)
+                (
+                    self.world.nearest(&query, &mut scratch.query),
+                    LightSamples::NONE,
+                )
             });
             let Some(hit) = hit else {
                 let air = self.air(&path, End::Nothing, scratch);
@@ -410,12 +367,12 @@ impl Background {
 
 /// Seeds the random numbers of a sample, unless they continue from sample to sample.
 fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
-    if scratch.continues_random {
+    if scratch.random.continues {
         return;
     }
-    scratch.stream = Stream::of_sample(x, y);
-    scratch.media_stream = scratch.stream;
-    scratch.crand = seed_of_sample(x, y);
+    scratch.random.lights = Stream::of_sample(x, y);
+    scratch.random.media = scratch.random.lights;
+    scratch.random.crand = seed_of_sample(x, y);
 }
 
 /// The backgrounds of camera rays and of reflected rays.

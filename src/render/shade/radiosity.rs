@@ -6,8 +6,9 @@ use super::direct::light::ShadingPoint;
 use super::{Path, Sample, Tracer, begin_sample};
 use crate::base::color::{Color, Rgb};
 use crate::render::radiosity::{CachedLight, Mode, Radiosity};
+use crate::render::shade::Scratch;
 use crate::scene::texture::PreparedLayer;
-use crate::world::{Scratch, SpawnSurface};
+use crate::world::SpawnSurface;
 use glam::DVec3;
 
 /// Irradiance on the front and the back of a surface, where computed.
@@ -49,7 +50,7 @@ impl<'r> IrradiancePoint<'r> {
 impl Tracer<'_> {
     /// The weight below which a ray behind this many nested irradiance samples is not traced.
     pub(super) fn bailout(&self, depth: usize) -> f64 {
-        match &self.world.radiosity {
+        match &self.radiosity {
             Some(radiosity) if depth > 0 => radiosity.settings.adc_bailout,
             _ => self.world.globals.adc_bailout,
         }
@@ -57,7 +58,7 @@ impl Tracer<'_> {
 
     /// Reports if a ray ignores fog and media.
     pub(super) fn is_airless(&self, path: &Path) -> bool {
-        let radiosity = self.world.radiosity.as_ref();
+        let radiosity = self.radiosity.as_ref();
         path.irradiance_depth > 0
             && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
     }

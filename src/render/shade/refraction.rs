@@ -6,8 +6,9 @@ use super::surface::{SurfaceRadiance, facing_normal, mirrored_off, single};
 use super::{InteriorStack, Path, Sample, Tracer, spectrum};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
+use crate::render::shade::Scratch;
 use crate::scene::texture::Irid;
-use crate::world::{Hit, InteriorId, Scratch};
+use crate::world::{Hit, InteriorId};
 use glam::DVec3;
 
 /// Limit on nested surfaces that are passed recursively: each takes part of the stack.

@@ -104,7 +104,7 @@ impl Tracer<'_> {
         let layer = surface.texture.layers().first()?;
         let finish = &*layer.finish;
         let has_secondary = !surface.is_plain();
-        let is_known = !has_secondary || surface.is_nearly_plain() && self.uses_wavefront;
+        let is_known = !has_secondary || surface.is_nearly_plain() && self.fast_paths.wavefront;
         if !is_known {
             return None;
         }

@@ -8,11 +8,12 @@ use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
+use crate::render::shade::Scratch;
 use crate::scene::interior::Interior;
 use crate::scene::pattern::SurfacePoint;
 use crate::scene::shape::TextureWeights;
 use crate::scene::texture::{Choosing, Finish, Irid, Look, Looks, PreparedLayer, PreparedTexture};
-use crate::world::{Hit, Scratch, Surface};
+use crate::world::{Hit, Surface};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -348,7 +349,7 @@ impl<'w> Tracer<'w> {
                 let (_, bsdf) = self.layer_bsdf(layer, color);
                 own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
             }
-            if let Some(radiosity) = &self.world.radiosity {
+            if let Some(radiosity) = &self.radiosity {
                 let irradiance_point = IrradiancePoint::new(radiosity, &lit, flat);
                 own += self.irradiance_radiance(
                     &irradiance_point,

@@ -15,8 +15,9 @@ use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
+use crate::render::shade::Scratch;
 use crate::scene::texture::{Irid, Look};
-use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, Scratch, SpawnSurface};
+use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 
 /// Limit on queued surfaces. Beyond it rays are traced one by one, which does not hold all branches of the ray tree in
@@ -492,7 +493,7 @@ impl Tracer<'_> {
         for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
             let query = |ray: usize| &rays[ray].query;
             self.world
-                .nearest_of_stream(rays.len(), query, hits, scratch);
+                .nearest_of_stream(rays.len(), query, hits, &mut scratch.query);
         }
         // With transparent objects each shadow ray is traced on its own.
         self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
@@ -553,7 +554,9 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Option<Sample> {
         let path = incoming.path(&wavefront.interior_stacks);
-        let Some(hit) = hit.filter(|_| self.queues_all_surfaces && wavefront.has_capacity()) else {
+        let Some(hit) =
+            hit.filter(|_| self.fast_paths.queues_all_surfaces && wavefront.has_capacity())
+        else {
             return Some(self.trace(path, Some((hit, known)), scratch));
         };
         let surface = &self.world.surfaces[hit.surface as usize];

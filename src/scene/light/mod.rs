@@ -8,6 +8,7 @@ mod area;
 mod cylinder;
 mod fade;
 mod part;
+pub mod photon_file;
 mod photons;
 mod spotlight;
 

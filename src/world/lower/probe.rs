@@ -7,7 +7,7 @@ use crate::scene::shape::Shape;
 use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::lowering::Lowering;
-use crate::world::query::Scratch;
+use crate::world::query::QueryScratch;
 use crate::world::ray::{Query, RayKind};
 use crate::world::surface::Surface;
 use glam::DVec3;
@@ -22,7 +22,7 @@ const CACHED: usize = 32;
 pub struct ProbeModel {
     /// The most recently used object is last.
     worlds: Vec<(Arc<Object>, World)>,
-    scratch: Scratch,
+    scratch: QueryScratch,
 }
 
 impl ProbeModel {

@@ -3,13 +3,12 @@
 use super::lowering::Lowering;
 use crate::base::color::{Color, Rgb};
 use crate::base::options::RenderOptions;
-use crate::render::photons::Photons;
-use crate::render::radiosity::Radiosity;
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
 use crate::world::compiled::{Globals, SingleBox, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
+use crate::world::photons::Photons;
 use crate::world::surface::SurfaceSummary;
 use rayon::prelude::*;
 
@@ -70,6 +69,7 @@ impl World {
                 unit: scene.globals.unit,
                 origin: scene.globals.origin,
                 max_trace_level: scene.globals.max_trace_level,
+                importance: scene.globals.importance.share(),
                 ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
@@ -79,8 +79,7 @@ impl World {
             ties_by_box: has_tree,
             least_distance: options.least_distance,
             summary: SurfaceSummary::of(&flat.surfaces),
-            radiosity: radiosity
-                .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
+            radiosity,
             photons: flat.targets.and_then(|targets| {
                 let settings = scene.globals.photons.as_ref()?;
                 Photons::new(settings, targets.into_list(), &scene.globals)

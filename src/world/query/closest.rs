@@ -4,7 +4,7 @@ use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
-use super::{ClosestHit, Scratch};
+use super::{ClosestHit, QueryScratch};
 use crate::base::accel::{NewEnds, STREAM};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
@@ -66,7 +66,7 @@ impl<'a, Q> StreamRays<'a, Q> {
 impl World {
     /// The nearest visible surface on a ray.
     #[must_use]
-    pub fn nearest(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
+    pub fn nearest(&self, query: &Query, scratch: &mut QueryScratch) -> Option<Hit> {
         scratch.rays.count(query);
         let best = with_widest(
             #[inline(always)]
@@ -81,7 +81,7 @@ impl World {
         count: usize,
         query: impl Fn(usize) -> &'q Query,
         hits: &mut [HitPacket4],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let count = count.min(STREAM);
         let first = query(0);
@@ -140,7 +140,7 @@ impl World {
         &self,
         queries: impl Iterator<Item = &'q Query>,
         hits: &mut HitPacket4,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let mut bests = [None; 4];
         let mut origin = [[0.0; 4]; 3];
@@ -168,7 +168,7 @@ impl World {
         rays: &StreamRays<'_, impl Fn(usize) -> Query>,
         stream: &mut RayStream,
         bests: &mut [Option<ClosestHit>],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         for &item in &self.bvh().unbounded {
             let rays = &rays.for_item(item, rays.active);
@@ -185,7 +185,7 @@ impl World {
         rays: &StreamRays<'_, impl Fn(usize) -> Query>,
         stream: &mut RayStream,
         bests: &mut [Option<ClosestHit>],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let ends = stream.ends();
         self.bvh().tree.stream(
@@ -207,7 +207,7 @@ impl World {
         &self,
         lanes: SimdLevel,
         query: &Query,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Option<ClosestHit> {
         let mut best: Option<ClosestHit> = None;
         let mut far = query.t_max;
@@ -227,7 +227,7 @@ impl World {
         query: &Query,
         search: &Search,
         best: &mut Option<ClosestHit>,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let far = best.map_or(query.t_max, |best| best.hit.root.t);
         self.bvh().tree.nearest_in(
@@ -251,7 +251,7 @@ impl World {
         search: &Search,
         far: f64,
         best: &mut Option<ClosestHit>,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> f64 {
         match self.intersect_item(item, query, search, far, scratch) {
             None => far,
@@ -267,7 +267,7 @@ impl World {
         query: &Query,
         search: &Search,
         far: f64,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Option<RawHit> {
         if self.is_hidden(item.item, query.kind) {
             return None;

@@ -1,6 +1,6 @@
 //! Queries of single rays on instances.
 
-use super::Scratch;
+use super::QueryScratch;
 use super::intersect::{HitPolicy, IndexBase, Search};
 use crate::base::math::simd::with_widest;
 use crate::world::csg::program::RawHit;
@@ -15,7 +15,7 @@ impl Instance {
         &self,
         search: &Search,
         far: f64,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         policy: &mut W,
     ) -> Option<RawHit> {
         let ray = search.ray.to_object(&self.object_from_world);

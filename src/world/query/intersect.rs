@@ -1,6 +1,6 @@
 //! Intersection of a ray with one item: a primitive, a CSG program or an instance.
 
-use super::Scratch;
+use super::QueryScratch;
 use super::packet::hits::NO_LEAF;
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
@@ -70,7 +70,7 @@ impl Model {
         item: Item,
         search: &Search,
         far: f64,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         policy: &mut W,
     ) -> Option<RawHit> {
         let start = search.start;
@@ -144,7 +144,7 @@ impl Model {
         lanes: SimdLevel,
         search: &Search,
         far: f64,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         policy: &mut W,
     ) -> Option<RawHit> {
         let mut best: Option<(RawHit, u32)> = None;

@@ -1,6 +1,6 @@
 //! Occlusion queries: opaque and transmissive surfaces between a point and a light.
 
-use super::Scratch;
+use super::QueryScratch;
 use super::closest::POV_RAY_SHADOW;
 use super::intersect::{HitPolicy, Search};
 use crate::base::math::simd::{SimdLevel, with_widest};
@@ -92,7 +92,12 @@ impl World {
     /// Far limit of a shadow ray, at most `query.t_max`, that ends at the object which the light is projected through;
     /// `None` where the ray misses that object, so that no light arrives.
     #[must_use]
-    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+    pub fn shadow_reach(
+        &self,
+        query: &Query,
+        light: u32,
+        scratch: &mut QueryScratch,
+    ) -> Option<f64> {
         // The projector may be part of the scene, and the ray may start on its surface.
         let least = self.t_min(query);
         let wanted = |hit: &RawHit| !self.is_self_hit(hit, query);
@@ -104,7 +109,7 @@ impl World {
     /// Occlusion of a shadow ray to the light of this index. Transmissive items on it are gathered for
     /// [`World::next_transmissive_hit`].
     #[must_use]
-    pub fn occlusion(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Occlusion {
+    pub fn occlusion(&self, query: &Query, light: u32, scratch: &mut QueryScratch) -> Occlusion {
         scratch.rays.shadow += 1;
         self.occlusion_unrecorded(query, light, scratch)
     }
@@ -114,7 +119,7 @@ impl World {
         &self,
         query: &Query,
         light: u32,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Occlusion {
         with_widest(
             #[inline(always)]
@@ -128,7 +133,7 @@ impl World {
         lanes: SimdLevel,
         query: &Query,
         number: u32,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Occlusion {
         let search = self.search_for(query);
         let light = number as usize;
@@ -209,7 +214,7 @@ impl World {
         query: &Query,
         search: &Search,
         occlusion: &mut Occlusion,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         let mut of_item = Occlusion::Clear;
         let is_program = matches!(item.item, Item::Program(_));
@@ -237,7 +242,7 @@ impl World {
         query: &Query,
         search: &Search,
         occlusion: &mut Occlusion,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         self.occludes_with(item, query, search, occlusion, None, scratch)
     }
@@ -251,7 +256,7 @@ impl World {
         search: &Search,
         occlusion: &mut Occlusion,
         passed: Option<&mut Vec<RawHit>>,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         if self.is_hidden(item.item, query.kind) {
             return false;

@@ -1,6 +1,6 @@
 //! Shadow rays to lights that are projected through an object (`projected_through`).
 
-use super::Scratch;
+use super::QueryScratch;
 use crate::world::csg::program::{RawHit, RayInterval};
 use crate::world::lights::Lights;
 use crate::world::primitive::Leaf;
@@ -16,7 +16,7 @@ impl Lights {
         query: &Query,
         least: f64,
         wanted: impl FnMut(&RawHit) -> bool,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Option<f64> {
         let Some(program) = self.projector(light) else {
             return Some(query.t_max);

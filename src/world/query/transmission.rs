@@ -1,6 +1,6 @@
 //! Transmissive hits along a shadow ray: collected in one traversal, then iterated without another one.
 
-use super::{ClosestHit, Scratch};
+use super::{ClosestHit, QueryScratch};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
 use crate::base::options::LeastDistance;
@@ -45,7 +45,7 @@ impl World {
     pub fn transmissive_hits(
         &self,
         query: &Query,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> Option<TransmissiveHits> {
         let items = std::mem::take(&mut scratch.transmissive_items);
         let mut roots = std::mem::take(&mut scratch.roots);
@@ -137,7 +137,7 @@ impl World {
 
     /// The nearest visible surface on a segment of the last shadow ray tested.
     #[must_use]
-    pub fn next_transmissive_hit(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
+    pub fn next_transmissive_hit(&self, query: &Query, scratch: &mut QueryScratch) -> Option<Hit> {
         scratch.rays.filtered += 1;
         let items = std::mem::take(&mut scratch.transmissive_items);
         let mut best: Option<ClosestHit> = None;

@@ -8,9 +8,10 @@ use crate::base::math::simd::vec3::{
     Vec3Lanes, add, divide, dot, from_arrays, max_abs, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
+use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
-use crate::world::{HitPacket4, Scratch, ShadowPacket4};
+use crate::world::{HitPacket4, ShadowPacket4};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -116,8 +117,8 @@ impl<'a> AreaLight<'a> {
     fn offset(&self, u: u32, v: u32, scratch: &mut Scratch) -> DVec3 {
         let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
         if self.area.has_jitter {
-            at_u += scratch.stream.next_number() - 0.5;
-            at_v += scratch.stream.next_number() - 0.5;
+            at_u += scratch.random.lights.next_number() - 0.5;
+            at_v += scratch.random.lights.next_number() - 0.5;
         }
         self.area.lamp(&self.axes, at_u, at_v)
     }
@@ -131,9 +132,10 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let [columns, rows] = area_light.area.sizes;
-        scratch.area_samples.clear();
+        scratch.area.light.clear();
         scratch
-            .area_samples
+            .area
+            .light
             .resize(columns as usize * rows as usize, None);
         area_light.hits = self.packet_for(area_light);
         if area_light.hits.is_some() {
@@ -141,7 +143,7 @@ impl Tracer<'_> {
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
-                .map(|&corner| scratch.area_samples[area_light.index(corner)]);
+                .map(|&corner| scratch.area.light[area_light.index(corner)]);
             if let Some(Some(light)) = known.next()
                 && known.all(|other| other == Some(light))
                 && is_its_own_mean(light)
@@ -158,7 +160,7 @@ impl Tracer<'_> {
         let lights = &self.world.lights;
         let spawn_surface = area_light.lit.spawn_surface?;
         let is_fit = !area_light.area.has_jitter
-            && !self.has_media
+            && !self.features.has_media
             && !area_light.light.is_shadowless()
             && !lights.is_projected(area_light.light_index)
             && self.world.can_bundle_from_point();
@@ -172,12 +174,12 @@ impl Tracer<'_> {
         };
         if requested.len() < MIN_PACKET_RAYS {
             for &[u, v] in requested {
-                scratch.area_samples[area_light.index([u, v])] = None;
+                scratch.area.light[area_light.index([u, v])] = None;
                 self.sample_grid_light(area_light, [u, v], scratch);
             }
             return;
         }
-        let mut shadow_rays = std::mem::take(&mut scratch.area_shadow_rays);
+        let mut shadow_rays = std::mem::take(&mut scratch.area.shadow_rays);
         shadow_rays.clear();
         if area_light.light.is_parallel {
             let packet = |chunk: &[[u32; 2]]| self.parallel_shadow_packet(area_light, chunk);
@@ -193,7 +195,8 @@ impl Tracer<'_> {
             );
         }
         let rays_to_grid = (&mut shadow_rays[..], requested.len());
-        self.world.occlusion_from_point(hits, rays_to_grid, scratch);
+        self.world
+            .occlusion_from_point(hits, rays_to_grid, &mut scratch.query);
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
             let shadow_path = ShadowPath {
@@ -204,10 +207,10 @@ impl Tracer<'_> {
                 inside: &area_light.lit.path.inside,
                 collects: area_light.lit.collects,
             };
-            scratch.area_samples[area_light.index(grid_index)] =
+            scratch.area.light[area_light.index(grid_index)] =
                 Some(self.transmittance(area_light.arriving, &shadow_path, scratch));
         }
-        scratch.area_shadow_rays = shadow_rays;
+        scratch.area.shadow_rays = shadow_rays;
     }
 
     /// Shadow rays to up to four grid lights at a finite distance.
@@ -307,7 +310,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let index = area_light.index(grid_index);
-        if let Some(known) = scratch.area_samples[index] {
+        if let Some(known) = scratch.area.light[index] {
             return known;
         }
         let arrival = area_light.arrival(area_light.offset(grid_index[0], grid_index[1], scratch));
@@ -318,7 +321,7 @@ impl Tracer<'_> {
             &arrival,
             scratch,
         );
-        scratch.area_samples[index] = Some(left);
+        scratch.area.light[index] = Some(left);
         left
     }
 
@@ -373,7 +376,7 @@ fn request_corners(
     scratch: &mut Scratch,
 ) {
     for corner in part.corners() {
-        let known = &mut scratch.area_samples[area_light.index(corner)];
+        let known = &mut scratch.area.light[area_light.index(corner)];
         if known.is_none() {
             *known = Some(Rgb::BLACK);
             requested.push(corner);

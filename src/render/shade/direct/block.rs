@@ -7,9 +7,10 @@ use crate::base::math::simd::vec3::{
     Vec3Lanes, add, divide, dot, from_arrays, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
+use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::scene::light::{Arrival, Light};
-use crate::world::{HitPacket4, Occlusion, Scratch, ShadowPacket4, Surface};
+use crate::world::{HitPacket4, Occlusion, ShadowPacket4, Surface};
 use glam::DVec3;
 
 /// The number of shadow rays in a bundle.
@@ -191,9 +192,9 @@ impl Tracer<'_> {
             let rays = (&**hits, &*shadow_rays);
             let occlusions = &mut order.occlusions;
             let centre = (unbundled == 0).then_some(light.centre);
-            let has_paid = self
-                .world
-                .occlusion_bundle(indices, rays, centre, single, occlusions);
+            let has_paid =
+                self.world
+                    .occlusion_bundle(indices, rays, centre, &mut single.query, occlusions);
             unbundled = match centre {
                 None => unbundled - 1,
                 Some(_) if has_paid => 0,
@@ -251,8 +252,12 @@ impl Tracer<'_> {
                     active &= 0xff >> (8 - there);
                     if active != 0 {
                         let active = (active, number);
-                        self.world
-                            .occlusion_packet8(lanes, (hits, shadow_rays), active, scratch);
+                        self.world.occlusion_packet8(
+                            lanes,
+                            (hits, shadow_rays),
+                            active,
+                            &mut scratch.query,
+                        );
                     }
                 }
             },
@@ -284,7 +289,7 @@ impl Tracer<'_> {
         shadow_rays.goes_out = arrived.goes_out;
         shadow_rays.t_max = self.world.shadow_t_max_x4(&arrived.distance, &arrived.size);
         let mut active = hits.hit_mask & arrived.faces;
-        if self.light_varies_by_surface || !self.world.lights.shines_on_all(number) {
+        if self.features.light_varies_by_surface || !self.world.lights.shines_on_all(number) {
             active = self.receiving_lanes(number, hits, &arrived);
         }
         let mut left = if light.has_even_share() {

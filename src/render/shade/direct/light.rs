@@ -8,11 +8,12 @@ use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
 use crate::base::math::sampling::hash;
+use crate::render::shade::Scratch;
 use crate::render::shade::surface::facing_normal;
 use crate::render::shade::{Path, Tracer};
 use crate::scene::light::Arrival;
 use crate::scene::texture::Finish;
-use crate::world::{Hit, Occlusion, Query, Scratch, ShadowPacket4, SpawnSurface, Surface, World};
+use crate::world::{Hit, Occlusion, Query, ShadowPacket4, SpawnSurface, Surface, World};
 use glam::DVec3;
 use std::f64::consts::FRAC_2_PI;
 
@@ -377,8 +378,8 @@ impl Tracer<'_> {
 
 /// The next random number of `crand`, from 0 to 1.
 fn grain(scratch: &mut Scratch) -> f64 {
-    scratch.crand = hash::next(scratch.crand);
-    f64::from(scratch.crand) / f64::from(u32::MAX)
+    scratch.random.crand = hash::next(scratch.random.crand);
+    f64::from(scratch.random.crand) / f64::from(u32::MAX)
 }
 
 /// Lights farther behind a surface are hardly ever faced after bump mapping.

@@ -8,9 +8,10 @@ use super::light::{
     LayerBsdf, LightContribution, LightSample, LightSamples, ViewPoint, is_negligible,
 };
 use crate::base::color::Rgb;
+use crate::render::shade::Scratch;
 use crate::render::shade::surface::surface_point;
 use crate::render::shade::{Quality, Sample, Tracer};
-use crate::world::{Hit, Occlusion, Scratch, Surface, World};
+use crate::world::{Hit, Occlusion, Surface, World};
 use glam::DVec3;
 
 /// Unoccluded light from one light source.
@@ -83,7 +84,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Option<Sample> {
         let surface = &self.world.surfaces[hit.surface as usize];
-        if !self.uses_fast_path || !surface.is_plain() || known.any_is_filtered() {
+        if !self.fast_paths.packets || !surface.is_plain() || known.any_is_filtered() {
             return None;
         }
         let layer = surface.texture.layers().first()?;
@@ -124,7 +125,7 @@ impl Tracer<'_> {
         let mut known = self.light_at(number, hit, at.normal);
         if known.share != 0.0 {
             let query = known.shadow_query(self.world, hit);
-            known.occlusion = Some(self.world.occlusion(&query, number, scratch));
+            known.occlusion = Some(self.world.occlusion(&query, number, &mut scratch.query));
         }
         known
     }

@@ -6,13 +6,14 @@ use super::light::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
 use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
+use crate::render::shade::Scratch;
 use crate::render::shade::atmosphere::{AirTint, End};
 use crate::render::shade::shade_cache::{PlainMaterial, ShadeCache};
 use crate::render::shade::{Path, Sample, Tracer};
 use crate::scene::light::Light;
 use crate::scene::pattern::SurfacePoint;
 use crate::scene::texture::{Finish, PreparedPigment};
-use crate::world::{HitPacket4, InteriorId, LightList, RayKind, Scratch, ShadowPacket4};
+use crate::world::{HitPacket4, InteriorId, LightList, RayKind, ShadowPacket4};
 use glam::{DVec2, DVec3};
 
 /// One value per lane. Aligned, so that a packet is not read together with the next one: a read that spans two fresh
@@ -225,7 +226,7 @@ impl<'w> Tracer<'w> {
     ) {
         let ShadeBuffers { scratch, cache } = buffers;
         (seen.known, seen.has_own_light) = (0, 0);
-        if !self.uses_fast_path || self.stop.is_asked() {
+        if !self.fast_paths.packets || self.stop.is_asked() {
             return;
         }
         let hits = &all.hits[packet];
@@ -257,7 +258,7 @@ impl<'w> Tracer<'w> {
         for &number in self.world.lights.of(materials.lights) {
             let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + packet];
             let arrives = shadow_rays.known & !shadow_rays.blocked;
-            if self.needs_backface_light {
+            if self.features.needs_backface_light {
                 each_lane(arrives, |lane| {
                     if shadow_rays.cosine[lane] < NEGLIGIBLE {
                         lit &= !(1 << lane);

@@ -3,11 +3,11 @@
 use super::light::{ShadingPoint, is_negligible};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
+use crate::render::shade::Scratch;
 use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Tracer, interior_stack};
 use crate::scene::light::{Arrival, Light};
 use crate::world::{
-    InteriorId, Occlusion, Query, RayKind, Scratch, SpawnSurface, TransmissiveHit,
-    TransmissiveHits, World,
+    InteriorId, Occlusion, Query, RayKind, SpawnSurface, TransmissiveHit, TransmissiveHits, World,
 };
 
 /// A shadow ray to a light with its known occlusion.
@@ -44,7 +44,7 @@ impl Tracer<'_> {
         let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
         let mut query = shadow_query(self.world, lit.spawn_surface.copied(), ray, distance);
-        let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
+        let Some(far) = self.world.shadow_reach(&query, light, &mut scratch.query) else {
             return Rgb::BLACK;
         };
         query.t_max = far;
@@ -65,7 +65,7 @@ impl Tracer<'_> {
 
     /// Reports if the media of the atmosphere attenuate a light.
     fn is_attenuated_by_media(&self, source: &Light) -> bool {
-        self.has_media
+        self.features.has_media
             && !self.world.media.is_empty()
             && source.media_attenuation
             && source.media_interaction
@@ -91,21 +91,23 @@ impl Tracer<'_> {
         let is_attenuated = self.is_attenuated_by_air(light);
         match shadow_path
             .known
-            .unwrap_or_else(|| self.world.occlusion(query, light, scratch))
+            .unwrap_or_else(|| self.world.occlusion(query, light, &mut scratch.query))
         {
             Occlusion::Clear if !is_attenuated => return arriving,
             Occlusion::Opaque => return Rgb::BLACK,
             // Packet queries do not record the transparent hits.
             Occlusion::Clear | Occlusion::Transmissive if shadow_path.known.is_some() => {
-                let occlusion = self.world.occlusion_unrecorded(query, light, scratch);
+                let occlusion = self
+                    .world
+                    .occlusion_unrecorded(query, light, &mut scratch.query);
                 if occlusion == Occlusion::Opaque {
                     return Rgb::BLACK;
                 }
             }
             Occlusion::Clear | Occlusion::Transmissive => {}
         }
-        if !(is_attenuated || self.has_media || !self.quality.has_transparency)
-            && let Some(passed) = self.world.transmissive_hits(query, scratch)
+        if !(is_attenuated || self.features.has_media || !self.quality.has_transparency)
+            && let Some(passed) = self.world.transmissive_hits(query, &mut scratch.query)
         {
             let mut surfaces = passed.iter().map(TransmissiveHit::surface);
             if shadow_path.collects && surfaces.any(|surface| self.replaces(surface, light)) {
@@ -123,7 +125,7 @@ impl Tracer<'_> {
         let mut inside = InteriorStack::from_slice(shadow_path.inside);
         let mut left = shadow_path.distance;
         for _ in 0..MAX_STRAIGHT {
-            let hit = self.world.next_transmissive_hit(&query, scratch);
+            let hit = self.world.next_transmissive_hit(&query, &mut scratch.query);
             if is_attenuated {
                 let length = hit.map_or(left, |hit| hit.t);
                 if source.media_attenuation
@@ -166,7 +168,10 @@ impl Tracer<'_> {
         passed: &TransmissiveHits,
         inside: &[InteriorId],
     ) -> Rgb {
-        let mut inside = self.light_fades.then(|| InteriorStack::from_slice(inside));
+        let mut inside = self
+            .features
+            .light_fades
+            .then(|| InteriorStack::from_slice(inside));
         let mut from = 0.0;
         for passing in passed {
             let interior = self.world.surfaces[passing.surface() as usize].interior;

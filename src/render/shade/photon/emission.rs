@@ -6,10 +6,12 @@
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::Stream;
-use crate::render::photons::{self, Map, PhotonMaps, PhotonTarget, Photons};
+use crate::render::photons::{self, Map, PhotonMaps};
+use crate::render::shade::Scratch;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
-use crate::world::{RayKind, Scratch};
+use crate::world::RayKind;
+use crate::world::{PhotonTarget, Photons};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -313,7 +315,7 @@ impl<'w> Tracer<'w> {
     }
 
     fn inside_at(&self, point: DVec3) -> InteriorStack {
-        if self.needs_interiors {
+        if self.features.needs_interiors {
             self.world.interiors_at(point)
         } else {
             InteriorStack::new()

@@ -4,14 +4,16 @@
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::Stream;
-use crate::render::photons::{Photon, Photons};
+use crate::render::photons::Photon;
+use crate::render::shade::Scratch;
 use crate::render::shade::direct::light::{LightSamples, ShadingPoint, ViewPoint};
 use crate::render::shade::interior_stack::{Refraction, bend};
 use crate::render::shade::surface::{Mirror, TextureUse, facing_normal, mirror, mirrored_off};
 use crate::render::shade::{InteriorStack, Path, Tracer, spectrum};
 use crate::scene::light::Light;
 use crate::scene::texture::Look;
-use crate::world::{Hit, Query, Scratch, SpawnSurface};
+use crate::world::Photons;
+use crate::world::{Hit, Query, SpawnSurface};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -135,7 +137,7 @@ impl<'w> Tracer<'w> {
                 t_max: f64::INFINITY,
                 kind: path.kind,
             };
-            let Some(hit) = self.world.nearest(&query, scratch) else {
+            let Some(hit) = self.world.nearest(&query, &mut scratch.query) else {
                 return;
             };
             let surface = &self.world.surfaces[hit.surface as usize];

@@ -3,10 +3,11 @@
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::color::Rgb;
 use crate::render::photons::Photon;
+use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::render::shade::media::{common_sampling, parts_of, subdivided, transmittance_of};
 use crate::scene::interior::{Effect, PreparedMedia};
-use crate::world::{LightList, Scratch};
+use crate::world::LightList;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -57,7 +58,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         let inside = &photon.path.inside;
-        if !self.has_media || inside.is_empty() || !self.is_in_air(inside) {
+        if !self.features.has_media || inside.is_empty() || !self.is_in_air(inside) {
             return;
         }
         let media = self.media_of(inside);
@@ -89,7 +90,7 @@ impl Tracer<'_> {
             let mut number = 0.0;
             let mut sum = Rgb::BLACK;
             while number < count {
-                let random = scratch.stream.next_number() - 0.5;
+                let random = scratch.random.lights.next_number() - 0.5;
                 let at = (number + 0.5 + jitter * random) / count;
                 let along = interval.from + at * long;
                 let point = ray.at(along);

@@ -8,11 +8,9 @@ fn assert_same(text: &str) {
     const SIZE: (u32, u32) = (75, 53);
     let world = world(text, 3.7, false);
     let tracer = Tracer::new(&world, 9);
-    let long = Tracer {
-        uses_fast_path: false,
-        queues_all_surfaces: false,
-        ..Tracer::new(&world, 9)
-    };
+    let mut long = Tracer::new(&world, 9);
+    long.fast_paths.packets = false;
+    long.fast_paths.queues_all_surfaces = false;
     let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
     let mut drawn = 0;
     for top in (0..SIZE.1).step_by(BLOCK as usize) {

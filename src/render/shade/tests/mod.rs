@@ -14,7 +14,8 @@ use crate::base::color::Rgb;
 use crate::base::options::{ReadOptions, RenderOptions};
 use crate::base::source::Sources;
 use crate::lang;
-use crate::world::{Scratch, World, compile};
+use crate::render::shade::Scratch;
+use crate::world::{World, compile};
 
 /// The text before each scene, besides the version of the test.
 const HEAD: &str = "global_settings { assumed_gamma 1 }";
@@ -51,15 +52,15 @@ fn sample(x: f64, y: f64, text: &str, has_alpha: bool, quality: u8, version: f64
     Tracer::new(&world, quality).pixel(0.0, 0.0, 1, 1, &mut Scratch::default())
 }
 
-fn assert_close(text: &str, found: Rgb, expected: [f64; 3]) {
-    let found = [found.r, found.g, found.b].map(|c| f64::from(c).clamp(0.0, 1.0));
-    let is_close = found
+fn assert_close(text: &str, rgb: Rgb, expected: [f64; 3]) {
+    let rgb = [rgb.r, rgb.g, rgb.b].map(|c| f64::from(c).clamp(0.0, 1.0));
+    let is_close = rgb
         .iter()
         .zip(expected)
         .all(|(a, b)| (a - b).abs() <= TOLERANCE);
     assert!(
         is_close,
-        "{text}\nfound {found:?}, POV-Ray has {expected:?} after {HEAD}"
+        "{text}\nfound {rgb:?}, POV-Ray has {expected:?} after {HEAD}"
     );
 }
 

@@ -1,9 +1,9 @@
 //! Photon targets: objects that say `target`, each with its bounding box.
 
 use super::inherited::Inherited;
-use crate::render::photons::PhotonTarget;
 use crate::scene::Object;
 use crate::scene::light::PhotonRole;
+use crate::world::photons::PhotonTarget;
 
 /// The targets of a scene, in file order.
 #[derive(Debug, Default)]

@@ -9,7 +9,7 @@ use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
-use crate::world::query::{ClosestHit, Scratch};
+use crate::world::query::{ClosestHit, QueryScratch};
 use crate::world::ray::{Occlusion, Query, RayKind};
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
@@ -58,7 +58,7 @@ impl World {
         origin: DVec3,
         count: usize,
         hits: &mut [HitPacket4],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         scratch.rays.camera += count as u64;
         if let Some(light_buffer) = &self.light_buffers.camera {
@@ -154,7 +154,7 @@ impl World {
         indices: &[u16],
         (hits, to_light): (&[HitPacket4], &[ShadowPacket4]),
         centre: Option<DVec3>,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         occlusions: &mut Vec<Occlusion>,
     ) -> bool {
         let first = occlusions.len();
@@ -244,7 +244,7 @@ impl World {
         &self,
         hits: &HitPacket4,
         (to_light, count): (&mut [ShadowPacket4], usize),
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         scratch.rays.shadow += count as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
@@ -308,7 +308,7 @@ impl World {
         stream: &mut RayStream,
         bests: &mut [Option<ClosestHit>],
         ended: &mut NewEnds,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let ItemRays {
             item, first, query, ..
@@ -359,7 +359,7 @@ impl World {
         query: &impl Fn(usize) -> Query,
         stream: &mut RayStream,
         occlusions: &mut [Occlusion],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         for &item in &self.bvh().unbounded {
             for first in (0..occlusions.len()).step_by(8) {
@@ -407,7 +407,7 @@ impl World {
         stream: &mut RayStream,
         occlusions: &mut [Occlusion],
         bundle: &mut Bundle,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         self.bvh().tree.together(
             lanes,
@@ -439,7 +439,7 @@ impl World {
         stream: &mut RayStream,
         occlusions: &mut [Occlusion],
         ended: &mut NewEnds,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let ItemRays {
             item, first, query, ..
@@ -479,7 +479,7 @@ impl World {
         query: &impl Fn(usize) -> Query,
         stream: &mut RayStream,
         occlusions: &mut [Occlusion],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         for first in (0..occlusions.len()).step_by(STREAM) {
             let mut active = 0;
@@ -518,7 +518,7 @@ impl World {
         lanes: SimdLevel,
         rays: &ItemRays<'_, impl Fn(usize) -> Query>,
         stream: &mut RayStream,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         mut take: impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
         let ItemRays {

@@ -18,7 +18,7 @@ use crate::world::compiled::World;
 use crate::world::csg::packet_strategy::{Numbers, PacketStrategy};
 use crate::world::csg::program::{CsgProgram, RawHit, hide_departure};
 use crate::world::primitive::Leaf;
-use crate::world::query::Scratch;
+use crate::world::query::QueryScratch;
 use crate::world::ray::Query;
 
 impl CsgProgram {
@@ -69,7 +69,7 @@ impl World {
         number: u32,
         packet: StreamPacket,
         query: impl Fn(usize) -> Query,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         take: &mut impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
         let StreamPacket {
@@ -148,7 +148,7 @@ impl World {
 
     /// Distance of the root that the ray starts on, on a part of a CSG program; NaN if it starts on none.
     #[inline(never)]
-    fn spawn_t(&self, query: &Query, scratch: &mut Scratch) -> f64 {
+    fn spawn_t(&self, query: &Query, scratch: &mut QueryScratch) -> f64 {
         let Some(origin) = &query.origin_surface else {
             return f64::NAN;
         };

@@ -10,7 +10,7 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::model::IndexedItem;
-use crate::world::query::{ClosestHit, Scratch};
+use crate::world::query::{ClosestHit, QueryScratch};
 use crate::world::ray::{Occlusion, Query, RayKind};
 use glam::DVec3;
 
@@ -26,7 +26,7 @@ impl World {
         origin: DVec3,
         count: usize,
         hits: &mut [HitPacket4],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let mut stream = std::mem::take(&mut scratch.ray_stream);
         with_widest(
@@ -54,7 +54,7 @@ impl World {
         hits: &mut [HitPacket4],
         active: u32,
         stream: &mut RayStream,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let View {
             light_buffer,
@@ -124,7 +124,7 @@ impl World {
         rays: &ItemRays<'_, impl Fn(usize) -> Query>,
         stream: &mut RayStream,
         bests: &mut [Option<ClosestHit>; PACKET_SIZE],
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
         mut shorten: impl FnMut(usize, f64),
     ) {
         let scalar = self.packet4_item::<true>(
@@ -186,7 +186,7 @@ impl World {
         lanes: SimdLevel,
         (hits, shadow_rays): (&[HitPacket4], &mut [ShadowPacket4]),
         (active, light): (u32, u32),
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         let Some(light_buffer) = self.light_buffers.of_light(light) else {
             return;
@@ -249,7 +249,7 @@ impl World {
         origins: ShadowOrigins,
         stream: &mut RayStream,
         shadows: &mut ShadowMasks,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) {
         if !shadows.are_loaded {
             stream.load_shadow_rays(

@@ -13,7 +13,7 @@ use crate::world::csg::program::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::primitive::Leaf;
-use crate::world::query::{ClosestHit, Scratch};
+use crate::world::query::{ClosestHit, QueryScratch};
 use crate::world::ray::{Occlusion, Query};
 use glam::{DAffine3, DVec3};
 
@@ -189,7 +189,7 @@ impl World {
         bests: &mut [Option<ClosestHit>],
         query: impl Fn(usize) -> Query,
         rays: PointBundle,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         let PointBundle {
             bundle,
@@ -277,7 +277,7 @@ impl World {
         occlusions: &mut [Occlusion],
         query: impl Fn(usize) -> Query,
         rays: PointBundle,
-        scratch: &mut Scratch,
+        scratch: &mut QueryScratch,
     ) -> bool {
         let PointBundle {
             bundle,
