@@ -228,7 +228,7 @@ impl Reader<'_> {
             | Word::Fopen
             | Word::Fclose
             | Word::Read
-            | Word::Write => self.version < 3.5,
+            | Word::Write => self.draft.version < 3.5,
             _ => false,
         }
     }

@@ -301,7 +301,7 @@ impl Reader<'_> {
             Word::Clock => Number::float(self.options.clock),
             Word::ClockOn => Number::truth(self.options.clock_on),
             Word::Now => Number::float(self.now),
-            Word::Version => Number::float(self.version),
+            Word::Version => Number::float(self.draft.version),
             _ => Number::float(0.0),
         }
     }

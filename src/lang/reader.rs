@@ -5,34 +5,30 @@ use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Position, Start};
 use super::directive::declare::Deprecation;
 use super::directive::files::Files;
+use super::draft::SceneDraft;
 use super::expr::streams::Streams;
 use super::expr::value::{Number, Value};
 use super::fast_path::literal::Memory;
 use super::fast_path::replay::{Recording, ReplayCache};
 use super::fast_path::stretch::MIN_PIECE;
-use super::limits;
 use super::probe::Probe;
+use super::report::Report;
 use super::scope::Scopes;
 use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
-use crate::base::color::Color;
 use crate::base::options::ReadOptions;
-use crate::base::source::{Code, Dependency, Diagnostic, FileId, Severity, Sources, Span};
+use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
 use crate::lang::syntax::{Names, Symbol, Tokens, tokenize_around_data};
-use crate::scene::atmosphere::Atmosphere;
+use crate::scene::Scene;
 use crate::scene::camera::Camera;
-use crate::scene::texture::{Layer, Texture};
-use crate::scene::{Background, Globals, Objects, Scene};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// The state of reading one scene.
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
     pub(super) probe: &'a mut dyn Probe,
-    listener: &'a mut dyn FnMut(ReadEvent<'_>),
     pub(super) names: Names,
     token_cache: Option<&'a mut TokenCache>,
     scene: FileId,
@@ -80,26 +76,13 @@ pub(super) struct Reader<'a> {
     pub(super) changes: u64,
     /// The files opened by `#fopen`.
     pub(super) files: Files,
-    pub(super) version: f64,
-    pub(super) has_version: bool,
     pub(super) now: f64,
-    pub(super) default_layer: Layer,
-    pub(super) default_texture: Arc<Texture>,
-    pub(super) default_camera: Camera,
-    pub(super) camera: Option<(Camera, Span)>,
-    /// True once a light source was read.
-    pub(super) has_light: bool,
-    pub(super) background: Option<Color>,
-    pub(super) atmosphere: Atmosphere,
-    pub(super) globals: Globals,
-    pub(super) objects: Objects,
+    /// The scene as read so far.
+    pub(super) draft: SceneDraft,
     /// Reserved words and interned values of literal data.
     pub(super) memory: Memory,
-    /// Features that rendering does not support.
-    pub(super) undrawn: Vec<Diagnostic>,
-    messages: String,
-    findings: Vec<Diagnostic>,
-    pub(super) errors: usize,
+    /// The findings so far.
+    pub(super) report: Report<'a>,
 }
 
 /// The result of reading a scene.
@@ -120,21 +103,10 @@ pub struct Reading {
 }
 
 const NO_MEMORY: &str = "this file needs more memory than there is";
-/// The effective version of scenes without any `#version` (facts 3.1).
-const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 /// Days from the start of 1970 to the start of 2000, which `now` counts from.
 const DAYS_1970_TO_2000: f64 = 10957.0;
 
 impl<'a> Reader<'a> {
-    /// The version whose rules hold for lights and images at this point.
-    pub(super) fn version_of_rules(&self) -> f64 {
-        if self.has_version {
-            self.version
-        } else {
-            VERSION_OF_SCENES_WITHOUT
-        }
-    }
-
     /// A reader at the start of a file.
     pub(super) fn new(
         scene: FileId,
@@ -167,7 +139,6 @@ impl<'a> Reader<'a> {
             sources,
             options,
             probe,
-            listener,
             names,
             token_cache,
             scene,
@@ -198,23 +169,10 @@ impl<'a> Reader<'a> {
             streams: Streams::default(),
             changes: 0,
             files: Files::default(),
-            version: options.version.unwrap_or(3.7),
-            has_version: options.version.is_some(),
             now: days_since_2000(),
-            default_layer: Layer::default(),
-            default_texture: Arc::new(Texture::from(Layer::default())),
-            default_camera: Camera::default(),
-            camera: None,
-            has_light: false,
-            background: None,
-            atmosphere: Atmosphere::default(),
-            globals: Globals::default(),
-            objects: Objects::default(),
+            draft: SceneDraft::new(options),
             memory: Memory::default(),
-            messages: String::new(),
-            undrawn: Vec::new(),
-            findings: Vec::new(),
-            errors: 0,
+            report: Report::new(listener),
         };
         reader.declare_options();
         Ok(reader)
@@ -291,39 +249,18 @@ impl<'a> Reader<'a> {
 
     /// Records a finding; consequences of earlier ones are dropped.
     pub(super) fn record(&mut self, finding: Diagnostic) {
-        if finding.severity == Severity::Error {
-            self.errors += 1;
-        }
-        if !finding.message.is_empty() && !self.findings.contains(&finding) {
-            self.keep(finding);
-        }
+        self.report.record(finding, self.sources);
     }
 
     /// Records a warning, once for each span.
     pub(super) fn warning(&mut self, warning: Diagnostic) {
-        let is_known =
-            |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
-        if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
-            self.keep(warning);
-        }
-    }
-
-    fn keep(&mut self, finding: Diagnostic) {
-        (self.listener)(ReadEvent::Finding(&finding, self.sources));
-        self.findings.push(finding);
-    }
-
-    /// Writes text of `#debug` and the like; returns the number of bytes written so far.
-    pub(super) fn say(&mut self, text: &str) -> usize {
-        (self.listener)(ReadEvent::Said(text));
-        self.messages.push_str(text);
-        self.messages.len()
+        self.report.warning(warning, self.sources);
     }
 
     /// The result, at the end of the scene.
     pub(super) fn finish(mut self) -> Reading {
         self.note_unsupported();
-        if self.errors == 0 {
+        if self.report.errors == 0 {
             self.close_files();
         }
         self.warn_of_missing_parts();
@@ -331,24 +268,11 @@ impl<'a> Reader<'a> {
             let names = std::mem::take(&mut self.names);
             token_cache.update(names, &self.tokenized, self.sources, self.scene)
         });
-        let version = self.version_of_rules();
-        let scene = (self.errors == 0).then(|| Scene {
-            camera: self
-                .camera
-                .map_or(self.default_camera, |(camera, _)| camera),
-            objects: self.objects,
-            background: Background {
-                color: self.background,
-            },
-            atmosphere: self.atmosphere,
-            globals: self.globals,
-            version,
-        });
         Reading {
-            scene,
-            findings: self.findings,
-            messages: self.messages,
-            undrawn: self.undrawn,
+            scene: (self.report.errors == 0).then(|| self.draft.into_scene()),
+            findings: self.report.findings,
+            messages: self.report.messages,
+            undrawn: self.report.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
             has_new_tokens,
         }
@@ -359,20 +283,20 @@ impl Reader<'_> {
     /// Warns of what is missing from the scene as a whole. Only where it is certain: a black image may be intended
     /// without a camera, and ambient colours may give light.
     fn warn_of_missing_parts(&mut self) {
-        if self.errors > 0 {
+        if self.report.errors > 0 {
             return;
         }
-        if self.objects.is_empty() {
+        if self.draft.objects.is_empty() {
             self.warning(Diagnostic::warning(None, "no objects in scene"));
             return;
         }
-        if self.camera.is_none() && self.default_camera == Camera::default() {
+        if self.draft.camera.is_none() && self.draft.default_camera == Camera::default() {
             self.warning(
                 Diagnostic::warning(None, "no camera: it stands at the origin and looks along z")
                     .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
             );
         }
-        if !self.has_light && !self.may_glow() {
+        if !self.draft.has_light && !self.may_glow() {
             self.warning(
                 Diagnostic::warning(
                     None,

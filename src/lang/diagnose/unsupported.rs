@@ -13,13 +13,13 @@ impl Reader<'_> {
     /// Records unsupported features of the objects and the atmosphere of the whole scene, each once.
     pub(crate) fn note_unsupported(&mut self) {
         let mut found = Vec::new();
-        let has_subsurface = self.globals.subsurface.is_some();
+        let has_subsurface = self.draft.globals.subsurface.is_some();
         let mut parts = Vec::new();
         // Copies share their parts, which are visited once.
         let mut seen = FxHashSet::default();
-        let mut open: Vec<&Arc<Object>> = self.objects.whole().collect();
+        let mut open: Vec<&Arc<Object>> = self.draft.objects.whole().collect();
         let mut last = None;
-        for texture in self.objects.textures_of_plain() {
+        for texture in self.draft.objects.textures_of_plain() {
             if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
                 for texture in all_textures(texture) {
                     if has_subsurface {
@@ -31,7 +31,7 @@ impl Reader<'_> {
         }
         if has_subsurface {
             let mut last = None;
-            for finish in self.objects.finishes_of_plain() {
+            for finish in self.draft.objects.finishes_of_plain() {
                 if last.replace(Arc::as_ptr(finish)) != Some(Arc::as_ptr(finish)) {
                     let subsurface = finish.subsurface.iter();
                     found.extend(subsurface.map(|it| (it.at, Word::Subsurface)));

@@ -57,7 +57,7 @@ impl Reader<'_> {
         }
         self.frames.truncate(frames);
         self.record(*error);
-        if self.errors >= limits::ERRORS {
+        if self.report.errors >= limits::ERRORS {
             return Err(self.consequence());
         }
         self.here = opener.clone();

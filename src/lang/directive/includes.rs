@@ -89,12 +89,12 @@ impl Reader<'_> {
                 .with_hint("Write `#version 3.7;` if the scene uses nothing newer."),
             ));
         }
-        if (version < 3.5) != (self.version < 3.5) {
+        if (version < 3.5) != (self.draft.version < 3.5) {
             // Macros after a number are parsed differently.
             self.replays.clear();
         }
-        self.version = version;
-        self.has_version = true;
+        self.draft.version = version;
+        self.draft.has_version = true;
         Ok(())
     }
 
@@ -117,7 +117,7 @@ impl Reader<'_> {
                 Ok(())
             }
             _ => {
-                if self.say(&text) <= limits::MESSAGES {
+                if self.report.say(&text) <= limits::MESSAGES {
                     return Ok(());
                 }
                 self.is_over = true;

@@ -76,7 +76,7 @@ impl Reader<'_> {
             });
             return;
         }
-        if next.kind != Kind::Directive || self.version < 3.5 {
+        if next.kind != Kind::Directive || self.draft.version < 3.5 {
             return;
         }
         if self.is_end_of_macro() && self.scopes.depth() > open.scope {
@@ -90,7 +90,7 @@ impl Reader<'_> {
 
     /// True if a number ends here because a macro call follows, which may use its name: before 3.5 it needs no `;`.
     fn ends_before_macro(&self, next: Token) -> bool {
-        self.version < 3.5 && next.symbol().is_some_and(|name| self.scopes.is_macro(name))
+        self.draft.version < 3.5 && next.symbol().is_some_and(|name| self.scopes.is_macro(name))
     }
 
     /// True if the macro or file that declares a name ends next, and the number with it: the name, which may be a
@@ -103,7 +103,7 @@ impl Reader<'_> {
                 .any(|mark| behind.is_mark(mark))
         };
         ends > self.scopes.depth().saturating_sub(open.scope)
-            && (behind.is_mark(';') || self.version < 3.5 && !goes_on())
+            && (behind.is_mark(';') || self.draft.version < 3.5 && !goes_on())
     }
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
@@ -123,7 +123,7 @@ impl Reader<'_> {
         }
         let next = self.raw();
         let is_operator = |mark| next.is_mark(mark);
-        if self.version >= 3.5
+        if self.draft.version >= 3.5
             && self.without_semicolon.is_none()
             && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
         {
@@ -148,7 +148,7 @@ impl Reader<'_> {
     pub(crate) fn report_missing_semicolon(&mut self, last: Span) {
         let behind = Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
-        if self.version >= 3.5 {
+        if self.draft.version >= 3.5 {
             let error = Diagnostic::error(behind, message).with_hint("Write `;` behind this.");
             self.record(*self.with_trace(error));
         } else {

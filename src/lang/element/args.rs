@@ -122,7 +122,7 @@ impl Args for Reader<'_> {
     }
 
     fn working_gamma(&self) -> Option<Gamma> {
-        match self.globals.assumed_gamma {
+        match self.draft.globals.assumed_gamma {
             None if self.effective_version() >= GAMMA_SINCE => Some(Gamma::LINEAR),
             known => known,
         }
@@ -137,7 +137,7 @@ impl Args for Reader<'_> {
     }
 
     fn texture_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
-        let default = self.default_layer.clone();
+        let default = self.draft.default_layer.clone();
         Ok(Arc::new(Texture::read(self, &default)?))
     }
 
@@ -214,7 +214,7 @@ impl Args for Reader<'_> {
     }
 
     fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
-        let layer = &self.default_layer;
+        let layer = &self.draft.default_layer;
         if kind == TypeId::of::<Pigment>() {
             Some(Arc::new(layer.pigment.clone()))
         } else if kind == TypeId::of::<Option<Arc<Normal>>>() {
@@ -252,11 +252,11 @@ impl Args for Reader<'_> {
     }
 
     fn version(&self) -> f64 {
-        self.version
+        self.draft.version
     }
 
     fn effective_version(&self) -> f64 {
-        self.version_of_rules()
+        self.draft.version_of_rules()
     }
 
     fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {

@@ -42,7 +42,7 @@ impl Reader<'_> {
         self.pass();
         let start = self.taken_span();
         self.open_block()?;
-        let mut settings = self.globals.radiosity.unwrap_or_default();
+        let mut settings = self.draft.globals.radiosity.unwrap_or_default();
         while !self.take_close()? {
             let Some(word) = self.peek()?.word() else {
                 return Err(self.expected_here("a setting or `}` in `radiosity`"));
@@ -53,7 +53,7 @@ impl Reader<'_> {
             let message = "`maximum_reuse` must be larger than `minimum_reuse`";
             return Err(self.with_trace(Diagnostic::error(start, message)));
         }
-        self.globals.radiosity = Some(settings);
+        self.draft.globals.radiosity = Some(settings);
         Ok(())
     }
 
@@ -134,14 +134,14 @@ impl Reader<'_> {
     pub(crate) fn photons(&mut self) -> Parse<()> {
         self.pass();
         self.open_block()?;
-        let mut settings = self.globals.photons.take().unwrap_or_default();
+        let mut settings = self.draft.globals.photons.take().unwrap_or_default();
         while !self.take_close()? {
             let Some(word) = self.peek()?.word() else {
                 return Err(self.expected_here("a setting or `}` in `photons`"));
             };
             self.photons_setting(word, &mut settings)?;
         }
-        self.globals.photons = Some(settings);
+        self.draft.globals.photons = Some(settings);
         Ok(())
     }
 
@@ -250,7 +250,7 @@ impl Reader<'_> {
                 return Err(self.expected_here("`samples`, `radiosity` or `}` in `subsurface`"));
             }
         }
-        self.globals.subsurface = Some(settings);
+        self.draft.globals.subsurface = Some(settings);
         Ok(())
     }
 
@@ -293,7 +293,7 @@ impl Reader<'_> {
         let error = Diagnostic::error(at, format!("{what} is not built yet"));
         let hint = "With `+Q8` the scene is drawn without it.";
         let error = error.with_code(Code::NotBuilt);
-        self.undrawn.push(error.with_hint(hint));
+        self.report.undrawn.push(error.with_hint(hint));
     }
 }
 

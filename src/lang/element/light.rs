@@ -20,7 +20,7 @@ struct Held {
 impl Reader<'_> {
     /// `light_source { ... }`. After an object's name any object modifiers may stand.
     pub(crate) fn light(&mut self) -> Parse<Object> {
-        self.has_light = true;
+        self.draft.has_light = true;
         self.pass();
         self.open_block()?;
         if let Some(known) = self.object_in_shape()? {
@@ -36,7 +36,7 @@ impl Reader<'_> {
     }
 
     fn light_items(&mut self) -> Parse<Object> {
-        self.has_light = true;
+        self.draft.has_light = true;
         let mut light = Light::begin(self)?;
         let mut held = Held::default();
         while !self.take_close()? {

@@ -37,7 +37,7 @@ impl Reader<'_> {
             return Ok(None);
         };
         if let Some(read) = self.replay_object()? {
-            return Ok(Some(Arc::new(read.into_object(&self.default_layer))));
+            return Ok(Some(Arc::new(read.into_object(&self.draft.default_layer))));
         }
         self.object_of_tokens(word)
     }
@@ -246,7 +246,7 @@ impl Reader<'_> {
             Word::Pigment | Word::Normal | Word::Finish => self.texture_part(object, word)?,
             Word::InteriorTexture => {
                 self.pass();
-                let default = self.default_layer.clone();
+                let default = self.draft.default_layer.clone();
                 let texture = Texture::read(self, &default)?;
                 object.set_interior_texture(Arc::new(texture));
             }
@@ -331,7 +331,7 @@ impl Reader<'_> {
             let message = format!("`{word}` cannot change a texture that a pattern chooses");
             return Err(self.error_here(message));
         }
-        own_texture(object, &self.default_layer);
+        own_texture(object, &self.draft.default_layer);
         baked(object).top_mut().read_part(word, self)?;
         Ok(())
     }
@@ -341,7 +341,7 @@ impl Reader<'_> {
         match &object.texture {
             Some(lower) => {
                 self.check_layers(&lower.what, &texture)?;
-                baked(object).lay_over(texture, self.version);
+                baked(object).lay_over(texture, self.draft.version);
             }
             None => object.texture = Some(object.attach(Arc::new(texture))),
         }
@@ -350,7 +350,7 @@ impl Reader<'_> {
 
     fn material(&mut self, object: &mut Object) -> Parse<()> {
         self.pass();
-        let default = self.default_layer.clone();
+        let default = self.draft.default_layer.clone();
         let material = Material::read(self, &default)?;
         if let Some(texture) = material.texture {
             self.lay_over(object, texture)?;

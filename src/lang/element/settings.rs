@@ -35,18 +35,18 @@ impl Reader<'_> {
             Word::AssumedGamma => {
                 self.pass();
                 let gamma = self.gamma()?;
-                if self.globals.assumed_gamma.is_some() {
+                if self.draft.globals.assumed_gamma.is_some() {
                     self.warning(Diagnostic::warning(
                         at,
                         "`assumed_gamma` is set already; the first one counts",
                     ));
                 } else {
-                    self.globals.assumed_gamma = Some(gamma);
+                    self.draft.globals.assumed_gamma = Some(gamma);
                 }
             }
             Word::AdcBailout => {
                 self.pass();
-                self.globals.adc_bailout = self.float()?;
+                self.draft.globals.adc_bailout = self.float()?;
             }
             Word::MaxTraceLevel => {
                 self.pass();
@@ -63,19 +63,19 @@ impl Reader<'_> {
                     reason = "clamped"
                 )]
                 let level = level.clamp(*TRACE_LEVELS.start(), *TRACE_LEVELS.end()) as u32;
-                self.globals.max_trace_level = level;
+                self.draft.globals.max_trace_level = level;
             }
             Word::AmbientLight => {
                 self.pass();
-                self.globals.ambient_light = self.color_value()?.rgb;
+                self.draft.globals.ambient_light = self.color_value()?.rgb;
             }
             Word::NoiseGenerator => {
                 self.pass();
-                self.globals.noise_generator = read_noise_generator(self)?;
+                self.draft.globals.noise_generator = read_noise_generator(self)?;
             }
             Word::NumberOfWaves => {
                 self.pass();
-                self.globals.number_of_waves = self.number_of_waves()?;
+                self.draft.globals.number_of_waves = self.number_of_waves()?;
             }
             Word::MaxIntersections | Word::HfGray16 => {
                 self.pass();
@@ -89,15 +89,15 @@ impl Reader<'_> {
             }
             Word::MmPerUnit => {
                 self.pass();
-                self.globals.mm_per_unit = self.float()?;
+                self.draft.globals.mm_per_unit = self.float()?;
             }
             Word::IridWavelength => {
                 self.pass();
-                self.globals.irid_wavelength = self.color_value()?.rgb;
+                self.draft.globals.irid_wavelength = self.color_value()?.rgb;
             }
             Word::Charset => {
                 self.pass();
-                self.globals.charset = if self.take_word(Word::Utf8)? {
+                self.draft.globals.charset = if self.take_word(Word::Utf8)? {
                     Charset::Utf8
                 } else if self.take_word(Word::Ascii)? || self.take_word(Word::Sys)? {
                     Charset::Ascii

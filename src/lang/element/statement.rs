@@ -44,7 +44,7 @@ impl LiteralSink for TopLevel {
                 None => plain += 1,
             }
         }
-        reader.objects.append(piece);
+        reader.draft.objects.append(piece);
         reader.count_single_shapes(plain)
     }
 }
@@ -75,7 +75,7 @@ impl Reader<'_> {
                     if self.is_over {
                         return;
                     }
-                    if self.errors >= limits::ERRORS {
+                    if self.report.errors >= limits::ERRORS {
                         let message = format!("nothing is read behind {} errors", limits::ERRORS);
                         self.warning(Diagnostic::warning(None, message));
                         return;
@@ -113,9 +113,9 @@ impl Reader<'_> {
             Some(Word::Camera) => {
                 self.pass();
                 let at = self.taken_span();
-                let base = self.default_camera.clone();
+                let base = self.draft.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                if let Some((_, first)) = self.camera.replace((camera, at)) {
+                if let Some((_, first)) = self.draft.camera.replace((camera, at)) {
                     self.warning(
                         Diagnostic::warning(at, "more than one camera; the last one counts")
                             .with_label(first, "this one does not count"),
@@ -125,28 +125,34 @@ impl Reader<'_> {
             Some(Word::Background) => {
                 self.pass();
                 self.open_block()?;
-                self.background = Some(self.color_value()?);
+                self.draft.background = Some(self.color_value()?);
                 Args::close(self)?;
             }
             Some(Word::Fog) => {
                 self.pass();
                 let fog = Fog::read(self)?;
-                self.atmosphere.fogs.push(fog);
+                self.draft.atmosphere.fogs.push(fog);
             }
             Some(Word::Rainbow) => {
                 self.pass();
                 let rainbow = Rainbow::read(self)?;
-                self.atmosphere.rainbows.push(rainbow);
+                self.draft.atmosphere.rainbows.push(rainbow);
             }
             Some(Word::Media) => {
                 self.pass();
                 let media = Media::read(self)?;
-                self.atmosphere.media.push(media);
+                self.draft.atmosphere.media.push(media);
             }
             Some(Word::SkySphere) => {
                 self.pass();
                 let sky = SkySphere::read(self)?;
-                if self.atmosphere.sky_sphere.replace(Arc::new(sky)).is_some() {
+                if self
+                    .draft
+                    .atmosphere
+                    .sky_sphere
+                    .replace(Arc::new(sky))
+                    .is_some()
+                {
                     self.warning(Diagnostic::warning(
                         self.taken_span(),
                         "more than one `sky_sphere`; the last one counts",
@@ -172,7 +178,7 @@ impl Reader<'_> {
         if let Some((sphere, color)) = self.replay_sphere()? {
             let look = self.look_of(color);
             self.count_leaf()?;
-            self.objects.push_ball(sphere, look);
+            self.draft.objects.push_ball(sphere, look);
             return Ok(());
         }
         if let Some(read) = self.replay_object()? {
@@ -208,32 +214,36 @@ impl Reader<'_> {
         };
         let look = self.look_of(color);
         self.count_leaf()?;
-        self.objects.push_plain(Plain { shape, look });
+        self.draft.objects.push_plain(Plain { shape, look });
         Ok(())
     }
 
     /// The appearance of a shape with a colour of its own or the default texture.
     fn look_of(&self, color: Option<Color>) -> Look {
-        look(color, &self.default_layer.finish, &self.default_texture)
+        look(
+            color,
+            &self.draft.default_layer.finish,
+            &self.draft.default_texture,
+        )
     }
 
     fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {
         let object = self.with_default_texture(object);
         self.count_leaves(&object)?;
-        self.objects.push(object);
+        self.draft.objects.push(object);
         Ok(())
     }
 
     /// An object without a texture takes the default one at the end of the object.
     pub(crate) fn with_default_texture(&self, object: Arc<Object>) -> Arc<Object> {
-        object.with_default_texture(&self.default_texture)
+        object.with_default_texture(&self.draft.default_texture)
     }
 
     /// Changes the defaults for the objects that follow.
     fn set_default(&mut self, layer: Layer) {
         let layer = layer.into_default();
-        self.default_texture = Arc::new(Texture::from(layer.clone()));
-        self.default_layer = layer;
+        self.draft.default_texture = Arc::new(Texture::from(layer.clone()));
+        self.draft.default_layer = layer;
     }
 
     fn end_of_scene(&mut self) -> Parse<()> {
@@ -278,17 +288,17 @@ impl Reader<'_> {
                 }
                 Some(Word::Camera) => {
                     self.pass();
-                    let base = self.default_camera.clone();
-                    self.default_camera = Camera::read(self, &base)?;
+                    let base = self.draft.default_camera.clone();
+                    self.draft.default_camera = Camera::read(self, &base)?;
                 }
                 Some(word @ (Word::Pigment | Word::Normal | Word::Finish)) => {
-                    let mut layer = self.default_layer.clone();
+                    let mut layer = self.draft.default_layer.clone();
                     layer.read_part(word, self)?;
                     self.set_default(layer);
                 }
                 Some(Word::Radiosity) => {
-                    let usual = self.globals.importance;
-                    self.globals.importance = self.importance()?.unwrap_or(usual);
+                    let usual = self.draft.globals.importance;
+                    self.draft.globals.importance = self.importance()?.unwrap_or(usual);
                 }
                 _ => {
                     return Err(self.expected_here(

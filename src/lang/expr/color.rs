@@ -64,7 +64,7 @@ impl Reader<'_> {
 
     /// Warns of `alpha`, the next token, in versions where it is deprecated.
     fn warn_of_alpha(&mut self) -> Parse<()> {
-        if self.version > LAST_WITH_ALPHA + EQUAL {
+        if self.draft.version > LAST_WITH_ALPHA + EQUAL {
             let at = self.start()?;
             let warning = Diagnostic::warning(
                 self.span_of(at),
@@ -114,9 +114,9 @@ impl Reader<'_> {
     }
 
     fn decode_srgb(&mut self, parts: &mut [f64; 5], at: Start) -> Parse<()> {
-        let working = match self.globals.assumed_gamma {
+        let working = match self.draft.globals.assumed_gamma {
             Some(gamma) => gamma,
-            None if self.version >= 3.7 - EQUAL => Gamma::LINEAR,
+            None if self.draft.version >= 3.7 - EQUAL => Gamma::LINEAR,
             None => {
                 return Err(self.with_trace(
                     Diagnostic::error(self.span_of(at), "sRGB colours need a working gamma")

@@ -110,7 +110,7 @@ impl Reader<'_> {
             }
             Word::Pigment => {
                 self.pass();
-                let default = self.default_layer.pigment.clone();
+                let default = self.draft.default_layer.pigment.clone();
                 let pigment = Pigment::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("pigment", pigment))))
             }
@@ -126,7 +126,7 @@ impl Reader<'_> {
             }
             Word::Normal => {
                 self.pass();
-                let default = self.default_layer.normal.clone();
+                let default = self.draft.default_layer.normal.clone();
                 let normal = Normal::read(self, default.as_ref())?;
                 Ok(Some(Value::Element(Element::new("normal", normal))))
             }
@@ -142,7 +142,7 @@ impl Reader<'_> {
             }
             Word::TextureMap => {
                 self.pass();
-                let default = self.default_layer.clone();
+                let default = self.draft.default_layer.clone();
                 let map = Texture::read_map(Keys::Positions, self, &default)?;
                 Ok(Some(Value::Element(Element::new("texture_map", map))))
             }
@@ -153,7 +153,7 @@ impl Reader<'_> {
             }
             Word::Finish => {
                 self.pass();
-                let default = self.default_layer.finish.clone();
+                let default = self.draft.default_layer.finish.clone();
                 let finish = Finish::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("finish", finish))))
             }
@@ -166,7 +166,7 @@ impl Reader<'_> {
             }
             Word::Material => {
                 self.pass();
-                let default = self.default_layer.clone();
+                let default = self.draft.default_layer.clone();
                 let material = Material::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("material", material))))
             }
@@ -237,7 +237,7 @@ impl Reader<'_> {
         let mut sum: Option<Texture> = None;
         loop {
             let next = if self.take_word(Word::Texture)? {
-                let default = self.default_layer.clone();
+                let default = self.draft.default_layer.clone();
                 Texture::read(self, &default)?
             } else if let Some(known) = crate::base::args::declared::<Texture>(self)? {
                 (*known).clone()
@@ -248,7 +248,7 @@ impl Reader<'_> {
                 None => sum = Some(next),
                 Some(sum) => {
                     self.check_layers(sum, &next)?;
-                    sum.lay_over(next, self.version);
+                    sum.lay_over(next, self.draft.version);
                 }
             }
             if let Some(sum) = &sum {

@@ -296,7 +296,7 @@ impl Reader<'_> {
     fn pattern_settings(&self) -> Settings {
         Settings {
             solid_of: self.probe.solid_of(),
-            ..self.globals.pattern_settings(self.version)
+            ..self.draft.globals.pattern_settings(self.draft.version)
         }
     }
 
@@ -338,7 +338,7 @@ impl Reader<'_> {
             }
             Some(Word::Pigment) => {
                 self.pass();
-                let default = self.default_layer.pigment.clone();
+                let default = self.draft.default_layer.pigment.clone();
                 let pigment = Pigment::read(self, &default)?;
                 let settings = self.pattern_settings();
                 Computes::Color(Arc::new(PreparedPigment::new(&pigment, &[], &settings)))

@@ -53,8 +53,8 @@ impl Reader<'_> {
         if let Some(escape) = self.last.tokens.bad_escape(value) {
             return Err(self.bad_escape(escape));
         }
-        let is_plain = self.globals.charset == Charset::Utf8
-            || self.version < 3.5
+        let is_plain = self.draft.globals.charset == Charset::Utf8
+            || self.draft.version < 3.5
             || self.last.tokens.string_raw(value).is_ascii();
         if is_plain {
             return Ok(up_to_nul(self.last.tokens.string(value)));

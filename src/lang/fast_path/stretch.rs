@@ -102,8 +102,8 @@ impl Reader<'_> {
                 continue;
             }
             let (layer, texture) = (
-                self.default_layer.clone(),
-                Arc::clone(&self.default_texture),
+                self.draft.default_layer.clone(),
+                Arc::clone(&self.draft.default_texture),
             );
             let shared = SharedContext {
                 layer: &layer,
@@ -132,9 +132,9 @@ impl Reader<'_> {
     fn shared(&self) -> SharedContext<'_> {
         SharedContext {
             file: self.here.tokens.file,
-            version: self.version,
-            layer: &self.default_layer,
-            texture: &self.default_texture,
+            version: self.draft.version,
+            layer: &self.draft.default_layer,
+            texture: &self.draft.default_texture,
         }
     }
 

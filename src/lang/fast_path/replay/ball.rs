@@ -147,7 +147,12 @@ impl Reader<'_> {
         let sphere = Rc::clone(&self.replays.spheres[index as usize]);
         self.replays.begin();
         let (scopes, streams) = (&self.scopes, &mut self.streams);
-        let read = sphere.read(&mut self.replays, &self.default_layer, scopes, streams);
+        let read = sphere.read(
+            &mut self.replays,
+            &self.draft.default_layer,
+            scopes,
+            streams,
+        );
         if read.is_none() {
             self.replays.give_up(&mut self.streams);
             return Ok(None);

@@ -79,13 +79,13 @@ impl Reader<'_> {
             replays: &mut self.replays,
             scopes: &self.scopes,
             streams: &mut self.streams,
-            default: &self.default_layer,
-            version: self.version,
+            default: &self.draft.default_layer,
+            version: self.draft.version,
             gamma,
             alike: &self.memory.alike,
             needs_tokens: Cell::new(false),
         };
-        let object = plain_object(&mut quiet, &self.default_layer);
+        let object = plain_object(&mut quiet, &self.draft.default_layer);
         let (end, needs_tokens) = (quiet.at, quiet.needs_tokens.get());
         match object {
             Ok(Some(object)) if !needs_tokens => {
