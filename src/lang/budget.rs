@@ -324,7 +324,7 @@ impl Reader<'_> {
 
     /// Reads a part that may hold parts of its own kind, up to a limit on the nesting.
     pub(super) fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Parse<T>) -> Parse<T> {
-        if self.nesting >= limits::READING {
+        if self.statement.nesting >= limits::READING {
             let message = format!(
                 "directives, conditions and calls are nested more than {} deep",
                 limits::READING
@@ -332,9 +332,9 @@ impl Reader<'_> {
             let error = Diagnostic::error(self.taken_span(), message);
             return Err(self.fatal(error));
         }
-        self.nesting += 1;
+        self.statement.nesting += 1;
         let result = read(self);
-        self.nesting -= 1;
+        self.statement.nesting -= 1;
         result
     }
 

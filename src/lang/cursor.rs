@@ -132,7 +132,9 @@ impl Reader<'_> {
     /// The same where a name or word may be a macro call or a bare directive.
     fn peek_word(&mut self, token: Token) -> Parse<Token> {
         let stays = match token.kind {
-            Kind::Name => !self.scopes.is_macro(Symbol(token.value)) && self.deprecated.is_empty(),
+            Kind::Name => {
+                !self.scopes.is_macro(Symbol(token.value)) && self.usage.deprecated.is_empty()
+            }
             Kind::Word => !is_bare_directive(token),
             _ => false,
         };
@@ -145,13 +147,13 @@ impl Reader<'_> {
     /// Goes through macro calls, directives and the ends of files to the next token.
     #[inline(never)]
     fn peek_through(&mut self, mut token: Token) -> Parse<Token> {
-        if self.declaring.is_some_and(|open| open.has_ended) {
+        if self.statement.declaring.is_some_and(|open| open.has_ended) {
             return Ok(token);
         }
         loop {
             match token.kind {
                 Kind::Name => {
-                    if !self.deprecated.is_empty() {
+                    if !self.usage.deprecated.is_empty() {
                         self.warn_of_deprecated(Symbol(token.value));
                     }
                     let Some(Value::Macro(called)) = self.scopes.get(Symbol(token.value)) else {
@@ -171,7 +173,7 @@ impl Reader<'_> {
                         Err(error) => Err(error),
                     };
                     if let Err(error) = is_run {
-                        self.has_faulty_directive = true;
+                        self.statement.has_faulty_directive = true;
                         return Err(error);
                     }
                 }
@@ -199,15 +201,15 @@ impl Reader<'_> {
     /// since it would otherwise run before the name has its value. After a complete value it may stand in an `#if` or
     /// a loop as well, entered while peeking. The number of `#version` is ended by any directive.
     fn ends_value(&self, token: Token) -> bool {
-        if self.is_in_version {
+        if self.statement.is_in_version {
             return true;
         }
-        let Some(open) = self.declaring else {
+        let Some(open) = self.statement.declaring else {
             return false;
         };
         let frames = self.frames.len();
         (frames <= open.frames || open.is_complete)
-            && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
+            && (self.statement.depth, self.blocks.len()) == (open.depth, open.blocks)
             && self.here.tokens.directives[token.value as usize]
                 .word
                 .is_some_and(|word| self.is_unrelated_directive(word))

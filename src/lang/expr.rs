@@ -226,16 +226,16 @@ impl Reader<'_> {
             }
             self.pass();
         }
-        self.depth += 1;
-        if self.depth > limits::EXPRESSION {
-            self.depth = 0;
+        self.statement.depth += 1;
+        if self.statement.depth > limits::EXPRESSION {
+            self.statement.depth = 0;
             return Err(self.error_here(format!(
                 "expressions are nested more than {} deep",
                 limits::EXPRESSION
             )));
         }
         let value = self.primary();
-        self.depth = self.depth.saturating_sub(1);
+        self.statement.depth = self.statement.depth.saturating_sub(1);
         let mut value = self.members(value?)?;
         let len = usize::from(value.len);
         for _ in 0..nots {

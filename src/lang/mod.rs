@@ -15,6 +15,7 @@ mod probe;
 mod reader;
 mod report;
 mod scope;
+mod statement_state;
 pub mod syntax;
 mod token_cache;
 

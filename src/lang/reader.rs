@@ -2,8 +2,7 @@
 
 use super::ReadEvent;
 use super::budget::Budget;
-use super::cursor::{Declaring, Frame, Position, Start};
-use super::directive::declare::Deprecation;
+use super::cursor::{Frame, Position, Start};
 use super::directive::files::Files;
 use super::draft::SceneDraft;
 use super::expr::streams::Streams;
@@ -14,14 +13,15 @@ use super::fast_path::stretch::MIN_PIECE;
 use super::probe::Probe;
 use super::report::Report;
 use super::scope::Scopes;
+use super::statement_state::{NameUsage, StatementState};
 use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
 use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
-use crate::lang::syntax::{Names, Symbol, Tokens, tokenize_around_data};
+use crate::lang::syntax::{Names, Tokens, tokenize_around_data};
 use crate::scene::Scene;
 use crate::scene::camera::Camera;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// The state of reading one scene.
@@ -42,21 +42,7 @@ pub(super) struct Reader<'a> {
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
     pub(super) blocks: Vec<Start>,
-    /// The start of the statement being read.
-    pub(super) statement_start: Start,
-    /// Nesting depth of the expression being read.
-    pub(super) depth: usize,
-    /// Number of nested directives, conditions, strings and macro arguments being read.
-    pub(super) nesting: usize,
-    /// The `#declare` whose value is being read.
-    pub(super) declaring: Option<Declaring>,
-    /// True if the number of a `#version` is being read.
-    pub(super) is_in_version: bool,
-    /// True if a directive within the statement being read failed.
-    pub(super) has_faulty_directive: bool,
-    /// The end of the number being declared, if a directive follows it: a `;` is missing there. With the position of
-    /// the directive and the number of frames open.
-    pub(super) without_semicolon: Option<(Span, Position, usize)>,
+    pub(super) statement: StatementState,
     /// Size of the next piece of a data segment to tokenize, in bytes.
     pub(super) piece: usize,
     pub(super) replays: ReplayCache,
@@ -65,12 +51,7 @@ pub(super) struct Reader<'a> {
     pub(super) budget: Budget,
     /// True once a limit ended reading.
     pub(super) is_over: bool,
-    /// Names already reported as undeclared.
-    pub(super) undeclared: FxHashSet<Symbol>,
-    /// True if an include file is missing, so that any name may be one of its.
-    pub(super) lacks_file: bool,
-    /// Names that warn when they are used.
-    pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
+    pub(super) usage: NameUsage,
     pub(super) streams: Streams,
     /// Number of changes to anything that expressions depend on; the streams count their own.
     pub(super) changes: u64,
@@ -150,22 +131,14 @@ impl<'a> Reader<'a> {
             frames: Vec::new(),
             scopes: Scopes::default(),
             blocks: Vec::new(),
-            statement_start: Start::of(&tokens, 0),
+            statement: StatementState::new(Start::of(&tokens, 0)),
             here: Position { tokens, at: 0 },
-            depth: 0,
-            nesting: 0,
-            declaring: None,
-            is_in_version: false,
-            has_faulty_directive: false,
-            without_semicolon: None,
             piece: MIN_PIECE,
             replays: ReplayCache::default(),
             recording: None,
             budget,
             is_over: false,
-            undeclared: FxHashSet::default(),
-            lacks_file: false,
-            deprecated: FxHashMap::default(),
+            usage: NameUsage::default(),
             streams: Streams::default(),
             changes: 0,
             files: Files::default(),

@@ -265,7 +265,7 @@ impl Reader<'_> {
         let symbol = Symbol(token.value);
         token.kind == Kind::Name
             && self.scopes.get(symbol).is_none()
-            && (self.lacks_file || !self.undeclared.insert(symbol))
+            && (self.usage.lacks_file || !self.usage.undeclared.insert(symbol))
     }
 
     /// The error for the name of a value that could not be read.

@@ -16,7 +16,7 @@ impl Reader<'_> {
         if open_blocks > 0 && self.is_at_new_statement() {
             return;
         }
-        if open_blocks == 0 && self.statement_start == self.start_here() {
+        if open_blocks == 0 && self.statement.start == self.start_here() {
             self.skip_token();
         }
         let mut depth = open_blocks;

@@ -48,10 +48,10 @@ impl Reader<'_> {
     /// `#declare Name = value` and `#local Name = value`, and the same for an item of an array.
     pub(crate) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
         // It may stand where another declaration should have ended.
-        let outer = self.without_semicolon.take();
+        let outer = self.statement.without_semicolon.take();
         let end = self.declare(is_local);
         if outer.is_some() {
-            self.without_semicolon = outer;
+            self.statement.without_semicolon = outer;
         }
         end
     }
@@ -62,10 +62,10 @@ impl Reader<'_> {
         let name = self.start_taken();
         match deprecation {
             Some(deprecation) => {
-                self.deprecated.insert(symbol, deprecation);
+                self.usage.deprecated.insert(symbol, deprecation);
             }
-            None if !self.deprecated.is_empty() => {
-                self.deprecated.remove(&symbol);
+            None if !self.usage.deprecated.is_empty() => {
+                self.usage.deprecated.remove(&symbol);
             }
             None => {}
         }
@@ -80,7 +80,7 @@ impl Reader<'_> {
             }
             return Err(error);
         }
-        let outer = self.declaring.take();
+        let outer = self.statement.declaring.take();
         let mut declaring = self.declaring_here(symbol, is_local);
         let known = if is_local {
             self.scopes.bound_at(symbol, declaring.scope)
@@ -98,10 +98,10 @@ impl Reader<'_> {
                 ..reader.declaring_here(symbol, is_local)
             };
             start = reader.start_here();
-            reader.declaring = Some(declaring);
+            reader.statement.declaring = Some(declaring);
             reader.read_value("a value")
         });
-        self.declaring = outer;
+        self.statement.declaring = outer;
         match value {
             Ok(Some(value)) => {
                 // The name has its value before the `;` is looked for: a directive there may use it.
@@ -119,12 +119,12 @@ impl Reader<'_> {
                     self.record(*error);
                 }
                 self.assign(&declaring, value);
-                let outer = self.declaring.replace(Declaring {
+                let outer = self.statement.declaring.replace(Declaring {
                     is_complete: true,
                     ..declaring
                 });
                 let end = self.end_of_declaration(is_number);
-                self.declaring = outer;
+                self.statement.declaring = outer;
                 end
             }
             Ok(None) => {
@@ -137,7 +137,7 @@ impl Reader<'_> {
             Err(error) if error.code == Some(Code::NotBuilt) => {
                 // A directive after the value may use the name.
                 self.assign(&declaring, Value::Poison(Some(Rc::new(*error))));
-                self.has_faulty_directive = false;
+                self.statement.has_faulty_directive = false;
                 self.skip_value(declaring, start)
             }
             Err(error) => {
@@ -186,7 +186,7 @@ impl Reader<'_> {
         } else {
             self.skip_blocks(declaring.blocks)?;
         }
-        self.depth = declaring.depth;
+        self.statement.depth = declaring.depth;
         if self.raw().is_mark(';') {
             self.pass();
         }
@@ -241,7 +241,7 @@ impl Reader<'_> {
 
     /// Warns of the use of a deprecated name, or of its first use only.
     pub(crate) fn warn_of_deprecated(&mut self, symbol: Symbol) {
-        let Some(deprecation) = self.deprecated.get(&symbol) else {
+        let Some(deprecation) = self.usage.deprecated.get(&symbol) else {
             return;
         };
         let name = self.names.spelling(symbol);
@@ -250,7 +250,7 @@ impl Reader<'_> {
             None => format!("`{name}` was declared deprecated"),
         };
         if deprecation.is_once {
-            self.deprecated.remove(&symbol);
+            self.usage.deprecated.remove(&symbol);
         }
         self.warning(Diagnostic::warning(self.here_span(), message));
     }
@@ -263,7 +263,7 @@ impl Reader<'_> {
             scope: self.scopes.depth(),
             is_item: false,
             frames: self.frames.len(),
-            depth: self.depth,
+            depth: self.statement.depth,
             blocks: self.blocks.len(),
             is_complete: false,
             has_ended: false,
@@ -273,8 +273,9 @@ impl Reader<'_> {
     /// Peeks after a value that may be complete. A directive or a macro call there may use the name being declared, so
     /// it gets the value so far.
     pub(crate) fn peek_after(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
-        let level = (self.depth, self.blocks.len());
+        let level = (self.statement.depth, self.blocks.len());
         let open = self
+            .statement
             .declaring
             .filter(|open| (open.depth, open.blocks) == level);
         if let Some(open) = open {
@@ -288,14 +289,14 @@ impl Reader<'_> {
             if is_run && !open.is_item {
                 self.assign(&open, value());
             }
-            self.declaring = Some(Declaring {
+            self.statement.declaring = Some(Declaring {
                 is_complete: true,
                 ..open
             });
         }
         let token = self.peek();
         if open.is_some() {
-            self.declaring = open;
+            self.statement.declaring = open;
         }
         token
     }

@@ -24,9 +24,9 @@ impl Reader<'_> {
         let frames = self.frames.len();
         let home = Rc::clone(&self.here.tokens);
         // The text of a directive is not part of the value being declared around it.
-        let declaring = self.declaring.take();
+        let declaring = self.statement.declaring.take();
         let result = self.nested(|reader| reader.dispatch_directive(word, index, span));
-        self.declaring = declaring;
+        self.statement.declaring = declaring;
         match result {
             Err(error) if crate::lang::diagnose::hints::opens_group(word) && !self.is_over => self
                 .resume_in_group(

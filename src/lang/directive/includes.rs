@@ -32,7 +32,7 @@ impl Reader<'_> {
         let file = match self.sources.find_include(&name, from.file) {
             Ok(file) => file,
             Err(mut error) => {
-                self.lacks_file = true;
+                self.usage.lacks_file = true;
                 error.span = Some(from);
                 error.code = Some(Code::MissingFile);
                 self.suggest_include(&mut error, &name);
@@ -75,9 +75,9 @@ impl Reader<'_> {
 
     pub(crate) fn run_version(&mut self) -> Parse<()> {
         // It holds at once, for a directive after it as well.
-        self.is_in_version = true;
+        self.statement.is_in_version = true;
         let version = self.float();
-        self.is_in_version = false;
+        self.statement.is_in_version = false;
         let version = version?;
         self.take_semicolon();
         if version > 3.7 + super::flow::EQUAL {

@@ -107,9 +107,9 @@ impl Reader<'_> {
         let mut arguments = Arguments::default();
         if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
             // The arguments are not part of the value being declared around the call, or before it without a `;`.
-            let declaring = self.declaring.take();
+            let declaring = self.statement.declaring.take();
             let read = self.nested(|reader| reader.macro_arguments(name, called, call));
-            self.declaring = declaring;
+            self.statement.declaring = declaring;
             arguments = read?;
         }
         if self.scopes.depth() as usize >= limits::CALLS {

@@ -62,15 +62,16 @@ impl Reader<'_> {
         if !matches!(next.kind, Kind::Directive | Kind::End | Kind::Name) {
             return;
         }
-        let level = (self.depth, self.blocks.len());
+        let level = (self.statement.depth, self.blocks.len());
         let Some(open) = self
+            .statement
             .declaring
             .filter(|open| (open.depth, open.blocks) == level)
         else {
             return;
         };
         if self.ends_before_macro(next) || self.ends_with_scope(&open) {
-            self.declaring = Some(Declaring {
+            self.statement.declaring = Some(Declaring {
                 has_ended: true,
                 ..open
             });
@@ -82,7 +83,8 @@ impl Reader<'_> {
         if self.is_end_of_macro() && self.scopes.depth() > open.scope {
             return;
         }
-        self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
+        self.statement.without_semicolon =
+            Some((self.taken_span(), self.here.clone(), self.frames.len()));
         if !open.is_item && self.scopes.get(open.symbol).is_none() {
             self.assign(&open, Value::Poison(None));
         }
@@ -112,24 +114,24 @@ impl Reader<'_> {
             if is_number {
                 self.take_semicolon();
             }
-            if let Some((last, ..)) = self.without_semicolon.take() {
+            if let Some((last, ..)) = self.statement.without_semicolon.take() {
                 self.report_missing_semicolon(last);
             }
             return Ok(());
         }
         if !is_number {
-            self.without_semicolon = None;
+            self.statement.without_semicolon = None;
             return Ok(());
         }
         let next = self.raw();
         let is_operator = |mark| next.is_mark(mark);
         if self.draft.version >= 3.5
-            && self.without_semicolon.is_none()
+            && self.statement.without_semicolon.is_none()
             && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
         {
             return Err(self.expected_here("an operator or `;` behind the value"));
         }
-        let last = match self.without_semicolon.take() {
+        let last = match self.statement.without_semicolon.take() {
             Some((last, position, frames)) => {
                 // The directive ran without the value; from here on the value is there.
                 if self.is_within(frames) {

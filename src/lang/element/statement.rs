@@ -66,7 +66,7 @@ impl Reader<'_> {
                 Ok(false) => return,
                 Err(error) => {
                     let mut is_unbuilt =
-                        error.code == Some(Code::NotBuilt) && !self.has_faulty_directive;
+                        error.code == Some(Code::NotBuilt) && !self.statement.has_faulty_directive;
                     self.report(*error);
                     if is_unbuilt && let Err(error) = self.skip_blocks(0) {
                         is_unbuilt = false;
@@ -89,7 +89,7 @@ impl Reader<'_> {
     }
 
     fn report(&mut self, error: Diagnostic) {
-        let unended = self.without_semicolon.take();
+        let unended = self.statement.without_semicolon.take();
         if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
             // The missing value would be there if the declaration had ended.
             self.report_missing_semicolon(last);
@@ -101,11 +101,11 @@ impl Reader<'_> {
     /// One statement; false at the end of the scene.
     fn statement(&mut self) -> Parse<bool> {
         self.blocks.clear();
-        self.depth = 0;
-        self.has_faulty_directive = false;
+        self.statement.depth = 0;
+        self.statement.has_faulty_directive = false;
         self.take_literal_objects(&mut TopLevel)?;
         let token = self.peek()?;
-        self.statement_start = self.start_here();
+        self.statement.start = self.start_here();
         if token.kind == Kind::End {
             return self.end_of_scene().map(|()| false);
         }

@@ -22,9 +22,9 @@ impl Reader<'_> {
             is_item: true,
             ..self.declaring_here(symbol, is_local)
         };
-        let outer = self.declaring.replace(declaring);
+        let outer = self.statement.declaring.replace(declaring);
         let value = self.value("a value");
-        self.declaring = outer;
+        self.statement.declaring = outer;
         let Some(value) = value? else {
             return Err(self.expected_here("a value"));
         };
@@ -36,12 +36,12 @@ impl Reader<'_> {
         } else {
             self.set_item(symbol, &item, value)?;
         }
-        let outer = self.declaring.replace(Declaring {
+        let outer = self.statement.declaring.replace(Declaring {
             is_complete: true,
             ..declaring
         });
         let end = self.end_of_declaration(is_number);
-        self.declaring = outer;
+        self.statement.declaring = outer;
         end
     }
 

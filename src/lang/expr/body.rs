@@ -168,16 +168,16 @@ impl Reader<'_> {
                 break;
             }
         }
-        self.depth += 1;
-        if self.depth > limits::EXPRESSION {
-            self.depth = 0;
+        self.statement.depth += 1;
+        if self.statement.depth > limits::EXPRESSION {
+            self.statement.depth = 0;
             return Err(self.error_here(format!(
                 "expressions are nested more than {} deep",
                 limits::EXPRESSION
             )));
         }
         let value = self.body_value(body);
-        self.depth = self.depth.saturating_sub(1);
+        self.statement.depth = self.statement.depth.saturating_sub(1);
         let value = value?;
         Ok(if is_negative {
             value.negated(&mut body.graph)

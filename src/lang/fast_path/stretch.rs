@@ -38,7 +38,7 @@ impl Reader<'_> {
 
     /// True if objects and lists may be parsed from the text here.
     fn is_at_data(&self) -> bool {
-        self.raw().kind == Kind::More && self.deprecated.is_empty()
+        self.raw().kind == Kind::More && self.usage.deprecated.is_empty()
     }
 
     /// The text with the data at the cursor, and their range in it.

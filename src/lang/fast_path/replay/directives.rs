@@ -18,9 +18,9 @@ impl Reader<'_> {
     #[inline]
     pub(super) fn may_replay(&self) -> bool {
         self.recording.is_none()
-            && self.deprecated.is_empty()
+            && self.usage.deprecated.is_empty()
             && !self.here.tokens.is_part()
-            && self.nesting + 1 < limits::READING
+            && self.statement.nesting + 1 < limits::READING
     }
 
     /// Runs the next directive; false if it has to be read.
@@ -127,7 +127,7 @@ impl Reader<'_> {
         };
         self.pass();
         self.changes += 1;
-        self.without_semicolon = None;
+        self.statement.without_semicolon = None;
         if is_local {
             self.scopes.local(symbol, Value::Number(number));
         } else if !self.scopes.declare_over(symbol, &number) {

@@ -318,7 +318,7 @@ impl Reader<'_> {
         if self.recording.is_some()
             || self.here.tokens.is_part()
             || self.replays.is_off
-            || !self.deprecated.is_empty()
+            || !self.usage.deprecated.is_empty()
         {
             return read(self);
         }

@@ -1,0 +1,53 @@
+//! State of the statement being read, and of the names used in it.
+
+use super::cursor::{Declaring, Position, Start};
+use super::directive::declare::Deprecation;
+use super::syntax::Symbol;
+use crate::base::source::Span;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// State of the statement being read.
+#[derive(Debug)]
+pub(super) struct StatementState {
+    /// Its start.
+    pub(super) start: Start,
+    /// The `#declare` whose value is being read.
+    pub(super) declaring: Option<Declaring>,
+    /// True if the number of a `#version` is being read.
+    pub(super) is_in_version: bool,
+    /// True if a directive within the statement failed.
+    pub(super) has_faulty_directive: bool,
+    /// The end of the number being declared, if a directive follows it: a `;` is missing there. With the position of
+    /// the directive and the number of frames open.
+    pub(super) without_semicolon: Option<(Span, Position, usize)>,
+    /// Nesting depth of the expression being read.
+    pub(super) depth: usize,
+    /// Number of nested directives, conditions, strings and macro arguments being read.
+    pub(super) nesting: usize,
+}
+
+impl StatementState {
+    /// The state at the start of a statement.
+    pub(super) fn new(start: Start) -> StatementState {
+        StatementState {
+            start,
+            declaring: None,
+            is_in_version: false,
+            has_faulty_directive: false,
+            without_semicolon: None,
+            depth: 0,
+            nesting: 0,
+        }
+    }
+}
+
+/// Names with findings of their own.
+#[derive(Debug, Default)]
+pub(super) struct NameUsage {
+    /// Names already reported as undeclared.
+    pub(super) undeclared: FxHashSet<Symbol>,
+    /// True if an include file is missing, so that any name may be one of its.
+    pub(super) lacks_file: bool,
+    /// Names that warn when they are used.
+    pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
+}
