@@ -3,99 +3,14 @@
 //! POV-Ray's directives act between any two tokens, and a macro is text substituted for its call. So `peek` runs every
 //! directive, enters every include and opens every macro call before the next token; the readers see none of that.
 
-use super::directive::macros::Macro;
 use super::expr::value::Value;
-use super::limits;
+use super::frame::{Entered, Frame, Start, is_bare_directive};
 use super::reader::Reader;
+use super::syntax::{Kind, Symbol, Token, Tokens};
+use super::{limits, syntax};
 use crate::base::args::{Parse, Word};
-use crate::base::source::{Code, Diagnostic, FileId, Span};
-use crate::lang::syntax::{self, Kind, Symbol, Token, Tokens};
+use crate::base::source::{Code, Diagnostic, Span};
 use std::rc::Rc;
-
-/// A position in a list of tokens, where reading goes on.
-#[derive(Clone, Debug)]
-pub(super) struct Position {
-    /// The tokens of a file.
-    pub(super) tokens: Rc<Tokens>,
-    /// The index of the next token.
-    pub(super) at: usize,
-}
-
-/// Start of a token. Its end is computed only for a message.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Start {
-    pub(super) file: FileId,
-    pub(super) start: u32,
-}
-
-impl Start {
-    pub(super) fn of(tokens: &Tokens, at: usize) -> Self {
-        Start {
-            file: tokens.file,
-            start: tokens.tokens[at].start,
-        }
-    }
-}
-
-/// A `#declare` whose value is being read.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Declaring {
-    pub(super) symbol: Symbol,
-    pub(super) is_local: bool,
-    /// Number of scopes open at the name.
-    pub(super) scope: u32,
-    /// True if an item of a named array is declared, not the name itself.
-    pub(super) is_item: bool,
-    /// Number of frames, parentheses and blocks open at the start of the value.
-    pub(super) frames: usize,
-    pub(super) depth: usize,
-    pub(super) blocks: usize,
-    /// True if the value may be complete; what follows is then only peeked at.
-    pub(super) is_complete: bool,
-    /// True if the value ends before the next token, which leaves a macro or file or calls a macro.
-    pub(super) has_ended: bool,
-}
-
-/// A construct that has been entered and not yet left.
-#[derive(Debug)]
-pub(super) struct Frame {
-    /// The file in which it ends.
-    pub(super) home: Rc<Tokens>,
-    /// The index of its `#end` there; `u32::MAX` without one.
-    pub(super) end: u32,
-    pub(super) kind: Entered,
-    /// True if its text may be read again: it is a loop or a macro, or lies within one.
-    repeats: bool,
-}
-
-/// The kinds of [`Frame`].
-#[derive(Debug)]
-pub(super) enum Entered {
-    /// The part of an `#if` that is taken.
-    If,
-    /// A `#switch` with its value, and whether one of its parts has been taken: from there on it falls through.
-    Switch { value: f64, is_chosen: bool },
-    /// A `#while`, with the index of its condition, the current round, and the change count of the reader at the start
-    /// of that round.
-    While {
-        condition: usize,
-        rounds: u64,
-        changes: Option<u64>,
-    },
-    /// A `#for`.
-    For(Box<super::directive::loops::For>),
-    /// A macro call.
-    Macro {
-        back: Position,
-        call: Start,
-        /// The last token of the call.
-        called_to: Start,
-        name: Symbol,
-        called: Rc<Macro>,
-    },
-    /// An include file.
-    Include { back: Position, from: Span },
-}
 
 impl Reader<'_> {
     /// Pushes a frame.
@@ -456,9 +371,4 @@ impl Reader<'_> {
         }
         true
     }
-}
-
-/// `declare` and `include` may stand without `#`, with a warning.
-pub(super) fn is_bare_directive(token: Token) -> bool {
-    token.value == Word::Declare as u32 || token.value == Word::Include as u32
 }

@@ -78,3 +78,9 @@ pub(super) fn exceeded(object: &Object) -> Option<String> {
         None
     }
 }
+
+/// Floats that differ by no more than this are equal in the language.
+pub(crate) const EQUAL: f64 = 1e-10;
+
+/// Bytes of a piece to tokenize: short where literals are interrupted, longer where they end.
+pub(crate) const MIN_PIECE: usize = 1 << 10;

@@ -1,5 +1,6 @@
 //! The scene language: runs the directives, macros and loops of a file and builds the scene it describes.
 
+mod accounting;
 mod budget;
 mod cursor;
 mod diagnose;
@@ -8,10 +9,12 @@ mod draft;
 mod element;
 mod expr;
 mod fast_path;
+pub(crate) mod frame;
 #[cfg(test)]
 mod fuzz;
 mod limits;
 mod probe;
+mod probe_calls;
 mod reader;
 mod report;
 mod scope;

@@ -2,14 +2,15 @@
 
 use super::ReadEvent;
 use super::budget::Budget;
-use super::cursor::{Frame, Position, Start};
-use super::directive::files::Files;
+use super::directive::open_file::Files;
 use super::draft::SceneDraft;
 use super::expr::streams::Streams;
 use super::expr::value::{Number, Value};
 use super::fast_path::literal::Memory;
-use super::fast_path::replay::{Recording, ReplayCache};
-use super::fast_path::stretch::MIN_PIECE;
+use super::fast_path::replay::Recording;
+use super::fast_path::replay::cache::ReplayCache;
+use super::frame::{Frame, Position, Start};
+use super::limits::MIN_PIECE;
 use super::probe::Probe;
 use super::report::Report;
 use super::scope::Scopes;

@@ -1,7 +1,6 @@
 //! State of the statement being read, and of the names used in it.
 
-use super::cursor::{Declaring, Position, Start};
-use super::directive::declare::Deprecation;
+use super::frame::{Declaring, Position, Start};
 use super::syntax::Symbol;
 use crate::base::source::Span;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -50,4 +49,11 @@ pub(super) struct NameUsage {
     pub(super) lacks_file: bool,
     /// Names that warn when they are used.
     pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
+}
+
+/// The attributes of `deprecated` for a name.
+#[derive(Debug)]
+pub(crate) struct Deprecation {
+    pub(crate) is_once: bool,
+    pub(crate) message: Option<String>,
 }

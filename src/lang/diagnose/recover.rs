@@ -2,8 +2,8 @@
 
 use super::hints::opens_group;
 use crate::base::args::Word;
-use crate::lang::cursor::Entered;
 use crate::lang::expr::value::Value;
+use crate::lang::frame::Entered;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind};
 

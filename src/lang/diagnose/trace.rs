@@ -1,8 +1,8 @@
 //! The trace of a finding: macro calls with their arguments, rounds of loops, includes.
 
 use crate::base::source::{Diagnostic, Label};
-use crate::lang::cursor::{Entered, Frame};
 use crate::lang::expr::value::Value;
+use crate::lang::frame::{Entered, Frame};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};

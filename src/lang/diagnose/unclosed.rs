@@ -1,7 +1,7 @@
 //! Messages about a `{`, `(` or `<` that is missing, or open where it should not be.
 
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::Start;
+use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token};
 

@@ -1,9 +1,9 @@
 //! Choices: `#if` with its branches, `#switch` with its cases.
 
-use super::flow::EQUAL;
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::Entered;
+use crate::lang::frame::Entered;
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Kind;
 use std::rc::Rc;

@@ -2,20 +2,14 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::lang::cursor::{Declaring, Entered, Frame, Start, is_bare_directive};
-use crate::lang::expr::function::{FUNCTION, is_callable};
+use crate::lang::expr::callee::{FUNCTION, is_callable};
 use crate::lang::expr::value::Value;
-use crate::lang::fast_path::replay::Level;
+use crate::lang::fast_path::replay::cache::Level;
+use crate::lang::frame::{Declaring, Entered, Frame, Start, is_bare_directive};
 use crate::lang::reader::Reader;
+use crate::lang::statement_state::Deprecation;
 use crate::lang::syntax::{Kind, Symbol, Token};
 use std::rc::Rc;
-
-/// The attributes of `deprecated` for a name.
-#[derive(Debug)]
-pub(crate) struct Deprecation {
-    is_once: bool,
-    message: Option<String>,
-}
 
 /// Kind of a name's value, as far as it restricts the next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

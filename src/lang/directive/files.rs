@@ -7,7 +7,7 @@
 //! [`ReadOptions::writable`]: crate::base::options::ReadOptions::writable
 
 use super::data_file::DataFile;
-use super::output_file::Output;
+use super::open_file::{OpenFile, Output};
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::expr::strings::general;
@@ -15,27 +15,6 @@ use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Symbol;
-
-/// The files of a run, by the handles that identifiers hold.
-#[derive(Debug, Default)]
-pub(crate) struct Files {
-    all: Vec<Option<OpenFile>>,
-    /// Bytes written in the whole run.
-    written: u64,
-}
-
-impl Files {
-    /// Bytes written in the whole run.
-    pub(crate) fn written(&self) -> u64 {
-        self.written
-    }
-}
-
-#[derive(Debug)]
-enum OpenFile {
-    Read(DataFile),
-    Write(Box<Output>),
-}
 
 impl Reader<'_> {
     /// `#fopen Name "file" read`, or `write`, or `append`.

@@ -2,15 +2,13 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
-use crate::lang::cursor::{Entered, Frame, Position};
 use crate::lang::expr::value::{Number, Value};
+use crate::lang::frame::{Entered, Frame, Position};
 use crate::lang::limits;
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token, Tokens};
 use std::rc::Rc;
-
-/// Floats that differ by no more than this are equal in the language.
-pub(crate) const EQUAL: f64 = 1e-10;
 
 impl Reader<'_> {
     /// Runs the next directive and leaves the cursor where reading goes on.

@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::lang::cursor::{Entered, Position};
+use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use std::rc::Rc;
@@ -80,7 +80,7 @@ impl Reader<'_> {
         self.statement.is_in_version = false;
         let version = version?;
         self.take_semicolon();
-        if version > 3.7 + super::flow::EQUAL {
+        if version > 3.7 + crate::lang::limits::EQUAL {
             return Err(self.with_trace(
                 Diagnostic::error(
                     self.taken_span(),

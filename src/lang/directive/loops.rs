@@ -1,57 +1,13 @@
 //! Loops: `#while` and `#for`.
 
-use super::flow::EQUAL;
 use crate::base::args::{Args, Parse};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::{Entered, Frame, Start};
 use crate::lang::expr::value::{Number, Value};
+use crate::lang::frame::{Entered, For, Frame, Start};
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::{Symbol, Tokens};
+use crate::lang::syntax::Tokens;
 use std::rc::Rc;
-
-/// A running `#for`.
-#[derive(Debug)]
-pub(crate) struct For {
-    /// Where the body begins.
-    body: usize,
-    variable: Symbol,
-    start: f64,
-    value: f64,
-    end: f64,
-    step: f64,
-}
-
-impl For {
-    /// The start of its body, after its head.
-    pub(crate) fn body(&self) -> usize {
-        self.body
-    }
-
-    /// Its variable.
-    pub(crate) fn variable(&self) -> Symbol {
-        self.variable
-    }
-
-    /// True after the first round.
-    pub(crate) fn has_gone_round(&self) -> bool {
-        (self.value - self.start).abs() > EQUAL
-    }
-
-    /// Adds the step to the current value of the variable; returns the next value.
-    pub(crate) fn count_on(&mut self, now: Option<f64>) -> f64 {
-        self.value = now.unwrap_or(self.value) + self.step;
-        self.value
-    }
-
-    /// True if no further round follows.
-    pub(crate) fn is_over(&self) -> bool {
-        if self.step > 0.0 {
-            self.value > self.end + EQUAL
-        } else {
-            self.value < self.end - EQUAL
-        }
-    }
-}
 
 impl Reader<'_> {
     pub(crate) fn run_while(&mut self, index: usize) -> Parse<()> {

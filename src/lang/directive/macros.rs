@@ -2,32 +2,15 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::{Entered, Position, Start};
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::replay::Source;
+use crate::lang::frame::{Entered, Macro, Position, Start};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Target;
-use crate::lang::syntax::{Kind, Symbol, Tokens};
+use crate::lang::syntax::{Kind, Symbol};
 use smallvec::SmallVec;
 use std::rc::Rc;
-
-/// A declared macro.
-#[derive(Debug)]
-pub(crate) struct Macro {
-    tokens: Rc<Tokens>,
-    body: usize,
-    end: u32,
-    parameters: Vec<Symbol>,
-    defined: Span,
-}
-
-impl Macro {
-    /// The names of the parameters.
-    pub(crate) fn parameters(&self) -> &[Symbol] {
-        &self.parameters
-    }
-}
 
 /// The argument of a call for one parameter.
 pub(crate) enum Argument {

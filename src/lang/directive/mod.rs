@@ -9,5 +9,6 @@ pub(super) mod hash;
 pub(super) mod includes;
 pub(super) mod loops;
 pub(super) mod macros;
+pub(crate) mod open_file;
 pub(super) mod output_file;
 pub(super) mod semicolon;

@@ -6,8 +6,8 @@
 
 use crate::base::args::Parse;
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::{Declaring, Entered, Frame};
 use crate::lang::expr::value::Value;
+use crate::lang::frame::{Declaring, Entered, Frame};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
 

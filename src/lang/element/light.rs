@@ -1,6 +1,6 @@
 //! `light_source`: a light with the objects attached to it. `light_group`: lights with the objects they illuminate.
 
-use super::object::fold_steps;
+use super::fold::fold_steps;
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::math::Step;
 use crate::base::source::Diagnostic;

@@ -3,9 +3,9 @@
 use super::value::{Array, Value};
 use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
-use crate::lang::cursor::Declaring;
-use crate::lang::directive::flow::EQUAL;
+use crate::lang::frame::Declaring;
 use crate::lang::limits;
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;

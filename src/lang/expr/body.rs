@@ -3,7 +3,7 @@
 //! It is not an expression of the language: it knows only numbers, compares exactly, `&` binds tighter than `|`, and
 //! its parameters have no value while it is read. Names that hold numbers are replaced by their value at once.
 
-use super::function::Callee;
+use super::callee::Callee;
 use super::value::{Number, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::source::Diagnostic;

@@ -1,12 +1,12 @@
 //! Colours in all the forms of the language.
 
-use super::function::is_callable;
+use super::callee::is_callable;
 use super::value::Value;
 use crate::base::args::{Parse, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::source::Diagnostic;
-use crate::lang::cursor::Start;
-use crate::lang::directive::flow::EQUAL;
+use crate::lang::frame::Start;
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Symbol};
 

@@ -1,10 +1,10 @@
 //! Values of identifiers: everything that may stand after `#declare X =`.
 
-use super::function::is_callable;
+use super::callee::is_callable;
 use super::value::{Element, Number, Value};
 use crate::base::args::{Parse, Word, transform_step};
 use crate::base::color::Color;
-use crate::lang::fast_path::replay::Level;
+use crate::lang::fast_path::replay::cache::Level;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Symbol};
 use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};

@@ -1,6 +1,7 @@
 //! `function { ... }`, and calls of functions and splines in expressions.
 
 use super::body::{Body, Name};
+use super::callee::{Callee, FUNCTION, SPLINE, is_callable};
 use super::value::{Element, Number, Value};
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::math::{Spline, SplineKind, Step, Transform};
@@ -13,37 +14,6 @@ use crate::scene::function::{
 use crate::scene::pattern::{Settings, read_field};
 use crate::scene::texture::{Pigment, PreparedPigment, read_pattern};
 use std::sync::Arc;
-
-/// The [`Element`] name of functions.
-pub(crate) const FUNCTION: &str = "function";
-/// The [`Element`] name of splines.
-const SPLINE: &str = "spline";
-
-/// A callable value: an identifier followed by `(` calls it.
-pub(crate) enum Callee {
-    Function(Arc<Function>),
-    Spline(Arc<Spline>),
-}
-
-impl Callee {
-    /// The function or spline of a value, if it is one.
-    pub(crate) fn of(value: &Value) -> Option<Self> {
-        let Value::Element(element) = value else {
-            return None;
-        };
-        let any = Arc::clone(&element.value);
-        match element.name {
-            FUNCTION => any.downcast().ok().map(Callee::Function),
-            SPLINE => any.downcast().ok().map(Callee::Spline),
-            _ => None,
-        }
-    }
-}
-
-/// True for functions and splines.
-pub(crate) fn is_callable(value: &Value) -> bool {
-    matches!(value, Value::Element(Element { name, .. }) if [FUNCTION, SPLINE].contains(name))
-}
 
 impl Reader<'_> {
     /// True if the next identifier calls a function or spline: it holds one, and `(` follows.

@@ -3,7 +3,7 @@
 //! A stream never closes: its handle is a number, which a scene may compute. Most scenes open a few, but a loop may
 //! open one in each round, so the cost of every operation is independent of their number.
 
-use crate::lang::cursor::Start;
+use crate::lang::frame::Start;
 use std::rc::Rc;
 
 /// All streams of a run, by their handles.
@@ -91,7 +91,7 @@ impl Streams {
 mod tests {
     use super::{Call, Streams};
     use crate::base::source::FileId;
-    use crate::lang::cursor::Start;
+    use crate::lang::frame::Start;
 
     fn call(start: u32) -> Call {
         let at = |start| Start {

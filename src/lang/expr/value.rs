@@ -1,7 +1,7 @@
 //! Values of identifiers and expressions.
 
 use crate::base::source::Diagnostic;
-use crate::lang::directive::macros::Macro;
+use crate::lang::frame::Macro;
 use crate::scene::Object;
 use std::any::{Any, TypeId};
 use std::fmt;

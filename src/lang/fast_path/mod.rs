@@ -2,6 +2,7 @@
 
 pub(super) mod known;
 pub(super) mod literal;
+mod literal_numbers;
 pub(super) mod numbers;
 pub(super) mod parallel;
 pub(super) mod part_cache;

@@ -4,72 +4,12 @@
 //! Only the unambiguous is taken: numbers with a sign, commas between them, and after the vector a token that cannot
 //! continue an expression. Everything else (a name, an operator, a directive) is left to the expression reader.
 
-use crate::lang::cursor::{Position, is_bare_directive};
 use crate::lang::expr::value::Number;
-use crate::lang::reader::Reader;
+use crate::lang::frame::is_bare_directive;
 use crate::lang::syntax::{Kind, Token, Tokens};
-use std::rc::Rc;
 
 /// The most components of a vector.
-const MAX_COMPONENTS: usize = 5;
-
-impl Reader<'_> {
-    /// Takes the next literal number or vector if it is a whole expression.
-    #[inline]
-    pub(crate) fn take_literal(&mut self) -> Option<Number> {
-        if self.recording.is_some() {
-            return None;
-        }
-        let (number, after) = literal_at(&self.here.tokens, self.here.at)?;
-        self.here.at = after - 1;
-        self.pass();
-        Some(number)
-    }
-
-    /// Takes literal vectors of `len` components, each with an optional comma before it, until `take` returns false.
-    pub(crate) fn take_literal_vectors(
-        &mut self,
-        len: usize,
-        take: &mut dyn FnMut(&[f64]) -> bool,
-    ) {
-        let tokens = Rc::clone(&self.here.tokens);
-        let start = self.here.at;
-        let mut is_wanted = true;
-        while is_wanted && let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
-            is_wanted = take(&vector[..len]);
-            if is_wanted {
-                self.here.at = after;
-            }
-        }
-        if self.here.at > start {
-            self.last = Position {
-                tokens,
-                at: self.here.at - 1,
-            };
-        }
-        if is_wanted {
-            self.take_vectors_of_data(len, take);
-        }
-    }
-
-    /// Takes a literal number with an optional comma before it.
-    pub(crate) fn take_literal_number(&mut self) -> Option<f64> {
-        let tokens = Rc::clone(&self.here.tokens);
-        let token = |at: usize| tokens.tokens.get(at).copied();
-        let mut at = self.here.at;
-        at += usize::from(token(at)?.is_mark(','));
-        let (number, after) = signed(&tokens, at)?;
-        if !ends_item(token(after)?) {
-            return None;
-        }
-        self.here.at = after;
-        self.last = Position {
-            tokens,
-            at: after - 1,
-        };
-        Some(number)
-    }
-}
+pub(crate) const MAX_COMPONENTS: usize = 5;
 
 /// The literal number or vector at a token if it is a whole expression, and the index after it.
 #[inline]
@@ -87,7 +27,7 @@ pub(crate) fn literal_at(tokens: &Tokens, at: usize) -> Option<(Number, usize)> 
 }
 
 /// The number at a token, with an optional sign, and the index after it.
-fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
+pub(crate) fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
     let is_negative = tokens.tokens.get(at)?.is_mark('-');
     at += usize::from(is_negative);
     let number = tokens.tokens.get(at)?;
@@ -99,7 +39,7 @@ fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
 }
 
 /// True if no expression can continue with this token.
-fn ends_item(behind: Token) -> bool {
+pub(crate) fn ends_item(behind: Token) -> bool {
     [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark))
 }
 
@@ -136,7 +76,7 @@ fn components(tokens: &Tokens, start: usize) -> Option<(Number, usize)> {
 }
 
 /// The vector of `len` components at a token, and the index after it.
-fn literal_vector(
+pub(crate) fn literal_vector(
     tokens: &Tokens,
     mut at: usize,
     len: usize,

@@ -6,7 +6,7 @@ use super::literal::{Literal, LiteralContext};
 use super::part_cache::{Part, Parts};
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::color::Color;
-use crate::lang::element::object::{baked, fold_steps};
+use crate::lang::element::fold::{baked, fold_steps};
 use crate::lang::limits;
 use crate::lang::syntax::Class;
 use crate::scene::interior::Interior;

@@ -5,16 +5,16 @@
 
 use super::known::{Known, NotedValues};
 use super::literal::Literal;
-use super::parallel::{self, LiteralSink, Piece, PieceContext, SharedContext};
+use super::parallel;
+use super::parallel::{LiteralSink, Piece, PieceContext, SharedContext};
 use crate::base::args::Parse;
-use crate::lang::cursor::Position;
+use crate::lang::frame::Position;
+use crate::lang::limits::MIN_PIECE;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, after_more, more_from, tokenize_more};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Bytes of a piece to tokenize: short where literals are interrupted, longer where they end.
-pub(crate) const MIN_PIECE: usize = 1 << 10;
 const MAX_PIECE: usize = 1 << 15;
 
 impl Reader<'_> {

@@ -4,19 +4,16 @@
 //! recorded as these three, and from then on none of its tokens is looked at. Words and marks cannot change, and
 //! expressions detect changes themselves.
 
-use super::reader::color_of;
-use super::{Known, Level, ReplayCache};
-use crate::base::args::{Parse, Word};
+use super::cache::{Known, Level, ReplayCache};
+use crate::base::args::{Args, Word};
 use crate::base::color::Color;
 use crate::lang::expr::streams::Streams;
 use crate::lang::expr::value::Number;
 use crate::lang::fast_path::numbers::literal_at;
-use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::syntax::Tokens;
 use crate::scene::shape::Sphere;
 use crate::scene::texture::Layer;
-use std::rc::Rc;
 
 #[derive(Debug)]
 pub(super) struct RecordedSphere {
@@ -138,41 +135,25 @@ impl RecordedSphere {
     }
 }
 
-impl Reader<'_> {
-    /// The recorded sphere with this index; `None`, without effect, if it has to be read.
-    pub(super) fn replay_recorded_sphere(
-        &mut self,
-        index: u32,
-    ) -> Parse<Option<(Sphere, Option<Color>)>> {
-        let sphere = Rc::clone(&self.replays.spheres[index as usize]);
-        self.replays.begin();
-        let (scopes, streams) = (&self.scopes, &mut self.streams);
-        let read = sphere.read(
-            &mut self.replays,
-            &self.draft.default_layer,
-            scopes,
-            streams,
-        );
-        if read.is_none() {
-            self.replays.give_up(&mut self.streams);
-            return Ok(None);
-        }
-        self.count_replayed()?;
-        self.here.at = sphere.after - 1;
-        self.pass();
-        Ok(read)
+/// The colour of the numbers after `rgb` and the like; `None` if it has to be read.
+pub(crate) fn color_of(word: Word, number: Number) -> Option<Color> {
+    let wanted = match word {
+        Word::Rgb => 3,
+        Word::Rgbf | Word::Rgbt => 4,
+        Word::Rgbft => 5,
+        _ => return None,
+    };
+    if number.len > wanted {
+        return None;
     }
-
-    /// The next object, if it is a recorded sphere.
-    #[inline]
-    pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
-        if !self.is_repeated() || !self.may_replay() {
-            return Ok(None);
-        }
-        let (file, start) = (self.here.tokens.file, self.here.at);
-        match self.replays.known(file, start, Level::Object) {
-            Known::RecordedSphere(index) => self.replay_recorded_sphere(index),
-            _ => Ok(None),
-        }
+    let mut parts = number.promoted(wanted).v;
+    if word == Word::Rgbt {
+        parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
     }
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision"
+    )]
+    let is_finite = parts.iter().all(|&part| (part as f32).is_finite());
+    is_finite.then(|| Color::from_components(parts))
 }

@@ -3,13 +3,13 @@
 //! Each method checks that the next tokens have the common form, evaluates, and has the same effect as reading them.
 //! Otherwise it has no effect, and they are read.
 
-use super::{Known, Level};
+use super::cache::{Known, Level};
 use crate::base::args::{Parse, Word};
-use crate::lang::cursor::Entered;
-use crate::lang::directive::flow::EQUAL;
 use crate::lang::directive::macros::{Argument, Arguments};
 use crate::lang::expr::value::Value;
+use crate::lang::frame::Entered;
 use crate::lang::limits;
+use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{END_OF_FILE, Kind, Token};
 

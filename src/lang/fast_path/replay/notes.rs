@@ -1,77 +1,14 @@
 //! The recording of an expression while it is read for the first time.
 
-use super::MACRO_COST;
+use super::cache::MACRO_COST;
 use super::op::Op;
-use super::stack::{DEPTH, SLOTS};
+use super::recording::Source;
 use crate::base::args::Word;
-use crate::lang::directive::macros::Macro;
 use crate::lang::expr::value::{Number, Value};
+use crate::lang::frame::Macro;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;
-
-/// Limit on the steps of a program; a longer one saves no time.
-const MAX_OPS: usize = 1000;
-
-/// An expression while it is read for the first time.
-#[derive(Debug)]
-pub(in crate::lang) struct Recording {
-    pub(super) ops: Vec<Op>,
-    /// The macros that were called, with their lengths in tokens.
-    pub(super) calls: Vec<(Symbol, Rc<Macro>)>,
-    pub(super) reread: usize,
-    /// Number of floats that the steps leave on the stack, and the most that were there.
-    depth: usize,
-    deepest: usize,
-    slots: usize,
-    /// The bindings made by the calls, by symbol and index in its stack of bindings, with their sources.
-    bound: Vec<((Symbol, usize), Source)>,
-    /// Number of frames open at its start.
-    frames: usize,
-}
-
-/// Where the steps of an expression read the value of an identifier.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::lang) enum Source {
-    /// From the identifier.
-    Name(Symbol),
-    /// From a slot.
-    Slot(u8),
-}
-
-impl Recording {
-    /// An empty recording, with the number of frames open.
-    pub(super) fn new(frames: usize) -> Self {
-        Recording {
-            ops: Vec::new(),
-            calls: Vec::new(),
-            reread: 0,
-            depth: 0,
-            deepest: 0,
-            slots: 0,
-            bound: Vec::new(),
-            frames,
-        }
-    }
-
-    /// True if it is the whole of an expression with `len` components, which ends with `frames` frames open.
-    pub(super) fn is_whole(&self, len: u8, frames: usize) -> bool {
-        self.depth == usize::from(len)
-            && self.deepest <= DEPTH
-            && self.slots <= SLOTS
-            && self.ops.len() <= MAX_OPS
-            && self.frames == frames
-    }
-
-    fn push(&mut self, op: Op) {
-        let (taken, given) = op.effect();
-        self.depth = self.depth.saturating_sub(usize::from(taken)) + usize::from(given);
-        self.deepest = self.deepest.max(self.depth + usize::from(taken));
-        if self.ops.len() <= MAX_OPS {
-            self.ops.push(op);
-        }
-    }
-}
 
 impl Reader<'_> {
     /// Records a step of the expression that is being read.

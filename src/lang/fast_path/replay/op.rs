@@ -1,8 +1,8 @@
 //! The steps of recorded expressions.
 
 use crate::base::args::Word;
-use crate::lang::directive::flow::EQUAL;
 use crate::lang::expr::builtins;
+use crate::lang::limits::EQUAL;
 use crate::lang::syntax::Symbol;
 
 /// A step on a stack of floats. A vector is its components, the first one lowest; its length is their number.

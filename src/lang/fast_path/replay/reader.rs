@@ -3,16 +3,16 @@
 //! [`ReplayReader`] gives up at any token other than words, marks, elements and such expressions: at a directive, a
 //! macro, a string, and at every error or warning. It has no effect up to there, and the cursor reads the object.
 
-use super::ball::RecordedSphere;
-use super::{Known, Level, ReplayCache};
+use super::ball::{RecordedSphere, color_of};
+use super::cache::{Known, Level, ReplayCache};
 use crate::base::args::{Args, Interner, Parse, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::cursor::is_bare_directive;
 use crate::lang::expr::streams::Streams;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::fast_path::numbers::literal_at;
 use crate::lang::fast_path::plain::{Read, plain_object};
+use crate::lang::frame::is_bare_directive;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::syntax::{Class, Kind, Symbol, Token, Tokens};
@@ -211,29 +211,6 @@ impl ReplayReader<'_> {
             _ => give_up(),
         }
     }
-}
-
-/// The colour of the numbers after `rgb` and the like; `None` if it has to be read.
-pub(super) fn color_of(word: Word, number: Number) -> Option<Color> {
-    let wanted = match word {
-        Word::Rgb => 3,
-        Word::Rgbf | Word::Rgbt => 4,
-        Word::Rgbft => 5,
-        _ => return None,
-    };
-    if number.len > wanted {
-        return None;
-    }
-    let mut parts = number.promoted(wanted).v;
-    if word == Word::Rgbt {
-        parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
-    }
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "colours are single precision"
-    )]
-    let is_finite = parts.iter().all(|&part| (part as f32).is_finite());
-    is_finite.then(|| Color::from_components(parts))
 }
 
 fn color_word(token: Token) -> Option<Word> {

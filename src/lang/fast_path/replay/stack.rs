@@ -2,11 +2,11 @@
 
 use super::op::{Binary, Op};
 use crate::base::args::Word;
-use crate::lang::directive::flow::EQUAL;
 use crate::lang::expr::array::whole_index;
 use crate::lang::expr::builtins;
 use crate::lang::expr::streams::Streams;
 use crate::lang::expr::value::{Number, Value};
+use crate::lang::limits::EQUAL;
 use crate::lang::scope::Scopes;
 use crate::lang::syntax::Symbol;
 

@@ -1,0 +1,115 @@
+//! Files that a scene has opened.
+
+use super::data_file::DataFile;
+use crate::base::args::Word;
+use crate::base::source::{HeldFile, Sources, only_regular, open_regular};
+use crate::output::{Pending, try_to_append, try_to_write};
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+/// The files of a run, by the handles that identifiers hold.
+#[derive(Debug, Default)]
+pub(crate) struct Files {
+    pub(crate) all: Vec<Option<OpenFile>>,
+    /// Bytes written in the whole run.
+    pub(crate) written: u64,
+}
+
+impl Files {
+    /// Bytes written in the whole run.
+    pub(crate) fn written(&self) -> u64 {
+        self.written
+    }
+}
+
+#[derive(Debug)]
+pub(crate) enum OpenFile {
+    Read(DataFile),
+    Write(Box<Output>),
+}
+
+/// An output file.
+#[derive(Debug)]
+pub(crate) struct Output {
+    pub(crate) name: String,
+    pub(crate) path: PathBuf,
+    pub(crate) to: To,
+}
+
+/// The destination of the bytes: a file without its final name, one that has it, or memory.
+#[derive(Debug)]
+pub(crate) enum To {
+    Pending(BufWriter<Pending>),
+    Named(BufWriter<File>),
+    Memory(HeldFile),
+}
+
+impl Output {
+    pub(in crate::lang) fn new(name: String, mode: Word) -> io::Result<Self> {
+        let path = PathBuf::from(&name);
+        let to = if mode == Word::Append {
+            let file = open_regular(&path, OpenOptions::new().append(true).create(true))?;
+            To::Named(BufWriter::new(file))
+        } else {
+            only_regular(&path)?;
+            To::Pending(BufWriter::new(Pending::new(&path)?))
+        };
+        Ok(Output { name, path, to })
+    }
+
+    /// The same without any change on disk.
+    pub(in crate::lang) fn in_memory(
+        name: String,
+        mode: Word,
+        sources: &mut Sources,
+    ) -> io::Result<Self> {
+        let path = PathBuf::from(&name);
+        let held = if mode == Word::Append {
+            try_to_append(&path)?;
+            sources.held_to_append(&path)
+        } else {
+            try_to_write(&path)?;
+            HeldFile::default()
+        };
+        let to = To::Memory(held);
+        Ok(Output { name, path, to })
+    }
+
+    /// True if the output is held in memory.
+    pub(crate) fn is_in_memory(&self) -> bool {
+        matches!(self.to, To::Memory(_))
+    }
+
+    pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
+        match &mut self.to {
+            To::Pending(file) => file.write_all(text.as_bytes()),
+            To::Named(file) => file.write_all(text.as_bytes()),
+            To::Memory(held) => {
+                held.write(text);
+                Ok(())
+            }
+        }
+    }
+
+    /// Makes everything written so far visible under the file's name.
+    pub(crate) fn publish(self, sources: &mut Sources) -> io::Result<Self> {
+        let to = match self.to {
+            To::Pending(file) => {
+                let pending = file.into_inner().map_err(io::IntoInnerError::into_error)?;
+                To::Named(BufWriter::new(pending.take_name()?))
+            }
+            To::Named(mut file) => {
+                file.flush()?;
+                To::Named(file)
+            }
+            To::Memory(held) => {
+                sources.hold(&self.path, &held);
+                To::Memory(held)
+            }
+        };
+        sources.wrote(&self.path);
+        Ok(Output { to, ..self })
+    }
+}
