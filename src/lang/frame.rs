@@ -2,7 +2,7 @@
 
 use super::limits::EQUAL;
 use super::syntax::{Symbol, Token, Tokens};
-use crate::base::args::{Args, Word};
+use crate::base::args::Word;
 use crate::base::source::{FileId, Span};
 use std::rc::Rc;
 

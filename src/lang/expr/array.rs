@@ -1,5 +1,6 @@
 //! Arrays: their values, items and indices.
 
+use super::builtins::whole_index;
 use super::value::{Array, Value};
 use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
@@ -199,17 +200,6 @@ impl Reader<'_> {
         }
         Ok(())
     }
-}
-
-/// The index of an item, without its decimals; `None` if the array has no such item.
-pub(crate) fn whole_index(index: f64, size: usize) -> Option<usize> {
-    let whole = (index + EQUAL.copysign(index)).trunc();
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "0 <= whole < size"
-    )]
-    (whole >= 0.0 && whole < size as f64).then_some(whole as usize)
 }
 
 /// Memory of the items of an array, in bytes.

@@ -4,6 +4,7 @@ use super::value::Number;
 use crate::base::args::Word;
 use crate::base::math::roots::hyperbolic;
 use crate::base::math::{axis_rotation, rotation};
+use crate::lang::limits::EQUAL;
 use glam::DVec3;
 
 /// A function of one vector.
@@ -176,6 +177,17 @@ pub(crate) fn leading_number(text: &str) -> f64 {
         .filter(|&at| text.is_char_boundary(at))
         .find_map(|at| text[..at].parse().ok())
         .unwrap_or(0.0)
+}
+
+/// The index of an item, without its decimals; `None` if the array has no such item.
+pub(crate) fn whole_index(index: f64, size: usize) -> Option<usize> {
+    let whole = (index + EQUAL.copysign(index)).trunc();
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 <= whole < size"
+    )]
+    (whole >= 0.0 && whole < size as f64).then_some(whole as usize)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Long literal data, repeated statements and plain objects, read without an evaluation of tokens.
 
+pub(super) mod data_segment;
 pub(super) mod known;
 pub(super) mod literal;
 mod literal_numbers;
@@ -8,4 +9,3 @@ pub(super) mod parallel;
 pub(super) mod part_cache;
 pub(super) mod plain;
 pub(super) mod replay;
-pub(super) mod stretch;

@@ -9,7 +9,7 @@ use super::faults;
 use super::groups;
 use super::names::Names;
 use super::scan::{self, Item};
-use super::stretch;
+use super::split_points;
 use super::token::{Directive, END_OF_FILE, Kind, Token, Tokens};
 use crate::base::source::{Diagnostic, FileId, Span};
 use crate::base::word::{Class, Word};
@@ -237,7 +237,7 @@ impl<'a> Lexer<'a> {
             let reached = match self.data_segment(at..at + plain) {
                 Some(segment) => {
                     self.push_plain(slice, 0..segment.start - at);
-                    if stretch::is_in_parentheses(&self.out.tokens) {
+                    if split_points::is_in_parentheses(&self.out.tokens) {
                         slice.base + self.push_plain(slice, segment.start - at..plain)
                     } else {
                         self.push_segment(segment.clone());
@@ -258,7 +258,7 @@ impl<'a> Lexer<'a> {
     fn data_segment(&self, plain: Range<usize>) -> Option<Range<usize>> {
         match self.data {
             Data::Deferred if plain.len() >= PLAIN_MIN => {
-                stretch::between_split_points(self.text.as_bytes(), plain)
+                split_points::between_split_points(self.text.as_bytes(), plain)
             }
             Data::Tokens | Data::Deferred => None,
         }

@@ -5,12 +5,13 @@
 //! standard includes. [`tokenize`] links the directives of each group, so that a branch can be skipped in one step;
 //! everything else is up to the language.
 
+mod data_segment;
 mod faults;
 mod groups;
 mod lexer;
 mod names;
 mod scan;
-mod stretch;
+pub(crate) mod split_points;
 mod token;
 mod whole;
 
@@ -18,10 +19,10 @@ mod whole;
 mod tests;
 
 pub use crate::base::word::{Class, Word};
+pub use data_segment::{after_more, more_from, tokenize_more};
 pub use lexer::{tokenize, tokenize_around_data};
 pub use names::{Names, Symbol};
 pub use scan::number;
 pub(crate) use scan::word_end;
-pub use stretch::{after_more, more_from, tokenize_more};
 pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
 pub use whole::Whole;

@@ -1,8 +1,7 @@
 //! Cache of recorded expressions, by their position in a file.
 
-use super::Replayed;
-use super::ball::RecordedSphere;
 use super::op::{Binary, Op};
+use super::recording::RecordedSphere;
 use super::stack::Stack;
 use crate::base::source::FileId;
 use crate::lang::expr::streams::Streams;
@@ -109,7 +108,7 @@ pub(in crate::lang) struct ReplayCache {
     pub(crate) files: Vec<Vec<Option<Box<Page>>>>,
     pub(crate) programs: Vec<Program>,
     pub(crate) spheres: Vec<Rc<RecordedSphere>>,
-    pub(crate) stack: Stack,
+    pub(super) stack: Stack,
     /// Tokens of macros that were inlined since the last [`ReplayCache::begin`].
     pub(crate) reread: usize,
     /// True if nothing is replayed: tests compare with and without.

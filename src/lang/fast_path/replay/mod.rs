@@ -16,14 +16,14 @@
 //! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`])
 //! or, for spheres, from the recorded expressions alone ([`ball`]).
 
-mod ball;
-#[cfg(test)]
-mod both_ways;
 pub(crate) mod cache;
 mod directives;
+#[cfg(test)]
+mod equivalence;
 mod notes;
 mod op;
 mod reader;
+mod recorded_sphere;
 pub(crate) mod recording;
 mod spheres;
 mod stack;

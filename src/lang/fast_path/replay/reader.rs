@@ -3,8 +3,9 @@
 //! [`ReplayReader`] gives up at any token other than words, marks, elements and such expressions: at a directive, a
 //! macro, a string, and at every error or warning. It has no effect up to there, and the cursor reads the object.
 
-use super::ball::{RecordedSphere, color_of};
 use super::cache::{Known, Level, ReplayCache};
+use super::recorded_sphere::color_of;
+use super::recording::RecordedSphere;
 use crate::base::args::{Args, Interner, Parse, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Diagnostic, Span};

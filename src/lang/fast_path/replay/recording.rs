@@ -2,6 +2,8 @@
 
 use super::op::Op;
 use super::stack::{DEPTH, SLOTS};
+use crate::base::args::Word;
+use crate::lang::expr::value::Number;
 use crate::lang::frame::Macro;
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;
@@ -67,4 +69,22 @@ impl Recording {
             self.ops.push(op);
         }
     }
+}
+
+#[derive(Debug)]
+pub(crate) struct RecordedSphere {
+    pub(crate) centre: Part,
+    pub(crate) radius: Part,
+    /// `rgb` or one of its kin, and the colour after it.
+    pub(crate) color: Option<(Word, Part)>,
+    /// The token after the last `}`.
+    pub(crate) after: usize,
+}
+
+/// One of its numbers.
+#[derive(Debug)]
+pub(crate) enum Part {
+    Literal(Number),
+    /// A recorded expression, and the token after it.
+    Program(u32, usize),
 }

@@ -1,7 +1,7 @@
 //! Replay of recorded spheres.
 
 use super::cache::{Known, Level};
-use crate::base::args::{Args, Parse};
+use crate::base::args::Parse;
 use crate::base::color::Color;
 use crate::lang::reader::Reader;
 use crate::scene::shape::Sphere;

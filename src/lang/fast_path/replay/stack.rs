@@ -2,8 +2,8 @@
 
 use super::op::{Binary, Op};
 use crate::base::args::Word;
-use crate::lang::expr::array::whole_index;
 use crate::lang::expr::builtins;
+use crate::lang::expr::builtins::whole_index;
 use crate::lang::expr::streams::Streams;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits::EQUAL;

@@ -6,58 +6,12 @@
 
 use super::lexer::tokenize_data;
 use super::names::Names;
+use super::split_points::{first_split_point, last_split_point};
 use super::token::{Kind, Part, Token, Tokens};
 use crate::base::source::Diagnostic;
 use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// Shorter segments are tokenized at once.
-const MIN_SEGMENT: usize = 1 << 15;
-
-/// Tokens before a segment that are searched for open parentheses.
-const MAX_LOOKBACK: usize = 1 << 16;
-
-/// True if a segment or a piece may end here: after a `}`, and after the comma that follows a vector. No construct of
-/// the language peeks further than this without asking for the next token.
-fn is_split_point(text: &[u8], at: usize) -> bool {
-    matches!(text.get(..at), Some([.., b'}'] | [.., b'>', b',']))
-}
-
-/// The part of a range of plain text between its first and its last split point; `None` if that is short.
-pub(super) fn between_split_points(text: &[u8], range: Range<usize>) -> Option<Range<usize>> {
-    let start = first_split_point(text, range.clone())?;
-    let end = last_split_point(text, start..range.end)?;
-    (end - start >= MIN_SEGMENT).then_some(start..end)
-}
-
-/// True if parentheses are open after these tokens, counted from the last directive: the head of a directive and the
-/// arguments of a macro are read in one go.
-pub(super) fn is_in_parentheses(tokens: &[Token]) -> bool {
-    let mut depth = 0_i64;
-    for token in tokens.iter().rev().take(MAX_LOOKBACK) {
-        if token.kind == Kind::Directive || depth > 0 {
-            break;
-        }
-        depth += i64::from(token.is_mark('(')) - i64::from(token.is_mark(')'));
-    }
-    depth > 0
-}
-
-fn first_split_point(text: &[u8], range: Range<usize>) -> Option<usize> {
-    if is_split_point(text, range.start) {
-        return Some(range.start);
-    }
-    memchr::memchr2_iter(b'}', b',', &text[range.clone()])
-        .map(|at| range.start + at + 1)
-        .find(|&at| is_split_point(text, at))
-}
-
-fn last_split_point(text: &[u8], range: Range<usize>) -> Option<usize> {
-    memchr::memrchr2_iter(b'}', b',', &text[range.clone()])
-        .map(|at| range.start + at + 1)
-        .find(|&at| is_split_point(text, at))
-}
 
 impl Tokens {
     /// True if these are the tokens of a piece of a segment.

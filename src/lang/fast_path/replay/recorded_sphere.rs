@@ -5,7 +5,8 @@
 //! expressions detect changes themselves.
 
 use super::cache::{Known, Level, ReplayCache};
-use crate::base::args::{Args, Word};
+use super::recording::{Part, RecordedSphere};
+use crate::base::args::Word;
 use crate::base::color::Color;
 use crate::lang::expr::streams::Streams;
 use crate::lang::expr::value::Number;
@@ -14,24 +15,6 @@ use crate::lang::scope::Scopes;
 use crate::lang::syntax::Tokens;
 use crate::scene::shape::Sphere;
 use crate::scene::texture::Layer;
-
-#[derive(Debug)]
-pub(super) struct RecordedSphere {
-    centre: Part,
-    radius: Part,
-    /// `rgb` or one of its kin, and the colour after it.
-    color: Option<(Word, Part)>,
-    /// The token after the last `}`.
-    pub(super) after: usize,
-}
-
-/// One of its numbers.
-#[derive(Debug)]
-enum Part {
-    Literal(Number),
-    /// A recorded expression, and the token after it.
-    Program(u32, usize),
-}
 
 impl Part {
     /// The expression at a token, if it is literal or recorded, and the index after it.
