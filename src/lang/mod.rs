@@ -9,7 +9,7 @@ mod draft;
 mod element;
 mod expr;
 mod fast_path;
-pub(crate) mod frame;
+mod frame;
 #[cfg(test)]
 mod fuzz;
 mod limits;

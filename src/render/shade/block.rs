@@ -2,15 +2,14 @@
 //! ([`super::direct::block`]), and plain surfaces are shaded four at a time ([`super::direct::packet`]). Reflected and
 //! refracted rays of plain surfaces form a wavefront ([`super::wavefront`]). Every other pixel takes the scalar path.
 
-use super::direct::block::BlockHits;
-use super::direct::light::LightSamples;
+use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, RaySource, ShadeBuffers};
 use super::shade_cache::ShadeCache;
-use super::wavefront::Wavefront;
-use super::{Path, Sample, Tracer, begin_sample};
+use super::shading_point::LightSamples;
+use super::wavefront::{MANY_LIGHTS, SMALL_BATCH, Wavefront};
+use super::{Path, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::render::shade::Scratch;
 use crate::world::{HitPacket4, InteriorId, RayCounts, RayKind};
 use glam::DVec3;
 use std::ops::Range;
@@ -19,10 +18,7 @@ use std::ops::Range;
 pub const BLOCK: u32 = 32;
 /// The side of the parts of a block that are traced as one bundle.
 const BUNDLE_SIDE: u32 = 16;
-/// The number of pixels traced, lit and shaded together where the camera and all lights have light buffers.
-pub(super) const SMALL_BATCH: usize = 64;
-/// The same batch size applies to scenes with more lights than this.
-pub(super) const MANY_LIGHTS: usize = 64;
+
 /// The columns and rows of eight adjacent pixels, which are traced together.
 const GROUP_SIZE: (u32, u32) = (4, 2);
 

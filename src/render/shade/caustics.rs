@@ -1,7 +1,8 @@
 //! Photon radiance at surfaces, and the direct light that it replaces.
 
 use super::Tracer;
-use super::direct::light::{LayerBsdf, LightContribution, ShadingPoint};
+use super::bsdf::{LayerBsdf, LightContribution};
+use super::shading_point::ShadingPoint;
 use crate::base::color::Rgb;
 use crate::render::photons::Near;
 use crate::render::shade::Scratch;

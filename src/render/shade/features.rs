@@ -1,48 +1,8 @@
 //! Features that the shading of a scene needs; the rest is left out of its loops.
 
 use super::direct;
+use super::quality::Quality;
 use crate::world::World;
-
-/// Features switched off by a quality below 9 (`+Q`); measured with POV-Ray 3.7.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Quality {
-    /// From 2 on: lighting. Below, the pigment of the lowest layer is the colour.
-    pub(super) has_light: bool,
-    /// From 4 on: shadows.
-    pub(super) has_shadows: bool,
-    /// From 5 on: area lights.
-    pub(super) has_area_lights: bool,
-    /// From 6 on: the real pigments rather than `quick_color`, and transparency.
-    pub(super) has_transparency: bool,
-    /// From 8 on: reflection.
-    pub(super) has_reflection: bool,
-    /// From 8 on: bump mapping.
-    pub(super) has_normals: bool,
-}
-
-impl Quality {
-    /// Every feature.
-    pub(super) const FULL: Quality = Quality {
-        has_light: true,
-        has_shadows: true,
-        has_area_lights: true,
-        has_transparency: true,
-        has_reflection: true,
-        has_normals: true,
-    };
-
-    /// The features of a quality (`+Q`).
-    pub(super) fn new(quality: u8) -> Quality {
-        Quality {
-            has_light: quality >= 2,
-            has_shadows: quality >= 4,
-            has_area_lights: quality >= 5,
-            has_transparency: quality >= 6,
-            has_reflection: quality >= 8,
-            has_normals: quality >= 8,
-        }
-    }
-}
 
 /// Features of a scene that cost time with each ray.
 #[derive(Clone, Copy, Debug)]

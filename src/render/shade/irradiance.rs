@@ -5,8 +5,8 @@
 //! several threads all rays of a sample are traced in parallel against the current samples. Those that lacked samples,
 //! or for which a newer sample counts, are traced again in order.
 
-use super::direct::light::LightSamples;
 use super::radiosity::IrradiancePoint;
+use super::shading_point::LightSamples;
 use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;

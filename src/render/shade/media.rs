@@ -3,7 +3,8 @@
 //! A segment is divided where light beams begin and end, each part into intervals, and these are sampled by one of
 //! three methods (facts 2, section 1): at random, evenly, or evenly with adaptive halving.
 
-use super::direct::light::{LightSamples, ShadingPoint, ViewPoint, is_negligible};
+use super::bsdf::{ViewPoint, is_negligible};
+use super::shading_point::{LightSamples, ShadingPoint};
 use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;

@@ -6,6 +6,7 @@
 
 mod atmosphere;
 mod block;
+mod bsdf;
 mod caustics;
 mod direct;
 mod features;
@@ -14,10 +15,12 @@ mod irradiance;
 mod lens;
 mod media;
 mod photon;
+mod quality;
 mod radiosity;
 mod refraction;
 mod scratch;
 mod shade_cache;
+mod shading_point;
 mod spectrum;
 mod surface;
 #[cfg(test)]
@@ -34,10 +37,11 @@ use crate::render::radiosity::{Mode, Radiosity, Session};
 use crate::world::{Hit, InteriorId, Query, RayKind, SpawnSurface, World};
 use atmosphere::{AirTint, End};
 pub use block::{BLOCK, BlockScratch, FirstHit};
-use direct::light::LightSamples;
-use features::{FastPaths, Features, Quality};
+use features::{FastPaths, Features};
 use glam::DVec3;
+use quality::Quality;
 pub use scratch::Scratch;
+use shading_point::LightSamples;
 use smallvec::SmallVec;
 
 /// Limit on surfaces that a ray passes without refraction. Passing does not use up a trace level, so a scene with a

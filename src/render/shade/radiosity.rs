@@ -2,7 +2,7 @@
 //!
 //! The numbers are those of [`crate::render::radiosity`].
 
-use super::direct::light::ShadingPoint;
+use super::shading_point::ShadingPoint;
 use super::{Path, Sample, Tracer, begin_sample};
 use crate::base::color::{Color, Rgb};
 use crate::render::radiosity::{CachedLight, Mode, Radiosity};

@@ -1,30 +1,18 @@
 //! Transmission through a surface: straight, refracted, totally reflected, or dispersed.
 
-use super::direct::light::ShadingPoint;
+use super::bsdf::facing_normal;
 use super::interior_stack::{Refraction, SurfaceCrossing, bend};
-use super::surface::{SurfaceRadiance, facing_normal, mirrored_off, single};
-use super::{InteriorStack, Path, Sample, Tracer, spectrum};
+use super::shading_point::ShadingPoint;
+use super::surface::{StraightTransmission, SurfaceRadiance, mirrored_off, single};
+use super::{InteriorStack, Path, Sample, Scratch, Tracer, spectrum};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
-use crate::render::shade::Scratch;
 use crate::scene::texture::Irid;
 use crate::world::{Hit, InteriorId};
 use glam::DVec3;
 
 /// Limit on nested surfaces that are passed recursively: each takes part of the stack.
 const MAX_NESTED: u32 = 100;
-
-/// Transmission without refraction.
-pub(super) struct StraightTransmission {
-    /// The factor on light from behind.
-    pub(super) factor: Rgb,
-    /// The factor on the transparency behind.
-    pub(super) transmit: f32,
-    /// The factor on the weight of the ray.
-    pub(super) weight: f64,
-    /// The interior stack behind.
-    pub(super) inside: InteriorStack,
-}
 
 /// The transmission of a surface.
 pub(super) struct LayerTransmission<'f> {

@@ -2,7 +2,7 @@
 //! pixels mostly show the same few.
 
 use super::Tracer;
-use super::direct::light::LayerBsdf;
+use super::bsdf::LayerBsdf;
 use crate::base::color::{Color, Rgb};
 use crate::scene::texture::PreparedPigment;
 use crate::world::{LightList, Surface};

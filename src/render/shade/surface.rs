@@ -1,14 +1,13 @@
 //! Shading of a surface: its layers from the top down, then transmitted light, then reflections.
 
-use super::direct::light::{LayerBsdf, LightSamples, ShadingPoint, ViewPoint, metallic, mirrored};
+use super::bsdf::{LayerBsdf, ViewPoint, facing_normal, metallic, mirrored};
 use super::direct::shadow_cache::ShadowCache;
 use super::radiosity::{Irradiance, IrradiancePoint};
-use super::refraction::StraightTransmission;
-use super::{InteriorStack, Path, Sample, Tracer};
+use super::shading_point::{LightSamples, ShadingPoint};
+use super::{InteriorStack, Path, Sample, Scratch, Tracer};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
-use crate::render::shade::Scratch;
 use crate::scene::interior::Interior;
 use crate::scene::pattern::SurfacePoint;
 use crate::scene::shape::TextureWeights;
@@ -513,16 +512,6 @@ pub(super) fn surface_point(hit: &Hit, dir: DVec3) -> SurfacePoint {
     }
 }
 
-/// The shading normal on the side of the ray's origin.
-#[inline]
-pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
-    if hit.shading_normal.dot(dir) > 0.0 {
-        -hit.shading_normal
-    } else {
-        hit.shading_normal
-    }
-}
-
 /// The reflection of a layer with this pigment colour; `ior` gives the relative index of refraction behind the surface,
 /// `flat` is the normal without bump mapping.
 pub(super) fn mirror<'f>(
@@ -584,6 +573,18 @@ fn fresnel(cosine: f64, ior: f64) -> f64 {
     let across = (g - cosine) / (g + cosine);
     let along = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
     (0.5 * across * across * (1.0 + along * along)).clamp(0.0, 1.0)
+}
+
+/// Transmission without refraction.
+pub(crate) struct StraightTransmission {
+    /// The factor on light from behind.
+    pub(crate) factor: Rgb,
+    /// The factor on the transparency behind.
+    pub(crate) transmit: f32,
+    /// The factor on the weight of the ray.
+    pub(crate) weight: f64,
+    /// The interior stack behind.
+    pub(crate) inside: InteriorStack,
 }
 
 #[cfg(test)]

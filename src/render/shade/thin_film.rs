@@ -1,7 +1,7 @@
 //! `irid`: thin-film interference on a surface.
 
 use super::Tracer;
-use super::direct::light::ViewPoint;
+use super::bsdf::ViewPoint;
 use crate::base::color::Rgb;
 use crate::base::math::noise::Octaves;
 use crate::scene::texture::Irid;

@@ -4,18 +4,17 @@
 //! path.
 
 use super::atmosphere::{AirTint, End};
-use super::block::{MANY_LIGHTS, SMALL_BATCH};
-use super::direct::block::BlockHits;
-use super::direct::light::{LightSamples, ViewPoint};
+use super::bsdf::{ViewPoint, facing_normal};
+use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, ShadeBuffers, viewed};
 use super::direct::shadow_cache::ShadowCache;
 use super::interior_stack::{Refraction, bend};
-use super::surface::{Mirror, TextureShading, TextureUse, facing_normal, mirror, mirrored_off};
-use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Tracer};
+use super::shading_point::LightSamples;
+use super::surface::{Mirror, TextureShading, TextureUse, mirror, mirrored_off};
+use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Scratch, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::render::shade::Scratch;
 use crate::scene::texture::{Irid, Look};
 use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, SpawnSurface};
 use glam::DVec3;
@@ -605,3 +604,9 @@ impl Tracer<'_> {
         None
     }
 }
+
+/// The number of pixels traced, lit and shaded together where the camera and all lights have light buffers.
+pub(crate) const SMALL_BATCH: usize = 64;
+
+/// The same batch size applies to scenes with more lights than this.
+pub(crate) const MANY_LIGHTS: usize = 64;

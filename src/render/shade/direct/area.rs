@@ -1,7 +1,6 @@
 //! Area lights: soft shadows from a grid of point lights, and light from each of them with `area_illumination`.
 
-use super::light::{LayerBsdf, LightContribution, ShadingPoint, is_negligible};
-use super::transmittance::{ShadowPath, shadow_query};
+use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::simd::vec3::{
@@ -10,6 +9,9 @@ use crate::base::math::simd::vec3::{
 use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
+use crate::render::shade::bsdf::{LayerBsdf, LightContribution, is_negligible};
+use crate::render::shade::shading_point::ShadingPoint;
+use crate::render::shade::shading_point::shadow_query;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
 use crate::world::{HitPacket4, ShadowPacket4};
 use glam::DVec3;

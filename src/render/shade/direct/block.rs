@@ -1,14 +1,14 @@
 //! Direct light for a block of hits: point lights and their shadow rays, four hits at a time. Shadow rays are sorted so
 //! that neighbours in a bundle share most of their traversal.
 
-use super::light::{MOST_TILTED, NEGLIGIBLE};
+use super::block_hits::{BlockHits, LightSortedOrder};
 use crate::base::math::rounding::nearest;
 use crate::base::math::simd::vec3::{
     Vec3Lanes, add, divide, dot, from_arrays, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
-use crate::render::shade::Scratch;
-use crate::render::shade::Tracer;
+use crate::render::shade::bsdf::{MOST_TILTED, NEGLIGIBLE};
+use crate::render::shade::{Scratch, Tracer};
 use crate::scene::light::{Arrival, Light};
 use crate::world::{HitPacket4, Occlusion, ShadowPacket4, Surface};
 use glam::DVec3;
@@ -24,34 +24,6 @@ const CELLS: usize = 32;
 const LAST_CELL: f32 = 31.0;
 /// One in this many hits is used to estimate the bounds of all.
 const BOUNDS_STEP: usize = 7;
-
-/// Hits of many rays, with their shadow rays.
-#[derive(Debug, Default)]
-pub(in crate::render::shade) struct BlockHits {
-    /// The hits, in packets of four.
-    pub(in crate::render::shade) hits: Vec<HitPacket4>,
-    /// The shadow rays, light by light.
-    pub(in crate::render::shade) shadow_rays: Vec<ShadowPacket4>,
-    /// The occlusion of the shadow rays is known; otherwise all that matter are marked as filtered.
-    pub(in crate::render::shade) has_occlusion: bool,
-    order: LightSortedOrder,
-}
-
-/// The order in which the hits of a block are tested against a light.
-#[derive(Debug, Default)]
-struct LightSortedOrder {
-    /// The hits that the light may reach, in the order of the block.
-    active: Vec<u16>,
-    /// The direction from the light of each hit, to the right and upwards, in packets of four.
-    seen: Vec<[[f32; 4]; 2]>,
-    /// The grid cell of each shadow ray.
-    cells: Vec<u16>,
-    /// The number of rays in each cell, then the start of each cell.
-    counts: Vec<u16>,
-    /// The hits sorted by their direction from the light.
-    sorted: Vec<u16>,
-    occlusions: Vec<Occlusion>,
-}
 
 /// Sets up shadow rays from four hits to a light.
 struct LightPacket<'a> {

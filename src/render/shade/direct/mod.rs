@@ -2,6 +2,7 @@
 
 pub(super) mod area;
 pub(super) mod block;
+pub(super) mod block_hits;
 pub(super) mod light;
 pub(super) mod opaque;
 pub(super) mod packet;

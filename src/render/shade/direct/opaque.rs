@@ -4,11 +4,10 @@
 //! It is the general path ([`Tracer::trace`]) without the terms that are zero here: the sums are the same, in the same
 //! order. Where a shadow ray passes something transparent, both call the same transmittance.
 
-use super::light::{
-    LayerBsdf, LightContribution, LightSample, LightSamples, ViewPoint, is_negligible,
-};
 use crate::base::color::Rgb;
 use crate::render::shade::Scratch;
+use crate::render::shade::bsdf::{LayerBsdf, LightContribution, ViewPoint, is_negligible};
+use crate::render::shade::shading_point::{LightSample, LightSamples};
 use crate::render::shade::surface::surface_point;
 use crate::render::shade::{Quality, Sample, Tracer};
 use crate::world::{Hit, Occlusion, Surface, World};

@@ -1,13 +1,13 @@
 //! The fast path of shading ([`super::opaque`]) for packets of four hits, and the own light of surfaces that reflect or
 //! refract ([`crate::render::shade::wavefront`]). Lanes that need more than diffuse light and highlights are left to the scalar path.
 
-use super::block::BlockHits;
-use super::light::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
+use super::block_hits::BlockHits;
 use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::render::shade::Scratch;
 use crate::render::shade::atmosphere::{AirTint, End};
+use crate::render::shade::bsdf::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
 use crate::render::shade::shade_cache::{PlainMaterial, ShadeCache};
 use crate::render::shade::{Path, Sample, Tracer};
 use crate::scene::light::Light;

@@ -1,14 +1,12 @@
 //! Shadow rays: the occlusion of a light, and the transmittance of transparent surfaces and air before it.
 
-use super::light::{ShadingPoint, is_negligible};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
-use crate::render::shade::Scratch;
-use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Tracer, interior_stack};
+use crate::render::shade::bsdf::is_negligible;
+use crate::render::shade::shading_point::{ShadingPoint, shadow_query};
+use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Scratch, Tracer, interior_stack};
 use crate::scene::light::{Arrival, Light};
-use crate::world::{
-    InteriorId, Occlusion, Query, RayKind, SpawnSurface, TransmissiveHit, TransmissiveHits, World,
-};
+use crate::world::{InteriorId, Occlusion, Query, TransmissiveHit, TransmissiveHits};
 
 /// A shadow ray to a light with its known occlusion.
 pub(in crate::render::shade) struct ShadowPath<'i> {
@@ -200,21 +198,5 @@ impl Tracer<'_> {
         } else {
             Rgb::WHITE
         }
-    }
-}
-
-/// The occlusion query between a point and a light.
-#[inline]
-pub(in crate::render::shade) fn shadow_query(
-    world: &World,
-    from: Option<SpawnSurface>,
-    ray: Ray,
-    distance: f64,
-) -> Query {
-    Query {
-        ray,
-        origin_surface: from,
-        t_max: world.shadow_t_max(ray.at(distance), distance),
-        kind: RayKind::Shadow,
     }
 }
