@@ -1,5 +1,6 @@
-//! `normal` in a camera: every ray is bent as the normal of a bumpy surface would be, at its point of the picture in the
-//! measure of the camera; behind a lens that of the sample.
+//! `normal` in a camera: bump mapping applied to ray directions. The direction of a ray is perturbed as a surface
+//! normal would be, at its image point in the coordinates of the projection; with a lens, at the point of the lens
+//! sample.
 
 use crate::base::math::Ray;
 use crate::scene::pattern::{Settings, SurfacePoint};
@@ -7,16 +8,16 @@ use crate::scene::texture::{Normal, PreparedNormal};
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Bumps before a camera.
+/// Bumps of a camera.
 #[derive(Clone, Debug)]
 pub(super) struct Bumps {
     normal: Arc<Normal>,
-    /// How long a unit of the scene is in the frame of the camera.
+    /// Length of a scene unit in the camera frame.
     pub(super) unit: f64,
     prepared: Option<Arc<PreparedNormal>>,
 }
 
-/// Bumps are the same if they come from the same text.
+/// Bumps are equal if they share the same `normal` block.
 impl PartialEq for Bumps {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.normal, &other.normal)
@@ -32,15 +33,15 @@ impl Bumps {
         }
     }
 
-    /// Makes them ready for rays.
+    /// Prepares the normal for evaluation.
     pub(super) fn prepare(&mut self, settings: &Settings) {
         self.prepared = PreparedNormal::new(&self.normal, &[], settings).map(Arc::new);
     }
 
-    /// A ray of unit direction behind them.
+    /// Perturbs a ray of unit direction at a point of the image.
     #[cold]
-    pub(super) fn bent(&self, place: DVec2, ray: Ray) -> Ray {
-        let point = place.extend(0.0);
+    pub(super) fn bend(&self, at: DVec2, ray: Ray) -> Ray {
+        let point = at.extend(0.0);
         let dir = match &self.prepared {
             Some(bumps) => bumps.tilted(point, ray.dir, &SurfacePoint::at(point)),
             None => ray.dir,

@@ -1,26 +1,26 @@
-//! `cylinder 1` to `cylinder 4`: a picture rolled around an axis.
+//! `cylinder 1` to `cylinder 4`: projection onto a cylinder.
 
 use super::{Frame, Screen, Start};
 use std::f64::consts::FRAC_PI_2;
 
-/// The angle around the axis unless the scene says more.
+/// The default angle around the axis.
 pub(super) const ANGLE: f64 = FRAC_PI_2;
 
-/// How the picture is rolled up.
+/// The type of a cylindrical projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Roll {
-    /// 1: around `up`; heights are seen in perspective.
+    /// 1: axis `up`; perspective in height.
     Upright,
-    /// 2: around `right`; widths are seen in perspective.
+    /// 2: axis `right`; perspective in width.
     Lying,
-    /// 3: around `up`, with rays that leave the axis square.
+    /// 3: axis `up`; rays leave the axis at a right angle.
     UprightFlat,
-    /// 4: around `right`, with rays that leave the axis square.
+    /// 4: axis `right`; rays leave the axis at a right angle.
     LyingFlat,
 }
 
 impl Roll {
-    /// The type of a number.
+    /// The type by its number in the scene file.
     #[must_use]
     pub fn of_number(number: f64) -> Option<Roll> {
         let rolls = [

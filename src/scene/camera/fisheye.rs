@@ -1,14 +1,14 @@
-//! `fisheye`: a round picture in which the distance from the middle counts the angle.
+//! `fisheye`: a round image in which the distance from the centre is proportional to the angle from the axis.
 
-use super::{Frame, Screen, Start, turn};
+use super::{Frame, Screen, Start, polar_angle};
 use std::f64::consts::FRAC_PI_2;
 
-/// The angle that the circle spans unless the scene says more.
+/// The default angle across the circle.
 const ANGLE: f64 = FRAC_PI_2;
 
-/// A ray within the circle of radius 1; the lengths of `right` and `up` stretch the picture.
+/// The ray of a point within the unit circle; the lengths of `right` and `up` scale the image.
 pub(super) fn start(frame: &Frame, screen: Screen, angle: Option<f64>) -> Option<Start> {
-    let (x, y) = place(frame, screen);
+    let (x, y) = disc_point(frame, screen);
     let r = x.hypot(y);
     if r > 1.0 {
         return None;
@@ -20,15 +20,15 @@ pub(super) fn start(frame: &Frame, screen: Screen, angle: Option<f64>) -> Option
     Some((frame.location, dir))
 }
 
-/// The place in the circle of radius 1.
-fn place(frame: &Frame, screen: Screen) -> (f64, f64) {
+/// Image coordinates relative to the unit circle.
+fn disc_point(frame: &Frame, screen: Screen) -> (f64, f64) {
     let x = 2.0 * screen.u * frame.right.length();
     let y = 2.0 * screen.v * frame.up.length();
     (x, y)
 }
 
-/// The angles around the axis and from it.
-pub(super) fn measure(frame: &Frame, screen: Screen, angle: Option<f64>) -> (f64, f64) {
-    let (x, y) = place(frame, screen);
-    (turn(x, y), 0.5 * x.hypot(y) * angle.unwrap_or(ANGLE))
+/// The angle around the axis and the angle from it.
+pub(super) fn bump_point(frame: &Frame, screen: Screen, angle: Option<f64>) -> (f64, f64) {
+    let (x, y) = disc_point(frame, screen);
+    (polar_angle(x, y), 0.5 * x.hypot(y) * angle.unwrap_or(ANGLE))
 }

@@ -1,8 +1,7 @@
-//! Focal blur: rays from all over a lens, all through the same point of the plane in focus.
+//! Focal blur (depth of field): rays from points on a lens through a common point of the plane in focus.
 //!
-//! Samples come in batches until their spread is small enough, or there are as many as the scene allows. All random
-//! numbers are those of POV-Ray, drawn from tables by the place of the pixel (measured; the fact is that pictures
-//! agree to the last bit).
+//! Samples are taken in batches until their variance is small enough or `blur_samples` is reached. All random numbers
+//! are POV-Ray's, drawn from tables by pixel position (measured: images agree to the last bit).
 
 use super::lens_points::LensPoints;
 use super::{Camera, Frame, Screen, ray};
@@ -17,27 +16,27 @@ use crate::scene::texture::{Pigment, PreparedPigment};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// More samples than any picture is worth.
-const MOST_SAMPLES: f64 = 65536.0;
-/// What is taken for values that make no sense, and where the scene says nothing.
+/// Largest accepted number of samples.
+const MAX_SAMPLES: f64 = 65536.0;
+/// Defaults, also used in place of values out of range.
 const CONFIDENCE: f64 = 0.9;
 const VARIANCE: f64 = 1e-4;
-/// The places of a sample in its pixel, along each side.
-const PLACES: i32 = 16;
+/// Cells of the grid of sample positions in a pixel, along each side.
+const GRID_SIZE: i32 = 16;
 
-/// What a scene says of the lens of a camera.
+/// Focal blur parameters of a camera.
 #[derive(Clone, Debug)]
 pub struct FocalBlur {
     /// The diameter of the lens; 0 for none.
     aperture: f64,
-    /// The least and the most samples; no blur with 0.
+    /// The minimum and the maximum number of samples; a maximum of 0 means no blur.
     samples: [usize; 2],
     confidence: f64,
     variance: f64,
     focal_point: Option<DVec3>,
     /// The distance in focus.
     distance: f64,
-    /// The light that each part of the lens lets through.
+    /// Brightness of each point of the lens.
     bokeh: Option<Arc<Pigment>>,
 }
 
@@ -56,10 +55,10 @@ impl Default for FocalBlur {
 }
 
 impl FocalBlur {
-    /// Takes `word` and its value if it is one of this element, and says whether it was.
+    /// Reads the parameter `word` and its value. False, with nothing read, if it is not a parameter of focal blur.
     ///
     /// # Errors
-    /// A malformed value, or a number of samples that is none.
+    /// A malformed value, or an invalid number of samples.
     pub(super) fn read_item(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         let at = args.span();
         match word {
@@ -77,11 +76,11 @@ impl FocalBlur {
             }
             Word::Confidence => {
                 args.accept(word)?;
-                self.confidence = share(word, args.float()?, 0.0..1.0, CONFIDENCE, args);
+                self.confidence = checked(word, args.float()?, 0.0..1.0, CONFIDENCE, args);
             }
             Word::Variance => {
                 args.accept(word)?;
-                self.variance = share(word, args.float()?, 0.0..=1.0, VARIANCE, args);
+                self.variance = checked(word, args.float()?, 0.0..=1.0, VARIANCE, args);
             }
             Word::Bokeh => {
                 args.accept(word)?;
@@ -105,12 +104,12 @@ impl FocalBlur {
         Ok(true)
     }
 
-    /// Whether the lens blurs anything.
-    pub(super) fn exists(&self) -> bool {
+    /// True if the lens blurs the image.
+    pub(super) fn is_active(&self) -> bool {
         self.aperture != 0.0 && self.samples[1] != 0
     }
 
-    /// Makes its lengths larger by a factor.
+    /// Multiplies all lengths by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         self.aperture *= factor;
         self.distance *= factor;
@@ -119,13 +118,14 @@ impl FocalBlur {
         }
     }
 
-    /// Without a focal point, `look_at` brings the length of the camera's direction into focus (measured).
-    pub(super) fn look(&mut self, frame: &Frame) {
+    /// Sets the distance in focus to the length of the camera's direction, as `look_at` does (measured). A focal point
+    /// takes precedence in [`FocalBlur::update_distance`].
+    pub(super) fn reset_distance(&mut self, frame: &Frame) {
         self.distance = frame.direction.length();
     }
 
-    /// Finds the distance in focus, once the vectors of a camera are known.
-    pub(super) fn focus(&mut self, frame: &Frame) {
+    /// Computes the distance in focus from the focal point, once the camera frame is known.
+    pub(super) fn update_distance(&mut self, frame: &Frame) {
         if let Some(point) = self.focal_point {
             self.distance = (point - frame.location).length();
         }
@@ -135,7 +135,7 @@ impl FocalBlur {
     }
 }
 
-/// `blur_samples MOST` or `blur_samples LEAST, MOST`.
+/// Reads `blur_samples MAX` or `blur_samples MIN, MAX` after its keyword: minimum and maximum.
 fn samples(args: &mut dyn Args) -> Parse<[usize; 2]> {
     let first = sample_count(args)?;
     if args.comma()? || args.at_expression()? {
@@ -152,21 +152,21 @@ fn samples(args: &mut dyn Args) -> Parse<[usize; 2]> {
 fn sample_count(args: &mut dyn Args) -> Parse<usize> {
     let at = args.span();
     let count = args.float()?.trunc();
-    if (1.0..=MOST_SAMPLES).contains(&count) {
+    if (1.0..=MAX_SAMPLES).contains(&count) {
         return Ok(count as usize);
     }
     Err(Box::new(Diagnostic::error(
         at.to(args.last_span()),
-        format!("`blur_samples` runs from 1 to {MOST_SAMPLES}, not {count}"),
+        format!("`blur_samples` runs from 1 to {MAX_SAMPLES}, not {count}"),
     )))
 }
 
-/// A value within bounds, or the usual one with a warning.
-fn share(
+/// The value if it is within bounds, otherwise the default, with a warning.
+fn checked(
     word: Word,
     value: f64,
     bounds: impl std::ops::RangeBounds<f64>,
-    usual: f64,
+    default: f64,
     args: &mut dyn Args,
 ) -> f64 {
     if bounds.contains(&value) {
@@ -174,12 +174,12 @@ fn share(
     }
     args.warn(Diagnostic::warning(
         args.last_span(),
-        format!("`{word}` must lie between 0 and 1; {usual} is taken"),
+        format!("`{word}` must lie between 0 and 1; {default} is taken"),
     ));
-    usual
+    default
 }
 
-/// Pigments are equal only to themselves.
+/// Bokeh pigments are compared by identity.
 impl PartialEq for FocalBlur {
     fn eq(&self, other: &Self) -> bool {
         let same_bokeh = match (&self.bokeh, &other.bokeh) {
@@ -194,33 +194,33 @@ impl PartialEq for FocalBlur {
     }
 }
 
-/// A lens ready for rays.
+/// A lens prepared for sampling.
 #[derive(Debug)]
 pub struct Lens {
     points: LensPoints,
-    /// For each of the stops of the points, the variance below which the samples are enough.
-    enough: Vec<f64>,
-    least: usize,
+    /// Per batch, the variance of the mean below which sampling stops.
+    max_variances: Vec<f64>,
+    min_samples: usize,
     aperture: f64,
-    /// The unit vectors across the lens.
+    /// Horizontal unit vector in the plane of the lens; `upwards` is the vertical one.
     across: DVec3,
     upwards: DVec3,
-    /// The distance in focus in units of the length of the camera's direction.
+    /// The distance in focus, in lengths of the camera's direction.
     focus: f64,
 }
 
-/// One ray of a lens: which sample, and of which point of the picture.
+/// A lens sample of an image point.
 #[derive(Clone, Copy, Debug)]
 pub struct LensRay {
-    /// The number of the sample.
+    /// Index of the lens sample.
     pub sample: usize,
-    /// The point, to the right; whole numbers are centres of pixels.
+    /// Column of the image point; integers are pixel centres.
     pub x: f64,
-    /// The point, downwards.
+    /// Row of the image point, counted downwards.
     pub y: f64,
 }
 
-/// The sums over the samples of a pixel, by which their variance is known.
+/// Running sums over the samples of a pixel, for their variance.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spread {
     sum: [f64; 4],
@@ -228,37 +228,39 @@ pub struct Spread {
 }
 
 impl Lens {
-    /// The lens of a camera that has one; `settings` are what patterns take from the whole scene.
+    /// The lens of a camera; `settings` are the scene-wide settings of patterns. `None` without focal blur.
     #[must_use]
     pub fn new(camera: &Camera, settings: &Settings) -> Option<Lens> {
         let blur = &camera.blur;
         let count = blur.samples[1];
-        if !blur.exists() {
+        if !blur.is_active() {
             return None;
         }
         let points = match &blur.bokeh {
-            None => LensPoints::even(count),
+            None => LensPoints::uniform(count),
             Some(pigment) => {
                 let pigment = PreparedPigment::new(pigment, &[], settings);
                 let brightness = |at: glam::DVec2| {
                     let color = pigment.color(&SurfacePoint::at(at.extend(0.0)));
                     f64::from(color.rgb.grey())
                 };
-                LensPoints::shaped(count, brightness)
+                LensPoints::weighted(count, brightness)
             }
         };
-        let all = chi_square(degrees(count - 1), blur.confidence);
-        let enough = points
-            .stops
+        let at_max = chi_square(degrees_of_freedom(count - 1), blur.confidence);
+        let max_variances = points
+            .batch_ends
             .iter()
-            .map(|&stop| blur.variance * chi_square(degrees(stop), blur.confidence) / all)
+            .map(|&end| {
+                blur.variance * chi_square(degrees_of_freedom(end), blur.confidence) / at_max
+            })
             .collect();
         let frame = &camera.frame;
         let across = frame.up.cross(frame.direction).normalize_or_zero();
         Some(Lens {
             points,
-            enough,
-            least: blur.samples[0],
+            max_variances,
+            min_samples: blur.samples[0],
             aperture: blur.aperture,
             across,
             upwards: frame.direction.cross(across).normalize_or_zero(),
@@ -266,25 +268,25 @@ impl Lens {
         })
     }
 
-    /// The numbers of samples after which to ask whether they are enough; the last is all of them.
+    /// Sample counts after which to test convergence, in rising order; the last is the total.
     #[must_use]
     pub fn stops(&self) -> &[usize] {
-        &self.points.stops
+        &self.points.batch_ends
     }
 
-    /// Whether the samples up to the stop of this index are enough.
+    /// True if the samples up to the end of this batch suffice.
     #[must_use]
-    pub fn is_enough(&self, stop: usize, spread: &Spread) -> bool {
-        let count = self.points.stops[stop];
-        count >= self.least && spread.is_below(self.enough[stop], as_float(count))
+    pub fn is_enough(&self, batch: usize, spread: &Spread) -> bool {
+        let count = self.points.batch_ends[batch];
+        count >= self.min_samples && spread.is_below(self.max_variances[batch], as_float(count))
     }
 
-    /// The ray of one sample.
+    /// The ray of a lens sample.
     #[must_use]
     pub fn ray(&self, camera: &Camera, sample: &LensRay, width: u32, height: u32) -> Option<Ray> {
         let LensRay { sample, x, y } = *sample;
-        let (dx, dy) = place_in_pixel(x, y, sample);
-        // POV-Ray lets all rays of a lens start at the camera, also those of orthographic views.
+        let (dx, dy) = position_in_pixel(x, y, sample);
+        // As in POV-Ray, the lens is centred at the camera's location, even for orthographic cameras.
         let (_, dir) = camera.start(x + dx, y + dy, width, height)?;
         let (jx, jy) = jitter(x + dx + 0.5, y + dy - 0.5);
         let point = self.points.points[sample];
@@ -300,14 +302,14 @@ impl Lens {
             None => ray,
             Some(bumps) => {
                 let screen = Screen::new(x + dx, y + dy, width, height);
-                bumps.bent(camera.measure(screen), ray)
+                bumps.bend(camera.bump_point(screen), ray)
             }
         })
     }
 }
 
 impl Spread {
-    /// Takes in a sample.
+    /// Adds a sample.
     pub fn add(&mut self, rgb: Rgb, transmit: f32) {
         for (i, value) in [rgb.r, rgb.g, rgb.b, transmit].into_iter().enumerate() {
             let value = f64::from(value);
@@ -316,32 +318,33 @@ impl Spread {
         }
     }
 
-    fn is_below(&self, most: f64, count: f64) -> bool {
+    /// True if the variance of the mean is below `limit` in every channel.
+    fn is_below(&self, limit: f64, count: f64) -> bool {
         self.sum.iter().zip(&self.squares).all(|(sum, square)| {
             let mean = sum / count;
-            (square / count - mean * mean) / count < most
+            (square / count - mean * mean) / count < limit
         })
     }
 }
 
-/// Where in its pixel a sample lies, relative to the centre.
+/// Position of a sample in its pixel, relative to the centre.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "pictures have fewer than 2^20 columns and rows, and samples are few"
 )]
-fn place_in_pixel(x: f64, y: f64, sample: usize) -> (f64, f64) {
+fn position_in_pixel(x: f64, y: f64, sample: usize) -> (f64, f64) {
     let seed = (313.0 * x + 11.0) as i32 + (311.0 * y + 17.0) as i32;
     let sample = sample as i32;
-    let place = |number: i32| f64::from(2 * (hashed(number) % PLACES) + 1) / 32.0 - 0.5;
-    let (dx, dy) = (place(seed + sample), place(seed + sample + 1));
+    let offset = |number: i32| f64::from(2 * (hashed(number) % GRID_SIZE) + 1) / 32.0 - 0.5;
+    let (dx, dy) = (offset(seed + sample), offset(seed + sample + 1));
     let (jx, jy) = jitter(dx, dy);
     (
-        dx + (jx - 0.5) / f64::from(PLACES),
-        dy + (jy - 0.5) / f64::from(PLACES),
+        dx + (jx - 0.5) / f64::from(GRID_SIZE),
+        dy + (jy - 0.5) / f64::from(GRID_SIZE),
     )
 }
 
-fn degrees(count: usize) -> u32 {
+fn degrees_of_freedom(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
 
@@ -376,7 +379,7 @@ mod tests {
     }
 
     #[test]
-    fn one_number_of_samples_is_the_most() {
+    fn one_number_of_samples_is_the_maximum() {
         assert_eq!(read("blur_samples 5").unwrap().samples, [0, 5]);
         assert_eq!(read("blur_samples 5, 8").unwrap().samples, [5, 8]);
         let error = read("blur_samples 8, 5").expect_err("the wrong way round");
@@ -389,7 +392,7 @@ mod tests {
     }
 
     #[test]
-    fn values_without_sense_are_replaced() {
+    fn values_out_of_range_are_replaced() {
         let blur = read("confidence 1 variance 2").unwrap();
         assert_eq!((blur.confidence, blur.variance), (CONFIDENCE, VARIANCE));
     }

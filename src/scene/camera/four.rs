@@ -1,45 +1,46 @@
-//! The rays of four points of a picture at once: of flat pictures, to the bit those of [`Camera::primary_ray`].
+//! Ray packets of perspective cameras: directions of four rays at a time, bit for bit those of [`Camera::primary_ray`].
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
 use crate::base::math::simd::vec3::{Vec3Lanes, abs, add, dot, scale, splat, to_arrays};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 
-/// The directions of four rays.
-type FourDirs = [[f64; 4]; 3];
+/// The directions of four rays, by axis and lane.
+type DirPacket = [[f64; 4]; 3];
 
-/// Points of a picture, four by four: columns and rows.
-struct Points<'a, T> {
+/// Kernel that computes the ray directions of pixel positions, four at a time.
+struct DirKernel<'a, T> {
     frame: &'a Frame,
-    places: &'a [(f64, f64)],
+    /// Column and row of each position.
+    positions: &'a [(f64, f64)],
     width: f64,
     height: f64,
     take: T,
 }
 
-impl<T: FnMut(usize, FourDirs)> SimdKernel for Points<'_, T> {
+impl<T: FnMut(usize, DirPacket)> SimdKernel for DirKernel<'_, T> {
     type Output = bool;
 
-    /// Hands the directions to `take`; false as soon as one needs care.
+    /// Passes the directions to `take`; false as soon as one lane needs the scalar path.
     #[inline(always)]
     fn run<F: F64x4>(mut self) -> bool {
-        for (number, places) in self.places.chunks(4).enumerate() {
+        for (packet, positions) in self.positions.chunks(4).enumerate() {
             let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
             for lane in 0..4 {
-                (x[lane], y[lane]) = places[lane.min(places.len() - 1)];
+                (x[lane], y[lane]) = positions[lane.min(positions.len() - 1)];
             }
-            let (dir, is_sure) = self.dirs(F::from_array(&x), F::from_array(&y));
-            if F::bitmask(is_sure) != 0b1111 {
+            let (dir, is_valid) = self.dirs(F::from_array(&x), F::from_array(&y));
+            if F::bitmask(is_valid) != 0b1111 {
                 return false;
             }
-            (self.take)(number, to_arrays(dir));
+            (self.take)(packet, to_arrays(dir));
         }
         true
     }
 }
 
-impl<T> Points<'_, T> {
-    /// The directions, and which of them need no care.
+impl<T> DirKernel<'_, T> {
+    /// The unit directions, and the mask of the lanes whose length is normal.
     #[inline(always)]
     fn dirs<F: F64Lanes>(&self, x: F, y: F) -> (Vec3Lanes<F>, F::Mask) {
         let half = F::splat(0.5);
@@ -64,28 +65,28 @@ impl<T> Points<'_, T> {
 }
 
 impl Camera {
-    /// Hands the unit directions of the rays through points of a picture of this width and height, which start at
-    /// [`Camera::location`], to `take`, four by four with their number; where there are fewer the last stands again. False
-    /// where they must be asked for singly.
+    /// Computes the unit directions of the rays through positions of an image of this width and height; all of these
+    /// rays start at [`Camera::location`]. `take` receives them four at a time, with the index of the packet; the last
+    /// packet is filled up with its last ray. False where the caller must use [`Camera::primary_ray`] instead.
     #[inline(always)]
     pub(crate) fn aim_all(
         &self,
         lanes: SimdLevel,
-        places: &[(f64, f64)],
+        positions: &[(f64, f64)],
         (width, height): (u32, u32),
-        take: impl FnMut(usize, FourDirs),
+        take: impl FnMut(usize, DirPacket),
     ) -> bool {
         if self.projection != Projection::Perspective || self.bumps.is_some() {
             return false;
         }
-        let points = Points {
+        let kernel = DirKernel {
             frame: &self.frame,
-            places,
+            positions,
             width: f64::from(width),
             height: f64::from(height),
             take,
         };
-        lanes.run(points)
+        lanes.run(kernel)
     }
 }
 
@@ -96,21 +97,22 @@ mod tests {
     use crate::base::math::sampling::random::Random;
     use glam::DVec3;
 
-    /// The directions at four points.
+    /// The directions at four positions.
     fn dirs(
         camera: &Camera,
         lanes: SimdLevel,
-        (x, y): (&[f64; 4], &[f64; 4]),
+        x: &[f64; 4],
+        y: &[f64; 4],
         size: (u32, u32),
-    ) -> Option<FourDirs> {
-        let mut dirs = FourDirs::default();
-        let places = [0, 1, 2, 3].map(|lane| (x[lane], y[lane]));
-        let are_sure = camera.aim_all(lanes, &places, size, |_, four| dirs = four);
-        are_sure.then_some(dirs)
+    ) -> Option<DirPacket> {
+        let mut dirs = DirPacket::default();
+        let positions = [0, 1, 2, 3].map(|lane| (x[lane], y[lane]));
+        let are_valid = camera.aim_all(lanes, &positions, size, |_, packet| dirs = packet);
+        are_valid.then_some(dirs)
     }
 
     #[test]
-    fn four_rays_are_those_of_each() {
+    fn packets_have_the_directions_of_each_ray() {
         let mut rng = Random::new(8);
         let mut camera = Camera::default();
         for case in 0..1000 {
@@ -121,10 +123,10 @@ mod tests {
             let x = [0.0, 1.25, 2.0, 800.0];
             let y = [f64::from(case), 0.75, -0.5, 3.0];
             for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
-                let found = dirs(&camera, lanes, (&x, &y), (801, 604)).unwrap();
+                let packet = dirs(&camera, lanes, &x, &y, (801, 604)).unwrap();
                 for lane in 0..4 {
                     let ray = camera.primary_ray(x[lane], y[lane], 801, 604).unwrap();
-                    let dir = DVec3::new(found[0][lane], found[1][lane], found[2][lane]);
+                    let dir = DVec3::new(packet[0][lane], packet[1][lane], packet[2][lane]);
                     assert_eq!(dir, ray.dir);
                 }
             }
@@ -132,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rounding_leaves_of_a_direction_is_nothing() {
+    fn rounding_errors_of_a_direction_are_set_to_zero() {
         let text = "{ location <0, 1, -5> look_at 0 }";
         let camera =
             Camera::read(&mut TextArgs::new(text), &Camera::default()).expect("it is a camera");
@@ -141,30 +143,24 @@ mod tests {
         let ray = camera.primary_ray(x[0], y[0], 160, 120).expect("a ray");
         assert_eq!(ray.dir.y, 0.0);
         for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
-            let found = dirs(&camera, lanes, (&x, &y), (160, 120)).unwrap();
-            assert_eq!(found[1], [0.0; 4]);
-            assert_eq!(found[0][0], ray.dir.x);
+            let packet = dirs(&camera, lanes, &x, &y, (160, 120)).unwrap();
+            assert_eq!(packet[1], [0.0; 4]);
+            assert_eq!(packet[0][0], ray.dir.x);
         }
     }
 
     #[test]
-    fn other_cameras_are_asked_singly() {
+    fn other_cameras_need_the_scalar_path() {
         let camera = Camera {
             projection: Projection::Fisheye,
             ..Camera::default()
         };
         let at = [0.0; 4];
-        assert_eq!(
-            dirs(&camera, SimdLevel::widest(), (&at, &at), (10, 10)),
-            None
-        );
+        assert_eq!(dirs(&camera, SimdLevel::widest(), &at, &at, (10, 10)), None);
         let mut camera = Camera::default();
         camera.frame.direction = DVec3::ZERO;
         camera.frame.right = DVec3::ZERO;
         camera.frame.up = DVec3::ZERO;
-        assert_eq!(
-            dirs(&camera, SimdLevel::widest(), (&at, &at), (10, 10)),
-            None
-        );
+        assert_eq!(dirs(&camera, SimdLevel::widest(), &at, &at, (10, 10)), None);
     }
 }

@@ -1,8 +1,8 @@
-//! `mesh_camera`: the triangles of meshes send the rays, each from its middle along its normal.
+//! `mesh_camera`: rays start at the centroids of mesh triangles and follow the normals.
 //!
-//! Which triangle a pixel asks follows from its place by one of four methods (measured, as is all that is here). In
-//! POV-Ray's count of pixels the first two rows are one, and so are here. `location.z` moves the start of rays along
-//! the normals; a `direction.z` below 0 turns rays round.
+//! One of four methods maps a pixel to a triangle. All of this is measured from POV-Ray: there the first two rows of
+//! pixels use the same triangles, and so they do here. `location.z` moves ray origins along the normals; a negative
+//! `direction.z` reverses the rays.
 
 use super::{Frame, Start};
 use crate::base::accel::Bvh;
@@ -13,19 +13,19 @@ use crate::scene::shape::PlacedMesh;
 use glam::{DVec2, DVec3};
 use std::sync::{Arc, OnceLock};
 
-/// Rays of one pixel: no scene wants more meshes.
-const MOST_RAYS: f64 = 65536.0;
+/// Largest accepted number of rays per pixel.
+const MAX_RAYS: f64 = 65536.0;
 
-/// How the pixels of a picture share out the triangles.
+/// The mapping of pixels to triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Method {
-    /// 0: the number of the pixel is that of the triangle; each ray of a pixel has a mesh of its own.
+    /// 0: the pixel index is the triangle index; each ray of a pixel uses its own mesh.
     MeshForRay,
-    /// 1: the same with all meshes in one list. Further rays of a pixel see what the first sees.
+    /// 1: the same with the triangles of all meshes in one list. Further rays of a pixel repeat the first.
     OneList,
-    /// 2: meshes have a share each of the width of the picture, from left to right.
+    /// 2: the meshes divide the width of the image equally, from left to right.
     SideBySide,
-    /// 3: the picture is the square of texture coordinates of the first mesh.
+    /// 3: the image covers the unit square of texture coordinates of the first mesh.
     Coordinates,
 }
 
@@ -36,28 +36,28 @@ const METHODS: [Method; 4] = [
     Method::Coordinates,
 ];
 
-/// The meshes of a camera, and how it looks out of them.
+/// The meshes of a camera and their parameters.
 #[derive(Clone, Debug)]
 pub(super) struct MeshCamera {
     meshes: Vec<Arc<PlacedMesh>>,
     method: Method,
-    /// Rays of a pixel.
-    rays: u32,
-    /// Whether normals are those of smooth triangles.
+    rays_per_pixel: u32,
+    /// True if normals of smooth triangles are interpolated.
     is_smooth: bool,
-    /// How far from a triangle, along its normal, rays start.
+    /// Offset of ray origins from the triangle, along its normal.
     offset: f64,
-    is_turned: bool,
-    /// The triangles of the first mesh in the square of texture coordinates, made when they are first asked for.
-    map: Arc<OnceLock<Bvh>>,
+    is_reversed: bool,
+    /// BVH over the triangles of the first mesh in texture space, built on first use.
+    uv_bvh: Arc<OnceLock<Bvh>>,
 }
 
-/// Cameras are the same if they come from the same meshes.
+/// Meshes are compared by identity.
 impl PartialEq for MeshCamera {
     fn eq(&self, other: &Self) -> bool {
         let is_same = |(a, b): (&Arc<PlacedMesh>, &Arc<PlacedMesh>)| Arc::ptr_eq(a, b);
-        (self.method, self.rays, self.is_smooth) == (other.method, other.rays, other.is_smooth)
-            && (self.offset, self.is_turned) == (other.offset, other.is_turned)
+        (self.method, self.rays_per_pixel, self.is_smooth)
+            == (other.method, other.rays_per_pixel, other.is_smooth)
+            && (self.offset, self.is_reversed) == (other.offset, other.is_reversed)
             && self.meshes.len() == other.meshes.len()
             && self.meshes.iter().zip(&other.meshes).all(is_same)
     }
@@ -67,14 +67,14 @@ impl MeshCamera {
     /// Reads `{ rays_per_pixel method mesh { ... } ... [smooth] }`.
     ///
     /// # Errors
-    /// Malformed values, no mesh, or numbers that do not go together.
+    /// Malformed values, no mesh, or an invalid combination of method and rays.
     pub(super) fn read(args: &mut dyn Args) -> Parse<Self> {
         args.open()?;
         let at = args.span();
         let rays = args.float()?.trunc();
         let at_rays = at.to(args.last_span());
-        if !(1.0..=MOST_RAYS).contains(&rays) {
-            let message = format!("the rays per pixel run from 1 to {MOST_RAYS}, not {rays}");
+        if !(1.0..=MAX_RAYS).contains(&rays) {
+            let message = format!("the rays per pixel run from 1 to {MAX_RAYS}, not {rays}");
             return fault(at_rays, message);
         }
         let at = args.span();
@@ -97,9 +97,9 @@ impl MeshCamera {
         }
         let is_single = matches!(method, Method::SideBySide | Method::Coordinates);
         #[allow(clippy::cast_precision_loss, reason = "nobody writes 2^53 meshes")]
-        let most = if is_single { 1.0 } else { meshes.len() as f64 };
-        if rays > most && method != Method::OneList {
-            let message = format!("method {number} has at most {most} rays per pixel here");
+        let max_rays = if is_single { 1.0 } else { meshes.len() as f64 };
+        if rays > max_rays && method != Method::OneList {
+            let message = format!("method {number} has at most {max_rays} rays per pixel here");
             return fault(at_rays, message);
         }
         let at = args.span();
@@ -113,7 +113,7 @@ impl MeshCamera {
             clippy::cast_sign_loss,
             reason = "checked above"
         )]
-        let rays = if method == Method::MeshForRay {
+        let rays_per_pixel = if method == Method::MeshForRay {
             rays as u32
         } else {
             1
@@ -121,46 +121,46 @@ impl MeshCamera {
         Ok(MeshCamera {
             meshes,
             method,
-            rays,
+            rays_per_pixel,
             is_smooth,
             offset: 0.0,
-            is_turned: false,
-            map: Arc::default(),
+            is_reversed: false,
+            uv_bvh: Arc::default(),
         })
     }
 
-    /// Takes what the vectors of the camera say.
-    pub(super) fn look(&mut self, frame: &Frame) {
+    /// Applies `location` and `direction` of the camera.
+    pub(super) fn apply_frame(&mut self, frame: &Frame) {
         self.offset = frame.location.z;
-        self.is_turned = frame.direction.z < 0.0;
+        self.is_reversed = frame.direction.z < 0.0;
     }
 
-    /// How many rays a pixel has.
-    pub(super) fn rays(&self) -> u32 {
-        self.rays
+    /// Number of rays per pixel.
+    pub(super) fn rays_per_pixel(&self) -> u32 {
+        self.rays_per_pixel
     }
 
-    /// The same in a place of the world that is larger by a factor.
+    /// Multiplies all lengths by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         self.offset *= factor;
         self.transform(&Transform::scaling(DVec3::splat(factor)));
     }
 
-    /// Moves its meshes.
+    /// Transforms the meshes.
     pub(super) fn transform(&mut self, by: &Transform) {
-        for mesh in &mut self.meshes {
-            let place = mesh.place.then(by);
-            let mesh_of = mesh.mesh.clone();
-            *mesh = Arc::new(PlacedMesh::new(mesh_of, place));
+        for instance in &mut self.meshes {
+            let transform = instance.transform.then(by);
+            let mesh = instance.mesh.clone();
+            *instance = Arc::new(PlacedMesh::new(mesh, transform));
         }
     }
 
-    /// Where the ray of this number of a place of a picture starts, and where it goes.
-    pub(super) fn start(&self, number: u32, place: Place) -> Option<Start> {
+    /// Origin and direction of the ray of this index at an image point.
+    pub(super) fn start(&self, index: u32, raster: RasterPoint) -> Option<Start> {
         let (point, normal) = match self.method {
-            Method::Coordinates => self.at_coordinates(place.coordinates())?,
+            Method::Coordinates => self.at_coordinates(raster.coordinates())?,
             _ => {
-                let (mesh, face) = self.face(number, place)?;
+                let (mesh, face) = self.face(index, raster)?;
                 let corners = mesh.corners(face);
                 (
                     (corners[0] + corners[1] + corners[2]) / 3.0,
@@ -170,28 +170,28 @@ impl MeshCamera {
         };
         let normal = normal.try_normalize()?;
         let origin = point + self.offset * normal;
-        Some((origin, if self.is_turned { -normal } else { normal }))
+        Some((origin, if self.is_reversed { -normal } else { normal }))
     }
 
-    /// The triangle of a ray.
+    /// The triangle from which a ray starts.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "places are held within the picture, and the part behind the point is to go"
+        reason = "raster points are clamped to the picture, and the fraction is to be dropped"
     )]
-    fn face(&self, number: u32, place: Place) -> Option<(&PlacedMesh, usize)> {
-        let (column, row) = (place.x as usize, place.y as usize);
-        let width = place.width as usize;
+    fn face(&self, index: u32, raster: RasterPoint) -> Option<(&PlacedMesh, usize)> {
+        let (column, row) = (raster.x as usize, raster.y as usize);
+        let width = raster.width as usize;
         match self.method {
             Method::MeshForRay => {
-                let mesh = self.meshes.get(number as usize)?;
+                let mesh = self.meshes.get(index as usize)?;
                 let face = row * width + column;
                 (face < mesh.len()).then_some((mesh, face))
             }
             Method::SideBySide => {
-                let share = place.width / self.meshes.len() as f64;
-                let mesh = self.meshes.get((place.x / share) as usize)?;
-                let face = row * share as usize + column;
+                let strip_width = raster.width / self.meshes.len() as f64;
+                let mesh = self.meshes.get((raster.x / strip_width) as usize)?;
+                let face = row * strip_width as usize + column;
                 (face < mesh.len()).then_some((mesh, face))
             }
             Method::OneList | Method::Coordinates => {
@@ -207,29 +207,29 @@ impl MeshCamera {
         }
     }
 
-    /// The point with these texture coordinates, on the first triangle that has them, and the normal there.
+    /// The point with these texture coordinates, on the first triangle that contains them, and its normal.
     fn at_coordinates(&self, at: DVec2) -> Option<(DVec3, DVec3)> {
         let mesh = self.meshes.first()?;
-        let map = self.map.get_or_init(|| {
+        let bvh = self.uv_bvh.get_or_init(|| {
             Bvh::build_of(mesh.len(), |face| {
                 let [a, b, c] = mesh.coordinates(face).map(|uv| uv.extend(0.0));
                 Bounds::new(a, b).with_point(c)
             })
         });
         let mut best: Option<(u32, [f64; 3])> = None;
-        map.around(at.extend(0.0), |face| {
+        bvh.around(at.extend(0.0), |face| {
             if best.is_none_or(|(before, _)| face < before)
-                && let Some(shares) = shares(mesh.coordinates(face as usize), at)
+                && let Some(weights) = barycentric(mesh.coordinates(face as usize), at)
             {
-                best = Some((face, shares));
+                best = Some((face, weights));
             }
             false
         });
-        let (face, shares) = best?;
+        let (face, weights) = best?;
         let face = face as usize;
-        let mean = |of: [DVec3; 3]| (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * of[i]);
+        let mean = |of: [DVec3; 3]| (0..3).fold(DVec3::ZERO, |sum, i| sum + weights[i] * of[i]);
         let smooth = mesh.normals(face).filter(|_| self.is_smooth).map(mean);
-        let normal = smooth.map(|normal| mesh.place.normal(normal));
+        let normal = smooth.map(|normal| mesh.transform.normal(normal));
         Some((
             mean(mesh.corners(face)),
             normal.unwrap_or_else(|| mesh.normal(face)),
@@ -237,9 +237,9 @@ impl MeshCamera {
     }
 }
 
-/// The shares of the corners of a triangle in a point of it; `None` outside. A point on a common edge is in one of the
-/// two at least: the areas at it differ only in sign.
-fn shares(corners: [DVec2; 3], at: DVec2) -> Option<[f64; 3]> {
+/// Barycentric coordinates of a point in a triangle; `None` outside. A point on an edge shared by two triangles is in
+/// at least one of them: the edge's areas differ only in sign.
+fn barycentric(corners: [DVec2; 3], at: DVec2) -> Option<[f64; 3]> {
     let [a, b, c] = corners.map(|corner| corner - at);
     let areas = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
     let sum: f64 = areas.iter().sum();
@@ -247,22 +247,22 @@ fn shares(corners: [DVec2; 3], at: DVec2) -> Option<[f64; 3]> {
     is_inside.then(|| areas.map(|area| area / sum))
 }
 
-/// A point of a picture as POV-Ray counts it here, held within the picture.
+/// An image point in POV-Ray's raster coordinates for this camera, clamped to the image.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    /// Columns, half of one to the right of the centre of a pixel.
+pub(super) struct RasterPoint {
+    /// Column, half a pixel to the right of the pixel-centre convention.
     x: f64,
-    /// Rows, half of one above it.
+    /// Row, half a pixel above the pixel-centre convention.
     y: f64,
     width: f64,
     height: f64,
 }
 
-impl Place {
-    /// The place of a point; whole numbers are centres of pixels.
+impl RasterPoint {
+    /// The raster point of an image point, for which integers are pixel centres.
     pub(super) fn new(x: f64, y: f64, width: u32, height: u32) -> Self {
         let (width, height) = (f64::from(width), f64::from(height));
-        Place {
+        RasterPoint {
             x: (x + 0.5).clamp(0.0, width - 1.0),
             y: (y - 0.5).clamp(0.0, height - 1.0),
             width,
@@ -270,7 +270,7 @@ impl Place {
         }
     }
 
-    /// The texture coordinates that are asked for here.
+    /// Texture coordinates of this image point.
     fn coordinates(self) -> DVec2 {
         DVec2::new(
             (self.x - 0.5) / self.width,
@@ -289,35 +289,35 @@ mod tests {
     use crate::base::args::text::TextArgs;
     use crate::scene::shape::Mesh;
 
-    /// Triangles with the middles <i+1, 1, 0> that look along z.
+    /// Triangles with centroids <i+1, 1, 0> that face along z.
     fn row(count: u32, shift: f64) -> Arc<PlacedMesh> {
         let triangle = |i| format!("triangle {{ <{i},0,0>, <{i},3,0>, <{}, 0, 0> }}", i + 3);
         let text: String = (0..count).map(triangle).collect();
         let mesh = Mesh::read(&mut TextArgs::new(&text)).unwrap();
-        let place = Transform::translation(DVec3::Z * shift);
-        Arc::new(PlacedMesh::new(mesh, place))
+        let transform = Transform::translation(DVec3::Z * shift);
+        Arc::new(PlacedMesh::new(mesh, transform))
     }
 
     fn camera(method: Method, meshes: Vec<Arc<PlacedMesh>>) -> MeshCamera {
         MeshCamera {
             meshes,
             method,
-            rays: 1,
+            rays_per_pixel: 1,
             is_smooth: false,
             offset: 0.0,
-            is_turned: false,
-            map: Arc::default(),
+            is_reversed: false,
+            uv_bvh: Arc::default(),
         }
     }
 
     fn origin(camera: &MeshCamera, x: f64, y: f64) -> Option<[f64; 3]> {
-        let (origin, dir) = camera.start(0, Place::new(x, y, 4, 3))?;
+        let (origin, dir) = camera.start(0, RasterPoint::new(x, y, 4, 3))?;
         assert_eq!(dir, DVec3::Z);
         Some(origin.to_array())
     }
 
     #[test]
-    fn the_first_two_rows_are_one() {
+    fn the_first_two_rows_use_the_same_triangles() {
         let camera = camera(Method::MeshForRay, vec![row(7, 0.0)]);
         assert_eq!(origin(&camera, 1.0, 0.0), Some([2.0, 1.0, 0.0]));
         assert_eq!(origin(&camera, 1.0, 1.0), Some([2.0, 1.0, 0.0]));
@@ -326,37 +326,37 @@ mod tests {
     }
 
     #[test]
-    fn one_list_goes_on_with_the_next_mesh() {
+    fn one_list_continues_with_the_next_mesh() {
         let camera = camera(Method::OneList, vec![row(3, 0.0), row(3, 5.0)]);
         assert_eq!(origin(&camera, 3.0, 0.0), Some([1.0, 1.0, 5.0]));
     }
 
     #[test]
-    fn meshes_side_by_side_count_the_columns_of_the_whole_picture() {
+    fn meshes_side_by_side_use_columns_of_the_whole_image() {
         // POV-Ray 3.7 with three meshes and four columns.
         let meshes = vec![row(9, 0.0), row(9, 5.0), row(9, 7.0)];
         let camera = camera(Method::SideBySide, meshes);
-        let found = [0.0, 1.0, 2.0, 3.0].map(|x| origin(&camera, x, 2.0));
+        let origins = [0.0, 1.0, 2.0, 3.0].map(|x| origin(&camera, x, 2.0));
         let expected = [[2.0, 0.0], [3.0, 5.0], [4.0, 5.0], [5.0, 7.0]];
-        assert_eq!(found, expected.map(|[x, z]| Some([x, 1.0, z])));
+        assert_eq!(origins, expected.map(|[x, z]| Some([x, 1.0, z])));
     }
 
     #[test]
-    fn a_direction_backwards_turns_the_ray_and_not_its_start() {
+    fn a_negative_direction_reverses_the_ray_but_not_its_offset() {
         let mut camera = camera(Method::MeshForRay, vec![row(9, 0.0)]);
-        (camera.offset, camera.is_turned) = (0.25, true);
-        let start = camera.start(0, Place::new(0.0, 0.0, 4, 3));
+        (camera.offset, camera.is_reversed) = (0.25, true);
+        let start = camera.start(0, RasterPoint::new(0.0, 0.0, 4, 3));
         assert_eq!(start, Some((DVec3::new(1.0, 1.0, 0.25), -DVec3::Z)));
     }
 
     #[test]
-    fn texture_coordinates_lead_to_a_point_of_a_triangle() {
+    fn texture_coordinates_map_to_a_point_of_a_triangle() {
         let text = "triangle { <0,0,0>, <0,300,0>, <300,0,0> uv_vectors <0, 0>, <0, 1>, <1, 0> }";
         let mesh = Mesh::read(&mut TextArgs::new(text)).unwrap();
         let mesh = Arc::new(PlacedMesh::new(mesh, Transform::IDENTITY));
         let camera = camera(Method::Coordinates, vec![mesh]);
         let at = |x, y| origin(&camera, x, y).map(|origin| origin[0]);
-        // The last column is half a pixel nearer.
+        // The last column is clamped, half a pixel nearer to the one before.
         assert_eq!((at(2.0, 2.0), at(3.0, 2.0)), (Some(150.0), Some(187.5)));
         assert_eq!(at(3.0, 1.0), None);
     }

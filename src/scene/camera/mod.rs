@@ -1,7 +1,7 @@
-//! `camera`: which ray each point of the picture sends into the scene.
+//! `camera`: generation of camera rays.
 //!
-//! The kinds of camera have one file each; all stand in the same frame of vectors, which `read` sets up. A lens
-//! ([`FocalBlur`]) may blur what a camera shows, and bumps bend it.
+//! Each projection has its own file. All of them use the same camera frame (`Frame`), which `read` sets up. A lens
+//! ([`FocalBlur`]) adds depth of field; a `normal` perturbs the ray directions.
 
 mod bumps;
 mod cylinder;
@@ -28,33 +28,33 @@ use crate::base::math::{Ray, Transform};
 use crate::scene::pattern::Settings;
 use bumps::Bumps;
 use glam::{DVec2, DVec3};
-use mesh_camera::{MeshCamera, Place};
+use mesh_camera::{MeshCamera, RasterPoint};
 use std::f64::consts::PI;
 
 /// The projection of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// Straight lines stay straight, what is far is small.
+    /// Pinhole projection onto a plane: straight lines stay straight.
     Perspective,
-    /// All rays are parallel.
+    /// Parallel rays.
     Orthographic,
-    /// The distance from the middle counts the angle.
+    /// The distance from the centre of the image is proportional to the angle from the axis.
     Fisheye,
-    /// Both directions of the picture count angles, with the middle undistorted.
+    /// Horizontal and vertical positions are proportional to angles; the centre is undistorted.
     UltraWideAngle,
-    /// Half around to both sides, straight in height.
+    /// A half turn from left to right, perspective in height.
     Panoramic,
-    /// The map of a globe; the angle from top to bottom in radians.
+    /// Longitude and latitude; holds the vertical angle in radians.
     Spherical(f64),
-    /// The dome of a cinema.
+    /// Dome projection.
     Omnimax,
-    /// A rolled-up picture of one of four types.
+    /// Projection onto a cylinder, of one of four types.
     Cylinder(cylinder::Roll),
-    /// The triangles of meshes send the rays.
+    /// Rays start at the triangles of meshes.
     Mesh,
 }
 
-/// The kinds of camera by their words, for the first of the kind.
+/// The projections by keyword, with their default parameters.
 const KINDS: &[(Word, Projection)] = &[
     (Word::Perspective, Projection::Perspective),
     (Word::Orthographic, Projection::Orthographic),
@@ -70,24 +70,24 @@ const KINDS: &[(Word, Projection)] = &[
     (Word::MeshCamera, Projection::Mesh),
 ];
 
-/// A camera. But for its [`Lens`] it needs no preparation: its vectors are what rays are made of.
+/// A camera. Only its [`Lens`] and its bumps need preparation: rays are computed directly from its vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     projection: Projection,
     frame: Frame,
-    /// The `angle` of cameras that count angles, in radians.
+    /// The `angle` of angular projections, in radians.
     angle: Option<f64>,
     look_at: DVec3,
     sky: DVec3,
-    /// The lens, if it has any width.
+    /// Lens parameters for depth of field.
     blur: FocalBlur,
-    /// What bends its rays.
+    /// The `normal` that perturbs ray directions.
     bumps: Option<Bumps>,
-    /// The meshes that it looks out of.
+    /// The meshes of a `mesh_camera`.
     meshes: Option<MeshCamera>,
 }
 
-/// The vectors of a camera.
+/// The camera frame: location and the three vectors of the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Frame {
     location: DVec3,
@@ -96,18 +96,18 @@ struct Frame {
     right: DVec3,
 }
 
-/// A point of the picture: -0.5 to 0.5 to the right and upwards.
+/// A point of the image plane: -0.5 to 0.5, `u` to the right and `v` upwards.
 #[derive(Clone, Copy, Debug)]
 struct Screen {
     u: f64,
     v: f64,
 }
 
-/// The start and the direction of a ray, the direction of any length.
+/// The origin of a ray and its direction, of any length.
 type Start = (DVec3, DVec3);
 
 impl Default for Camera {
-    /// The camera of a scene without one; its width is 1.33 whatever the shape of the picture.
+    /// The camera of a scene without one; its `right` has length 1.33 whatever the aspect ratio of the image.
     fn default() -> Self {
         Camera {
             projection: Projection::Perspective,
@@ -128,8 +128,8 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// A perspective camera at `location` that looks at `look_at`, with a picture `aspect` times as wide as high. `None` if
-    /// the two are the same point.
+    /// A perspective camera at `location` that looks at `look_at`, with aspect ratio `aspect` (width over height).
+    /// `None` if the two points are the same.
     #[must_use]
     pub fn perspective(location: DVec3, look_at: DVec3, aspect: f64) -> Option<Camera> {
         let mut camera = Camera::default();
@@ -139,10 +139,10 @@ impl Camera {
         Some(camera)
     }
 
-    /// The ray through a point of a picture of `width` by `height` pixels, its direction of length 1.
+    /// The ray through a point of an image of `width` by `height` pixels, with a unit direction.
     ///
-    /// Whole `x` (to the right) and `y` (down) are the centres of pixels. `None` where the camera sees nothing: its
-    /// vectors leave no direction, or the point lies outside of a round picture.
+    /// Integer `x` (to the right) and `y` (down) are pixel centres. `None` where the camera sees nothing: its vectors
+    /// give no direction, or the point lies outside a round image.
     #[must_use]
     #[inline]
     pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
@@ -150,44 +150,44 @@ impl Camera {
         let ray = ray(origin, dir)?;
         Some(match &self.bumps {
             None => ray,
-            Some(bumps) => bumps.bent(self.measure(Screen::new(x, y, width, height)), ray),
+            Some(bumps) => bumps.bend(self.bump_point(Screen::new(x, y, width, height)), ray),
         })
     }
 
-    /// How many rays a point of the picture has; [`Camera::primary_ray`] is the first.
+    /// Number of rays per image point; [`Camera::primary_ray`] is the first.
     #[must_use]
     pub fn rays(&self) -> u32 {
-        self.meshes.as_ref().map_or(1, MeshCamera::rays)
+        self.meshes.as_ref().map_or(1, MeshCamera::rays_per_pixel)
     }
 
-    /// One of the rays through a point of a picture, as [`Camera::primary_ray`].
+    /// One of the rays through an image point, as [`Camera::primary_ray`].
     #[must_use]
     #[cold]
     pub fn numbered_ray(
         &self,
-        number: u32,
+        index: u32,
         (x, y): (f64, f64),
         (width, height): (u32, u32),
     ) -> Option<Ray> {
-        let meshes = self.meshes.as_ref().filter(|_| number > 0);
+        let meshes = self.meshes.as_ref().filter(|_| index > 0);
         let Some(meshes) = meshes else {
             return self.primary_ray(x, y, width, height);
         };
-        let (origin, dir) = meshes.start(number, Place::new(x, y, width, height))?;
+        let (origin, dir) = meshes.start(index, RasterPoint::new(x, y, width, height))?;
         ray(origin, dir)
     }
 
-    /// The numbers from which a camera works out a direction, which differ from kind to kind: where bumps are asked for
-    /// (checked with POV-Ray).
+    /// The point at which bumps are evaluated: the coordinates from which the projection computes a direction, so each
+    /// projection has its own (checked with POV-Ray).
     #[cold]
-    fn measure(&self, screen: Screen) -> DVec2 {
+    fn bump_point(&self, screen: Screen) -> DVec2 {
         let Screen { u, v } = screen;
         let unit = self.bumps.as_ref().map_or(1.0, |bumps| bumps.unit);
         let width = self.frame.right.length() / unit;
         let height = self.frame.up.length() / unit;
         let (x, y) = match self.projection {
             Projection::Perspective | Projection::Orthographic | Projection::Mesh => (u, v),
-            Projection::Fisheye => fisheye::measure(&self.frame, screen, self.angle),
+            Projection::Fisheye => fisheye::bump_point(&self.frame, screen, self.angle),
             Projection::UltraWideAngle => {
                 let angle = self.angle.unwrap_or(ultra_wide_angle::ANGLE);
                 (u * angle, v * angle * height / width)
@@ -196,7 +196,7 @@ impl Camera {
             Projection::Spherical(vertical) => {
                 (u * self.angle.unwrap_or(spherical::WIDTH), v * vertical)
             }
-            Projection::Omnimax => omnimax::measure(&self.frame, screen),
+            Projection::Omnimax => omnimax::bump_point(&self.frame, screen),
             Projection::Cylinder(roll) => {
                 let angle = self.angle.unwrap_or(cylinder::ANGLE);
                 match roll {
@@ -210,8 +210,8 @@ impl Camera {
         DVec2::new(x, y)
     }
 
-    /// Where in a picture of `width` by `height` pixels a point is seen, in the measure of [`Camera::primary_ray`]. `None`
-    /// behind a camera, and where straight lines are bent.
+    /// Projects a point onto an image of `width` by `height` pixels, in the pixel coordinates of
+    /// [`Camera::primary_ray`]. `None` behind the camera, and for projections that bend straight lines.
     #[must_use]
     pub fn place_of(&self, point: DVec3, width: u32, height: u32) -> Option<(f64, f64)> {
         let Frame {
@@ -220,16 +220,16 @@ impl Camera {
             up,
             right,
         } = self.frame;
-        let way = point - location;
+        let offset = point - location;
         let size = direction.dot(right.cross(up));
-        let depth = way.dot(right.cross(up)) / size;
+        let depth = offset.dot(right.cross(up)) / size;
         let scale = match self.projection {
             Projection::Perspective => depth,
             Projection::Orthographic => 1.0,
             _ => return None,
         };
-        let u = way.dot(up.cross(direction)) / size / scale;
-        let v = way.dot(direction.cross(right)) / size / scale;
+        let u = offset.dot(up.cross(direction)) / size / scale;
+        let v = offset.dot(direction.cross(right)) / size / scale;
         let is_seen = depth > 0.0 && u.is_finite() && v.is_finite();
         is_seen.then(|| {
             let (width, height) = (f64::from(width), f64::from(height));
@@ -237,8 +237,8 @@ impl Camera {
         })
     }
 
-    /// For a flat picture the vectors that tell where in it a direction lies: how far across and up, from -0.5 to 0.5, are
-    /// its products with the first and the second by that with the third.
+    /// For a perspective camera without bumps, the dual vectors of its frame. A direction projects to
+    /// `u = (dir · axes[0]) / (dir · axes[2])` and `v = (dir · axes[1]) / (dir · axes[2])`, as in [`Screen`].
     #[must_use]
     pub(crate) fn axes(&self) -> Option<[DVec3; 3]> {
         let Frame {
@@ -269,12 +269,12 @@ impl Camera {
             Projection::Cylinder(roll) => Some(roll.start(frame, screen, self.angle)),
             Projection::Mesh => {
                 let meshes = self.meshes.as_ref()?;
-                meshes.start(0, Place::new(x, y, width, height))
+                meshes.start(0, RasterPoint::new(x, y, width, height))
             }
         }
     }
 
-    /// Whether all rays start at [`Camera::location`], but for the width of a lens.
+    /// True if all rays start at [`Camera::location`], apart from the aperture of a lens.
     #[must_use]
     pub fn has_one_origin(&self) -> bool {
         !matches!(
@@ -285,7 +285,7 @@ impl Camera {
         )
     }
 
-    /// The point from which the camera looks, or around which the origins of an orthographic view lie.
+    /// The viewpoint; for an orthographic camera the centre of the ray origins.
     #[must_use]
     pub fn location(&self) -> DVec3 {
         self.frame.location
@@ -306,14 +306,15 @@ impl Screen {
     fn new(x: f64, y: f64, width: u32, height: u32) -> Self {
         Screen {
             u: (x + 0.5) / f64::from(width) - 0.5,
-            // In this order of operations a ray through an edge that lies on a pixel's centre goes to POV-Ray's side.
+            // With this order of operations, a ray through an edge that lies on a pixel centre falls on the same side
+            // as in POV-Ray.
             v: (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5,
         }
     }
 }
 
 impl Camera {
-    /// The same ready for rays; `settings` are what patterns take from the whole scene.
+    /// A copy prepared for ray generation; `settings` are the scene-wide settings of patterns.
     #[must_use]
     pub fn prepared(&self, settings: &Settings) -> Camera {
         let mut camera = self.clone();
@@ -323,12 +324,12 @@ impl Camera {
         camera
     }
 
-    /// The same with every length times a factor.
+    /// A copy with all lengths multiplied by a factor.
     #[must_use]
     pub(crate) fn scaled(mut self, factor: f64) -> Camera {
         self.frame.location *= factor;
         self.look_at *= factor;
-        // Elsewhere these are directions, or count angles.
+        // For the other projections these only give directions or angles.
         if !self.has_one_origin() {
             self.frame.right *= factor;
             self.frame.up *= factor;
@@ -343,7 +344,7 @@ impl Camera {
         self
     }
 
-    /// The same in another place.
+    /// A copy moved by a vector.
     #[must_use]
     pub(crate) fn moved(mut self, by: DVec3) -> Camera {
         self.frame.location += by;
@@ -356,7 +357,7 @@ impl Camera {
 }
 
 impl Frame {
-    /// The same with vectors of length 1, in which cameras count that measure angles.
+    /// A copy with unit vectors, as used by angular projections.
     fn unit(&self) -> Frame {
         Frame {
             location: self.location,
@@ -367,19 +368,20 @@ impl Frame {
     }
 }
 
-/// The angle to a point of a round picture as POV-Ray counts it, from -90 degrees downwards over the right to 270.
-fn turn(x: f64, y: f64) -> f64 {
+/// The polar angle of a point of a round image in POV-Ray's range: from -90 degrees (down) through 0 (right) to 270.
+fn polar_angle(x: f64, y: f64) -> f64 {
     let rise = (y / x.hypot(y)).asin();
     if x < 0.0 { PI - rise } else { rise }
 }
 
-/// The ray from a point in a direction of any length but none, which is multiplied by one over that: rounded so it
-/// is POV-Ray's to the bit, which a quotient is not (measured by how often intervals of media fall short).
+/// The ray from a point in a nonzero direction of any length. The direction is multiplied by the reciprocal of its
+/// length: rounded like this it equals POV-Ray's to the bit, unlike the quotient (measured by how often media intervals
+/// fall short).
 fn ray(origin: DVec3, dir: DVec3) -> Option<Ray> {
     let length = dir.length();
     if length.is_normal() {
         return Some(Ray::new(origin, dir * length.recip()));
     }
-    // Squares that cannot be held say nothing about a direction.
+    // The squares overflow or underflow, but the direction may still be valid.
     unit(dir).map(|dir| Ray::new(origin, dir))
 }

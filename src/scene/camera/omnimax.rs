@@ -1,38 +1,38 @@
-//! `omnimax`: the picture for the dome of a cinema, a fisheye with a law of its own, cut off below.
+//! `omnimax`: dome projection for cinemas, a fisheye with a polynomial angle mapping, cut off at the bottom.
 
-use super::{Frame, Screen, Start, turn};
+use super::{Frame, Screen, Start, polar_angle};
 
-/// A picture wider than this, in units of its height, leaves its sides empty.
-const WIDEST: f64 = 1.283_458;
+/// The largest aspect ratio that the dome fills; the sides of a wider image stay empty.
+const MAX_ASPECT: f64 = 1.283_458;
 
-/// The place in the circle of radius 1.
-fn place(frame: &Frame, screen: Screen) -> (f64, f64) {
+/// Image coordinates relative to the unit circle.
+fn disc_point(frame: &Frame, screen: Screen) -> (f64, f64) {
     let (mut x, mut y) = (2.0 * screen.u, 2.0 * screen.v);
-    let shape = frame.right.length() / frame.up.length();
-    if shape > WIDEST {
-        x *= shape / WIDEST;
-        y = (y - 1.0) / WIDEST + 1.0;
-    } else if shape > 1.0 {
-        y = (y - 1.0) / shape + 1.0;
+    let aspect = frame.right.length() / frame.up.length();
+    if aspect > MAX_ASPECT {
+        x *= aspect / MAX_ASPECT;
+        y = (y - 1.0) / MAX_ASPECT + 1.0;
+    } else if aspect > 1.0 {
+        y = (y - 1.0) / aspect + 1.0;
     } else {
-        y /= shape;
+        y /= aspect;
     }
     (x, y)
 }
 
-/// The angle from the axis at a distance from the middle.
+/// The angle from the axis at a distance from the centre.
 fn angle(r: f64) -> f64 {
     1.411_269 * r - 0.094_39 * r.powi(3) + 0.256_74 * r.powi(5)
 }
 
-/// The angles around the axis and from it.
-pub(super) fn measure(frame: &Frame, screen: Screen) -> (f64, f64) {
-    let (x, y) = place(frame, screen);
-    (turn(x, y), angle(x.hypot(y)))
+/// The angle around the axis and the angle from it.
+pub(super) fn bump_point(frame: &Frame, screen: Screen) -> (f64, f64) {
+    let (x, y) = disc_point(frame, screen);
+    (polar_angle(x, y), angle(x.hypot(y)))
 }
 
 pub(super) fn start(frame: &Frame, screen: Screen) -> Option<Start> {
-    let (x, y) = place(frame, screen);
+    let (x, y) = disc_point(frame, screen);
     let r = x.hypot(y);
     if r > 1.0 {
         return None;

@@ -8,7 +8,7 @@ pub(super) fn start(frame: &Frame, screen: Screen) -> Start {
 }
 
 impl Camera {
-    /// Gives an orthographic view the size of what a perspective one shows at `look_at`.
+    /// Scales `right` and `up` to what a perspective camera would show at the distance of `look_at`.
     pub(super) fn fit_orthographic(&mut self) {
         let frame = &mut self.frame;
         let scale = (self.look_at - frame.location).length() / frame.direction.length();

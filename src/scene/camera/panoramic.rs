@@ -1,4 +1,4 @@
-//! `panoramic`: half around to both sides, straight in height; the lengths of the vectors count.
+//! `panoramic`: a half turn from left to right, perspective in height. The lengths of the vectors matter.
 
 use super::{Frame, Screen, Start};
 use std::f64::consts::PI;

@@ -1,7 +1,8 @@
-//! Reading a `camera` block.
+//! Parser of `camera` blocks.
 //!
-//! From version 3.5 on the order of the words does not matter: vectors first, then `angle`, `look_at`, the scale of
-//! an orthographic view, and all transforms together at the end. Before, each word acts where it stands.
+//! From version 3.5 on, the order of the parameters does not matter: vectors are applied first, then `angle`,
+//! `look_at`, the scale of an orthographic camera, and finally all transforms together. Before 3.5, each parameter
+//! takes effect where it is written.
 
 use super::{Camera, KINDS, Projection, bumps::Bumps, cylinder::Roll, mesh_camera::MeshCamera};
 use crate::base::args::{Args, Parse, Word, declared, not_built, transform_step};
@@ -10,18 +11,18 @@ use crate::base::source::{Diagnostic, Span};
 use crate::scene::texture::Normal;
 use glam::DVec3;
 
-/// The first language version in which the order of the words does not matter.
+/// The first language version in which the order of the parameters does not matter.
 const FIRST_WITHOUT_ORDER: f64 = 3.5;
-/// A vector whose components are all below this has no direction; POV-Ray's value.
+/// A vector with all components below this has no direction; POV-Ray's value.
 const NO_DIRECTION: f64 = 1e-10;
-/// The height of a `spherical` picture as a share of its width, where only one angle is given.
-const HALF: f64 = 0.5;
+/// The vertical angle of a `spherical` camera as a fraction of the horizontal one, if only one angle is given.
+const VERTICAL_FRACTION: f64 = 0.5;
 
-/// What a block asks for that takes effect at its end.
+/// Parameters that take effect at the end of the block.
 #[derive(Default)]
 struct Pending {
     angle_deg: Option<f64>,
-    /// True if there is an `angle`, be it one of 0, which opens the view to nothing else.
+    /// True if `angle` is given. It scales an orthographic camera even if it is 0, which has no other effect.
     has_angle: bool,
     look_at: Option<(DVec3, Span)>,
     has_frame: bool,
@@ -29,10 +30,10 @@ struct Pending {
 }
 
 impl Camera {
-    /// The camera of a block. `base` is the default camera; before version 3.5 it is the camera written before.
+    /// Reads a `camera` block. `base` is the default camera; before version 3.5 it is the previous camera of the scene.
     ///
     /// # Errors
-    /// A malformed value, a word that is not built yet, `angle` out of bounds, or `look_at` equal to `location`.
+    /// A malformed value, an unsupported parameter, `angle` out of range, or `look_at` equal to `location`.
     pub fn read(args: &mut dyn Args, base: &Camera) -> Parse<Camera> {
         args.open()?;
         let mut is_named = false;
@@ -45,7 +46,7 @@ impl Camera {
         };
         if args.version() < FIRST_WITHOUT_ORDER {
             camera.read_in_order(args)?;
-            camera.blur.focus(&camera.frame);
+            camera.blur.update_distance(&camera.frame);
             return Ok(camera);
         }
         let mut pending = Pending::default();
@@ -66,18 +67,18 @@ impl Camera {
         }
         if !is_named {
             camera.finish(args, &pending)?;
-            camera.blur.focus(&camera.frame);
+            camera.blur.update_distance(&camera.frame);
         }
         if let Some(transform) = &pending.transform {
             camera.transform(transform);
         }
         if let Some(meshes) = &mut camera.meshes {
-            meshes.look(&camera.frame);
+            meshes.apply_frame(&camera.frame);
         }
         Ok(camera)
     }
 
-    /// One parameter of a block in which the order does not matter.
+    /// Reads a parameter, for versions in which the order does not matter.
     fn read_item(&mut self, args: &mut dyn Args, pending: &mut Pending) -> Parse<()> {
         let Some(word) = args.word()? else {
             return Err(args.expected("a parameter of `camera` or `}`"));
@@ -105,7 +106,7 @@ impl Camera {
         Ok(())
     }
 
-    /// A parameter that is a plain vector.
+    /// Reads a vector parameter; false if `word` is none.
     fn read_vector(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         let slot = match word {
             Word::Location => &mut self.frame.location,
@@ -120,7 +121,7 @@ impl Camera {
         Ok(true)
     }
 
-    /// `normal`.
+    /// Reads `normal`; false for other words.
     fn read_bumps(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         if word != Word::Normal {
             return Ok(false);
@@ -130,6 +131,7 @@ impl Camera {
         Ok(true)
     }
 
+    /// Reads a projection keyword and its parameters; false if `word` is none.
     fn read_projection(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         let Some((_, projection)) = KINDS.iter().find(|kind| kind.0 == word) else {
             return Ok(false);
@@ -155,7 +157,7 @@ impl Camera {
         Ok(true)
     }
 
-    /// `angle` and its degrees, which only some projections bound; to those 0 is as if it were not there.
+    /// Reads `angle`, in degrees. Perspective and orthographic cameras need less than 180 and ignore 0.
     fn read_angle(&mut self, args: &mut dyn Args) -> Parse<Option<f64>> {
         let at = args.span();
         args.accept(Word::Angle)?;
@@ -165,7 +167,7 @@ impl Camera {
             *vertical = if has_comma || args.at_expression()? {
                 args.float()?.to_radians()
             } else {
-                HALF * degrees.to_radians()
+                VERTICAL_FRACTION * degrees.to_radians()
             };
         }
         let is_flat = matches!(
@@ -185,10 +187,10 @@ impl Camera {
         )))
     }
 
-    /// Applies what waits for the end of the block, except the transforms.
+    /// Applies the pending parameters except the transforms.
     fn finish(&mut self, args: &mut dyn Args, pending: &Pending) -> Parse<()> {
         if let Some(degrees) = pending.angle_deg {
-            self.open_to(degrees);
+            self.set_angle(degrees);
         }
         if let Some((point, at)) = pending.look_at {
             self.aim(args, point, at)?;
@@ -200,7 +202,7 @@ impl Camera {
         Ok(())
     }
 
-    /// A block in which each word acts where it stands, as before version 3.5.
+    /// Reads the rest of a block before version 3.5: each parameter takes effect where it is written.
     fn read_in_order(&mut self, args: &mut dyn Args) -> Parse<()> {
         while !args.accept_close()? {
             if let Some(step) = transform_step(args)? {
@@ -219,7 +221,7 @@ impl Camera {
                     if let Some(degrees) = degrees
                         && self.projection != Projection::Orthographic
                     {
-                        self.open_to(degrees);
+                        self.set_angle(degrees);
                     }
                 }
                 Word::LookAt => {
@@ -240,8 +242,8 @@ impl Camera {
         Ok(())
     }
 
-    /// Makes the picture span `degrees` from left to right.
-    fn open_to(&mut self, degrees: f64) {
+    /// Sets the horizontal angle of view.
+    fn set_angle(&mut self, degrees: f64) {
         self.angle = Some(degrees.to_radians());
         if matches!(
             self.projection,
@@ -272,8 +274,9 @@ impl Camera {
         }
     }
 
-    /// Turns the camera so that `point` is in the middle and `sky` points up; lengths and handedness stay. False if it
-    /// looks along `sky`, which then gives no direction; `None` if it stands at the point.
+    /// Turns the camera so that `point` is in the centre of the image and `sky` points up, preserving lengths and
+    /// handedness. False if the view direction is parallel to `sky`, which then has no effect; `None` if the point is
+    /// the camera's location.
     pub(super) fn turn_to(&mut self, point: DVec3) -> Option<bool> {
         let frame = &mut self.frame;
         let handedness = frame.up.cross(frame.direction).dot(frame.right);
@@ -290,12 +293,12 @@ impl Camera {
         frame.up = upward * frame.up.length();
         frame.right = sideways * if handedness > 0.0 { width } else { -width };
         self.look_at = point;
-        self.blur.look(&self.frame);
+        self.blur.reset_distance(&self.frame);
         Some(has_sky)
     }
 }
 
-/// `look_at` with its point, and where it stands.
+/// Reads `look_at`: its point and its source span.
 fn look_at(args: &mut dyn Args) -> Parse<(DVec3, Span)> {
     let at = args.span();
     args.accept(Word::LookAt)?;
@@ -303,7 +306,7 @@ fn look_at(args: &mut dyn Args) -> Parse<(DVec3, Span)> {
     Ok((point, at.to(args.last_span())))
 }
 
-/// The error for a word that no camera has, or that is not built yet.
+/// The error for an unknown or unsupported parameter.
 fn unknown(word: Word, args: &mut dyn Args) -> Box<Diagnostic> {
     if matches!(word, Word::Normal | Word::MeshCamera) {
         not_built(args, word)

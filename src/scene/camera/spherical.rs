@@ -1,11 +1,11 @@
-//! `spherical`: the map of a globe, with degrees of longitude and latitude as squares.
+//! `spherical`: equirectangular projection, with longitude across and latitude upwards.
 
 use super::{Frame, Screen, Start};
 use std::f64::consts::{PI, TAU};
 
-/// The angle across the picture unless the scene says more.
+/// The default horizontal angle.
 pub(super) const WIDTH: f64 = TAU;
-/// The angle from top to bottom of a camera without `angle`.
+/// The vertical angle of a camera without `angle`.
 pub(super) const HEIGHT: f64 = PI;
 
 pub(super) fn start(frame: &Frame, screen: Screen, across: Option<f64>, vertical: f64) -> Start {

@@ -1,4 +1,4 @@
-//! Cameras against pictures of POV-Ray, and what is wrong with faulty ones.
+//! Cameras compared with POV-Ray's images, and error messages.
 
 use super::*;
 use crate::base::args::text::TextArgs;
@@ -15,27 +15,28 @@ fn error(text: &str) -> String {
     read.expect_err("the text is faulty").message
 }
 
-/// Where the rays of a picture of 5 by 1 pixels meet the plane z = 0.
+/// Hit points of the rays of a 5 by 1 image with the plane z = 0: their x.
 fn columns(camera: &Camera) -> Vec<f64> {
     let ray = |x: u8| camera.primary_ray(f64::from(x), 0.0, 5, 1);
-    let meet = |ray: Ray| ray.origin.x - ray.origin.z / ray.dir.z * ray.dir.x;
+    let hit_x = |ray: Ray| ray.origin.x - ray.origin.z / ray.dir.z * ray.dir.x;
     (0..5)
-        .map(|x| meet(ray(x).expect("it has a direction")))
+        .map(|x| hit_x(ray(x).expect("it has a direction")))
         .collect()
 }
 
-/// Compares with what POV-Ray 3.7 draws of a plane `z, 0` with a gradient over 100 units, in 16 bits.
+/// Compares with the hit points of POV-Ray 3.7, measured from a 16-bit image of a plane `z, 0` with a gradient over 100
+/// units.
 fn check(text: &str, version: f64, expected: [f64; 5]) {
-    for (found, expected) in columns(&camera(text, version)).iter().zip(expected) {
+    for (actual, expected) in columns(&camera(text, version)).iter().zip(expected) {
         assert!(
-            (found - expected).abs() < 0.002,
-            "{text}: {found}, not {expected}"
+            (actual - expected).abs() < 0.002,
+            "{text}: {actual}, not {expected}"
         );
     }
 }
 
 #[test]
-fn the_picture_is_as_wide_as_right() {
+fn right_sets_the_width_of_the_image() {
     check(
         "{ location <0,0,-5> }",
         3.7,
@@ -62,7 +63,7 @@ fn an_orthographic_view_with_angle_is_scaled() {
 }
 
 #[test]
-fn the_order_of_words_does_not_matter() {
+fn the_order_of_parameters_does_not_matter() {
     let text = "{ location <1,0,-5> angle 60 right <2,0,0> look_at <2,0,0> }";
     check(text, 3.7, [-0.199, 0.852, 2.0, 3.259, 4.646]);
 }
@@ -74,7 +75,7 @@ fn transforms_come_after_look_at() {
 }
 
 #[test]
-fn before_version_3_5_each_word_acts_where_it_stands() {
+fn before_version_3_5_parameters_take_effect_in_order() {
     let angle = "{ location <1,0,-5> angle 60 right <2,0,0> look_at <2,0,0> }";
     check(angle, 3.1, [-1.171, 0.312, 2.0, 3.941, 6.194]);
     let turn = "{ location <1,0,-5> right <2,0,0> angle 60 rotate <0,20,0> look_at <2,0,0> }";
@@ -110,7 +111,7 @@ fn a_named_camera_takes_transforms_only() {
 }
 
 #[test]
-fn looking_along_sky_is_doubtful() {
+fn looking_along_sky_is_a_warning() {
     let mut args = TextArgs::new("{ location <0,-5,0> look_at 0 }");
     let camera = Camera::read(&mut args, &Camera::default()).unwrap();
     assert_eq!(
@@ -127,7 +128,7 @@ fn a_camera_without_direction_sees_nothing() {
 }
 
 #[test]
-fn faults_are_told() {
+fn faults_are_reported() {
     assert_eq!(
         error("{ angle 180 }"),
         "`angle` must be less than 180 degrees, but it is 180"
@@ -151,7 +152,7 @@ fn faults_are_told() {
 }
 
 #[test]
-fn a_point_on_a_ray_is_seen_where_the_ray_goes() {
+fn points_of_a_ray_project_to_its_pixel() {
     for text in [
         "{ location <1, 2, -5> look_at <0.5, 0, 1> angle 50 right <1.5, 0.2, 0> }",
         "{ orthographic location <1, 2, -5> look_at <0.5, 0, 1> angle 40 }",
@@ -169,14 +170,14 @@ fn a_point_on_a_ray_is_seen_where_the_ray_goes() {
     assert_eq!(bent.place_of(DVec3::ZERO, 40, 30), None);
 }
 
-/// POV-Ray 3.7 asks for the bumps of each camera at the numbers that it works with.
+/// POV-Ray 3.7 evaluates the bumps of each projection in that projection's own coordinates.
 #[test]
-fn bumps_stand_where_the_camera_counts() {
+fn bumps_use_the_coordinates_of_the_projection() {
     let check = |text: &str, x: f64, y: f64| {
-        let place = camera(text, 3.7).measure(Screen { u: -0.25, v: 0.125 });
+        let point = camera(text, 3.7).bump_point(Screen { u: -0.25, v: 0.125 });
         assert!(
-            (place - DVec2::new(x, y)).length() < 1e-12,
-            "{text}: {place}"
+            (point - DVec2::new(x, y)).length() < 1e-12,
+            "{text}: {point}"
         );
     };
     check("{ perspective }", -0.25, 0.125);

@@ -1,9 +1,9 @@
-//! `ultra_wide_angle`: the picture counts angles, across and upwards.
+//! `ultra_wide_angle`: horizontal and vertical positions are proportional to angles.
 
 use super::{Frame, Screen, Start};
 use std::f64::consts::FRAC_PI_2;
 
-/// The angle across the picture unless the scene says more.
+/// The default horizontal angle.
 pub(super) const ANGLE: f64 = FRAC_PI_2;
 
 pub(super) fn start(frame: &Frame, screen: Screen, angle: Option<f64>) -> Start {

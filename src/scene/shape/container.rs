@@ -1,7 +1,7 @@
 //! `contained_by { box { ... } }` or `contained_by { sphere { ... } }`: the region in which a shape defined by
 //! functions is searched for.
 
-use super::{Cuboid, Sphere};
+use super::{Cuboid, SpanEnd, Sphere};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
@@ -10,11 +10,8 @@ use glam::DVec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Container {
     Box { low: DVec3, high: DVec3 },
-    Ball { centre: DVec3, radius: f64 },
+    Sphere { centre: DVec3, radius: f64 },
 }
-
-/// An end of a ray's interval in a container: its parameter, and the face.
-pub(super) type End = (f64, u32);
 
 /// Face number of a sphere. A box has two faces per axis: twice the axis for the lower one, and one more for the upper.
 const SPHERE_FACE: u32 = 6;
@@ -50,7 +47,7 @@ impl Container {
             }
         } else {
             let Sphere { centre, radius } = Sphere::read(args)?;
-            Container::Ball { centre, radius }
+            Container::Sphere { centre, radius }
         };
         args.close()?;
         args.close()?;
@@ -63,7 +60,7 @@ impl Container {
                 min: low,
                 max: high,
             },
-            Container::Ball { centre, radius } => {
+            Container::Sphere { centre, radius } => {
                 let radius = DVec3::splat(radius.abs());
                 Bounds {
                     min: centre - radius,
@@ -77,7 +74,7 @@ impl Container {
     pub(super) fn contains(&self, point: DVec3) -> bool {
         match *self {
             Container::Box { low, high } => point.cmpge(low).all() && point.cmple(high).all(),
-            Container::Ball { centre, radius } => {
+            Container::Sphere { centre, radius } => {
                 (point - centre).length_squared() <= radius * radius
             }
         }
@@ -90,7 +87,7 @@ impl Container {
                 let (axis, side) = ((face / 2) as usize, if face % 2 == 1 { high } else { low });
                 (point[axis] - side[axis]).abs() < FACE_TOLERANCE
             }),
-            Container::Ball { centre, radius } => {
+            Container::Sphere { centre, radius } => {
                 ((point.distance(centre) - radius).abs() < FACE_TOLERANCE).then_some(SPHERE_FACE)
             }
         }
@@ -103,15 +100,15 @@ impl Container {
                 let sign = if face % 2 == 1 { 1.0 } else { -1.0 };
                 sign * DVec3::AXES[(face / 2) as usize % 3]
             }
-            Container::Ball { centre, .. } => point - centre,
+            Container::Sphere { centre, .. } => point - centre,
         }
     }
 
     /// The entry and exit of a ray's line.
-    pub(super) fn chord(&self, ray: &Ray) -> Option<[End; 2]> {
+    pub(super) fn chord(&self, ray: &Ray) -> Option<[SpanEnd; 2]> {
         match *self {
             Container::Box { low, high } => box_chord(ray, low, high),
-            Container::Ball { centre, radius } => {
+            Container::Sphere { centre, radius } => {
                 let dir_sq = ray.dir.length_squared();
                 let offset = ray.origin - centre;
                 let middle = -offset.dot(ray.dir) / dir_sq;
@@ -119,16 +116,19 @@ impl Container {
                 let half_sq = (radius * radius - away_sq) / dir_sq;
                 (half_sq > 0.0).then(|| {
                     let half = half_sq.sqrt();
-                    [(middle - half, SPHERE_FACE), (middle + half, SPHERE_FACE)]
+                    [
+                        SpanEnd::new(middle - half, SPHERE_FACE),
+                        SpanEnd::new(middle + half, SPHERE_FACE),
+                    ]
                 })
             }
         }
     }
 }
 
-fn box_chord(ray: &Ray, low: DVec3, high: DVec3) -> Option<[End; 2]> {
-    let mut enter = (f64::NEG_INFINITY, 0);
-    let mut leave = (f64::INFINITY, 0);
+fn box_chord(ray: &Ray, low: DVec3, high: DVec3) -> Option<[SpanEnd; 2]> {
+    let mut enter = SpanEnd::new(f64::NEG_INFINITY, 0);
+    let mut leave = SpanEnd::new(f64::INFINITY, 0);
     for (axis, lower) in [(0, 0), (1, 2), (2, 4)] {
         let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
         if dir == 0.0 {
@@ -137,19 +137,19 @@ fn box_chord(ray: &Ray, low: DVec3, high: DVec3) -> Option<[End; 2]> {
             }
             continue;
         }
-        let at_low = ((low[axis] - origin) / dir, lower);
-        let at_high = ((high[axis] - origin) / dir, lower + 1);
+        let at_low = SpanEnd::new((low[axis] - origin) / dir, lower);
+        let at_high = SpanEnd::new((high[axis] - origin) / dir, lower + 1);
         let (near, far) = if dir > 0.0 {
             (at_low, at_high)
         } else {
             (at_high, at_low)
         };
-        if near.0 > enter.0 {
+        if near.t > enter.t {
             enter = near;
         }
-        if far.0 < leave.0 {
+        if far.t < leave.t {
             leave = far;
         }
     }
-    (enter.0 < leave.0 && enter.0.is_finite() && leave.0.is_finite()).then_some([enter, leave])
+    (enter.t < leave.t && enter.t.is_finite() && leave.t.is_finite()).then_some([enter, leave])
 }

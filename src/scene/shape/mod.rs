@@ -436,16 +436,32 @@ fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
         .copied()
 }
 
+/// An end of a ray's span inside a solid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanEnd {
+    /// Ray parameter.
+    pub(crate) t: f64,
+    /// The face on which the end lies, or the index of a part.
+    pub(crate) face: u32,
+}
+
+impl SpanEnd {
+    #[inline(always)]
+    pub(crate) fn new(t: f64, face: u32) -> Self {
+        SpanEnd { t, face }
+    }
+}
+
 /// A visible span of a bounded solid, `None` if an end is not finite.
 #[inline]
-fn span(enter: (f64, u32), leave: (f64, u32)) -> Option<[Root; 2]> {
-    let root = |(t, face), crossing| Root {
-        t,
+fn span(enter: SpanEnd, leave: SpanEnd) -> Option<[Root; 2]> {
+    let root = |end: SpanEnd, crossing| Root {
+        t: end.t,
         crossing,
-        face,
+        face: end.face,
         is_visible: true,
     };
-    (enter.0.is_finite() && leave.0.is_finite())
+    (enter.t.is_finite() && leave.t.is_finite())
         .then(|| [root(enter, Crossing::Enter), root(leave, Crossing::Leave)])
 }
 
@@ -521,7 +537,7 @@ fn alternate_into(
 
 /// Relative margin beyond all rounding: the distance from an edge, as a fraction of the lengths in the computation, at
 /// which a point is certainly to one side of it.
-const SURELY_ASIDE: f64 = 1.0 / (1u64 << 20) as f64;
+const CLEAR_MARGIN: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// Appends the span of a convex bounded solid.
 fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
@@ -532,7 +548,7 @@ fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
 }
 
 /// The factor of a scaling that maps spheres to spheres, mirrorings included.
-fn even_scale(by: DVec3) -> Option<f64> {
+fn uniform_scale(by: DVec3) -> Option<f64> {
     let factors = by.abs();
     (factors.x == factors.y && factors.y == factors.z).then_some(factors.x)
 }

@@ -64,7 +64,7 @@ fn relative_to<F: F64Lanes>(
 fn are_near<F: F64Lanes>(start: Vec3Lanes<F>, point: Vec3Lanes<F>, size: f64) -> F::Mask {
     let limit = F::splat(NEAR_ENOUGH * size);
     let farther = dot(start, start).lane_max(dot(point, point));
-    // NaN counts as far: `larger` returns it if it is the second operand, and the start is a number.
+    // NaN counts as far: `lane_max` returns it if it is the second operand, and the start is a number.
     farther.lt(limit * limit)
 }
 

@@ -2,7 +2,7 @@
 //! per ray.
 
 use super::Shape;
-use super::packet_search::{FourAsked, FourFound};
+use super::packet_search::{NearestQuery4, NearestResult4};
 use crate::base::math::Ray;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::base::math::roots::ray_sphere::MARGIN;
@@ -35,7 +35,7 @@ pub(crate) struct SpanPacket<F: F64Lanes> {
 impl<F: F64Lanes> SpanPacket<F> {
     /// Spans from raw ends; lanes outside `is_known` take the scalar path, as the shape requires.
     #[inline(always)]
-    pub(super) fn new((enter, leave): (F, F), is_hit: F::Mask, is_known: F::Mask) -> Self {
+    pub(super) fn new(enter: F, leave: F, is_hit: F::Mask, is_known: F::Mask) -> Self {
         let endless = F::splat(f64::INFINITY);
         let is_finite = enter.abs().lt(endless) & leave.abs().lt(endless);
         // A span of zero length follows the tie rules of the scalar path, too.
@@ -91,11 +91,11 @@ pub(crate) struct NearestPacket<F: F64Lanes> {
 
 impl<F: F64Lanes> NearestPacket<F> {
     #[inline(always)]
-    fn load(result: &FourFound) -> Self {
+    fn load(result: &NearestResult4) -> Self {
         NearestPacket {
             t: F::from_array(&result.t),
             leaves: 0,
-            met: result.met,
+            met: result.hit_mask,
             unknown: result.unknown,
         }
     }
@@ -211,7 +211,7 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Cuboid(_) => true,
-            Shape::Cylinder(cylinder) => cylinder.has_four(),
+            Shape::Cylinder(cylinder) => cylinder.supports_packets(),
             Shape::Plane(_) | Shape::Quadric(_) => true,
             _ => false,
         }
@@ -223,9 +223,9 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.supports_packets(),
             Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
-            Shape::JuliaFractal(fractal) => fractal.has_four(),
+            Shape::JuliaFractal(fractal) => fractal.supports_packets(),
             Shape::Plane(_) | Shape::Cuboid(_) | Shape::Quadric(_) => true,
-            Shape::Cylinder(cylinder) => cylinder.has_four(),
+            Shape::Cylinder(cylinder) => cylinder.supports_packets(),
             _ => false,
         }
     }
@@ -253,7 +253,7 @@ impl Shape {
             Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
             Shape::Torus(torus) => torus.nearest_packet::<F, ANY>(rays, from, far, left, active),
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => NearestPacket::load(
-                &self.search_packet(&FourAsked::new(rays, from, far, left, active)),
+                &self.search_packet(&NearestQuery4::new(rays, from, far, left, active)),
             ),
             Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
                 // No end beyond the first is needed.
@@ -273,7 +273,7 @@ impl Shape {
             Shape::Torus(torus) => torus.is_exiting_packet(rays),
             Shape::Superellipsoid(superellipsoid) => {
                 let none = F::splat(0.0);
-                let rays = FourAsked::new(rays, none, none, [0, 0], 0b1111);
+                let rays = NearestQuery4::new(rays, none, none, [0, 0], 0b1111);
                 F::mask_from_bits(superellipsoid.is_exiting_packet(&rays))
             }
             Shape::Plane(plane) => plane.is_exiting_packet(rays),
@@ -315,17 +315,13 @@ impl Shape {
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>, within: (F, F)) -> SpanPacket<F> {
         match self {
             Shape::Sphere(sphere) => sphere.span_packet(rays),
-            Shape::Cuboid(cuboid) => cuboid.four(rays),
-            Shape::Cylinder(cylinder) => cylinder.four(rays),
+            Shape::Cuboid(cuboid) => cuboid.span_packet(rays),
+            Shape::Cylinder(cylinder) => cylinder.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
             Shape::Quadric(quadric) => quadric.span_packet(rays, within.0, within.1),
             _ => {
                 let nothing = F::splat(0.0);
-                SpanPacket::new(
-                    (nothing, nothing),
-                    F::mask_from_bits(0),
-                    F::mask_from_bits(0),
-                )
+                SpanPacket::new(nothing, nothing, F::mask_from_bits(0), F::mask_from_bits(0))
             }
         }
     }
@@ -345,8 +341,8 @@ pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
     is_dir & origin_sq.lt(F::splat(FAR_SQUARE))
 }
 
-/// Chords of a ray packet with a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds each:
-/// enter, leave, and the mask of the lanes that hit it.
+/// Chords of a ray packet with a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds
+/// each: enter, leave, and the mask of the lanes that hit it.
 #[inline(always)]
 pub(super) fn chords<F: F64Lanes>(
     p: Vec3Lanes<F>,

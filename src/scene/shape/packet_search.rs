@@ -9,7 +9,7 @@ use crate::base::math::simd::vec3::{from_arrays, to_arrays};
 use glam::DVec3;
 
 /// Nearest-root query of a ray packet.
-pub(crate) struct FourAsked {
+pub(crate) struct NearestQuery4 {
     pub(super) origin: [[f64; 4]; 3],
     pub(super) dir: [[f64; 4]; 3],
     pub(super) from: [f64; 4],
@@ -17,35 +17,35 @@ pub(crate) struct FourAsked {
     /// Bit mask of the lanes that have just left the shape.
     pub(super) left: u32,
     /// Bit mask of the active lanes.
-    pub(super) there: u32,
+    pub(super) active: u32,
 }
 
 /// Nearest roots of a ray packet; all enter the shape.
 #[derive(Default)]
-pub(crate) struct FourFound {
+pub(crate) struct NearestResult4 {
     pub(super) t: [f64; 4],
     /// Bit mask of the lanes that have a root.
-    pub(super) met: u32,
+    pub(super) hit_mask: u32,
     /// Bit mask of the lanes that take the scalar path.
     pub(super) unknown: u32,
 }
 
-impl FourAsked {
+impl NearestQuery4 {
     #[inline(always)]
     pub(super) fn new<F: F64Lanes>(
         rays: &RayPacket<F>,
         from: F,
         far: F,
         left: [u32; 2],
-        there: u32,
+        active: u32,
     ) -> Self {
-        FourAsked {
+        NearestQuery4 {
             origin: to_arrays(rays.origin),
             dir: to_arrays(rays.dir),
             from: from.to_array(),
             far: far.to_array(),
             left: left[0] | left[1],
-            there,
+            active,
         }
     }
 
@@ -67,13 +67,13 @@ impl FourAsked {
 impl Shape {
     /// Nearest roots of a ray packet, for the shapes that need an iterative search.
     #[inline(never)]
-    pub(super) fn search_packet(&self, query: &FourAsked) -> FourFound {
+    pub(super) fn search_packet(&self, query: &NearestQuery4) -> NearestResult4 {
         match self {
             Shape::Superellipsoid(superellipsoid) => superellipsoid.nearest_packet(query),
-            Shape::JuliaFractal(fractal) => fractal.nearest_of_four(query),
-            _ => FourFound {
-                unknown: query.there,
-                ..FourFound::default()
+            Shape::JuliaFractal(fractal) => fractal.nearest_packet(query),
+            _ => NearestResult4 {
+                unknown: query.active,
+                ..NearestResult4::default()
             },
         }
     }
@@ -104,13 +104,13 @@ mod tests {
                 let rays = [(); 4].map(|()| rng.ray_near(&shape.bounds()));
                 let of =
                     |part: fn(&Ray) -> DVec3| [0, 1, 2].map(|axis| rays.map(|r| part(&r)[axis]));
-                let query = FourAsked {
+                let query = NearestQuery4 {
                     origin: of(|ray| ray.origin),
                     dir: of(|ray| ray.dir),
                     from: [0.0; 4],
                     far: [[f64::INFINITY, 3.0][round % 2]; 4],
                     left: 0,
-                    there: 0b1111,
+                    active: 0b1111,
                 };
                 let result = shape.search_packet(&query);
                 for (lane, ray) in rays.iter().enumerate() {
@@ -119,8 +119,8 @@ mod tests {
                     }
                     let scalar = shape.nearest(ray, 0.0, f64::INFINITY);
                     let scalar = scalar.filter(|root| root.t <= query.far[lane]);
-                    let packet =
-                        (result.met >> lane & 1 == 1).then_some((result.t[lane], Crossing::Enter));
+                    let packet = (result.hit_mask >> lane & 1 == 1)
+                        .then_some((result.t[lane], Crossing::Enter));
                     assert_eq!(
                         packet,
                         scalar.map(|root| (root.t, root.crossing)),

@@ -174,7 +174,7 @@ impl Solid {
         let Some([enter, leave]) = self.container.chord(ray) else {
             return Start::Outside;
         };
-        if leave.0 <= 0.0 {
+        if leave.t <= 0.0 {
             return Start::Outside;
         }
         let mut search = Search {
@@ -185,17 +185,17 @@ impl Solid {
             intervals: 0,
         };
         let mut is_inside = false;
-        let mut start_t = enter.0.max(0.0);
+        let mut start_t = enter.t.max(0.0);
         let mut root_count = 0;
         let value = search.value(start_t, 1.0);
-        let starts_outside = enter.0 > self.ray_accuracy();
+        let starts_outside = enter.t > self.ray_accuracy();
         if starts_outside {
             is_inside = value < 0.0;
-            if is_inside && !emit(self.container_root(enter.0, enter.1, Crossing::Enter)) {
+            if is_inside && !emit(self.container_root(enter.t, enter.face, Crossing::Enter)) {
                 return Start::Outside;
             }
             if is_inside && !self.is_open {
-                let again = search.root(start_t, leave.0, 1.0);
+                let again = search.root(start_t, leave.t, 1.0);
                 if let Some(t) = again {
                     start_t = t + RESUME_AFTER_ROOT * self.ray_accuracy();
                     root_count = 1;
@@ -215,7 +215,7 @@ impl Solid {
             Start::Outside
         };
         for _ in 0..MAX_ROOTS {
-            let Some(t) = search.root(start_t, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
+            let Some(t) = search.root(start_t, leave.t, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
             let crossing = if is_inside {
@@ -229,15 +229,15 @@ impl Solid {
             if !emit(self.surface_root(t, crossing, root_count <= self.visible_count)) {
                 return start_side;
             }
-            if start_t >= leave.0 {
+            if start_t >= leave.t {
                 break;
             }
         }
         if is_inside {
-            let container_root = self.container_root(leave.0, leave.1, Crossing::Leave);
+            let container_root = self.container_root(leave.t, leave.face, Crossing::Leave);
             // Where the surface coincides with the container's, neither is visible from inside (measured with POV-Ray).
             let is_seen =
-                container_root.is_visible && !starts_outside && search.value(leave.0, 1.0) != 0.0;
+                container_root.is_visible && !starts_outside && search.value(leave.t, 1.0) != 0.0;
             emit(Root {
                 is_visible: is_seen,
                 ..container_root

@@ -200,7 +200,7 @@ impl MeshBuilder {
             .par_iter()
             .map(|corners| {
                 let corners = corners.map(|i| self.vertices[i as usize].as_dvec3());
-                !Triangle { corners }.is_flat_line()
+                !Triangle { corners }.is_degenerate()
             })
             .collect();
         if keep.iter().all(|keep| *keep) {

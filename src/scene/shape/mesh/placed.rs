@@ -1,4 +1,4 @@
-//! A mesh with its transform, triangle by triangle, for cameras that look out of a mesh.
+//! A mesh with its transform, accessed triangle by triangle: for `mesh_camera`.
 
 use super::build::single_normal;
 use super::{FLAT, Mesh};
@@ -12,14 +12,14 @@ pub struct PlacedMesh {
     /// The mesh.
     pub mesh: Mesh,
     /// From the mesh's object space to the world.
-    pub place: Transform,
+    pub transform: Transform,
 }
 
 impl PlacedMesh {
     /// A mesh with a transform.
     #[must_use]
-    pub fn new(mesh: Mesh, place: Transform) -> Self {
-        PlacedMesh { mesh, place }
+    pub fn new(mesh: Mesh, transform: Transform) -> Self {
+        PlacedMesh { mesh, transform }
     }
 
     /// Number of triangles, degenerate ones not counted.
@@ -37,7 +37,7 @@ impl PlacedMesh {
     /// The corners of a triangle in the world.
     #[must_use]
     pub fn corners(&self, face: usize) -> [DVec3; 3] {
-        let to_world = &self.place.world_from_object;
+        let to_world = &self.transform.world_from_object;
         let triangles = self.mesh.triangles();
         triangles.corners[face].map(|corner| {
             let corner = triangles.vertices[corner as usize].as_dvec3();
@@ -51,7 +51,7 @@ impl PlacedMesh {
     pub fn normal(&self, face: usize) -> DVec3 {
         let number = u32::try_from(face).unwrap_or(u32::MAX);
         let normal = single_normal(self.mesh.normal(DVec3::ZERO, number));
-        self.place.normal(normal.as_dvec3())
+        self.transform.normal(normal.as_dvec3())
     }
 
     /// The normals at the corners of a triangle in object space, if it is smooth.

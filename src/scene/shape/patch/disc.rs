@@ -8,7 +8,9 @@ use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Plane, Root, Start, along, even_scale, first_visible, read};
+use crate::scene::shape::{
+    Geometry, Plane, Root, Start, along, first_visible, read, uniform_scale,
+};
 use glam::{DAffine3, DVec3};
 
 /// Half the height of POV-Ray's bounding box of a disc.
@@ -136,7 +138,7 @@ impl Geometry for Disc {
                 self.normal = turn * self.normal;
             }
             Step::Scale(by) => {
-                let Some(factor) = even_scale(*by) else {
+                let Some(factor) = uniform_scale(*by) else {
                     return false;
                 };
                 self.centre *= *by;

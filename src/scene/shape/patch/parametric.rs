@@ -206,14 +206,14 @@ impl Surface {
         let [enter, leave] = self.container.chord(ray)?;
         // In POV-Ray the interval through a spherical container begins behind a ray that starts in it, and a hit there
         // hides the rest.
-        let is_sphere = matches!(self.container, Container::Ball { .. });
+        let is_sphere = matches!(self.container, Container::Sphere { .. });
         let start = if is_sphere && from < self.unit * MIN_DEPTH {
             f64::NEG_INFINITY
         } else {
             from
         };
-        let least = enter.0.max(start) + MIN_DISTANCE * self.unit * self.accuracy;
-        let mut end = leave.0.min(to);
+        let least = enter.t.max(start) + MIN_DISTANCE * self.unit * self.accuracy;
+        let mut end = leave.t.min(to);
         let mut best: Option<Root> = None;
         let mut stack: SmallVec<[Patch; 32]> = SmallVec::new();
         let grid = self.grid.get_or_init(|| self.grid());

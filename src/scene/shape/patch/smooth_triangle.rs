@@ -36,7 +36,7 @@ impl SmoothTriangle {
             normals[i] = read::vector(args, &format!("the {name} normal of the smooth triangle"))?;
         }
         let mut flat = Triangle { corners };
-        let fault = if flat.is_flat_line() {
+        let fault = if flat.is_degenerate() {
             Some("its corners lie on one line")
         } else if !are_on_one_side(flat.normal(corners[0], 0), &normals) {
             Some("its normals do not all lie on one side of it")

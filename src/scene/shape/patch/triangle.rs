@@ -31,7 +31,7 @@ impl Triangle {
             *corner = read::vector(args, &format!("the {name} corner of the triangle"))?;
         }
         let triangle = Triangle { corners };
-        if !triangle.is_flat_line() {
+        if !triangle.is_degenerate() {
             return Ok(triangle);
         }
         args.warn(
@@ -45,7 +45,7 @@ impl Triangle {
     }
 
     /// True if the corners are collinear to within rounding.
-    pub(crate) fn is_flat_line(&self) -> bool {
+    pub(crate) fn is_degenerate(&self) -> bool {
         let [a, b, c] = self.corners;
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
         let (ab, ac) = ((b - a) / size, (c - a) / size);

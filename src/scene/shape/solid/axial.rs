@@ -3,7 +3,7 @@
 
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, Ray, Step, rotation};
-use crate::scene::shape::{Root, WELL_INSIDE, along, even_scale, span};
+use crate::scene::shape::{Root, SpanEnd, WELL_INSIDE, along, span, uniform_scale};
 use glam::{DAffine3, DVec3};
 
 pub(crate) const SIDE: u32 = 0;
@@ -22,8 +22,8 @@ pub(crate) struct Axis {
 /// Interval of a ray between the planes of the caps, each end with the face that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab {
-    pub(crate) enter: (f64, u32),
-    pub(crate) leave: (f64, u32),
+    pub(crate) enter: SpanEnd,
+    pub(crate) leave: SpanEnd,
 }
 
 impl Axis {
@@ -81,11 +81,14 @@ impl Axis {
         let to_apex = self.unit.dot(self.apex - ray.origin);
         if slope == 0.0 {
             return (to_base <= 0.0 && to_apex >= 0.0).then_some(Slab {
-                enter: (f64::NEG_INFINITY, BASE),
-                leave: (f64::INFINITY, APEX),
+                enter: SpanEnd::new(f64::NEG_INFINITY, BASE),
+                leave: SpanEnd::new(f64::INFINITY, APEX),
             });
         }
-        let (base, apex) = ((to_base / slope, BASE), (to_apex / slope, APEX));
+        let (base, apex) = (
+            SpanEnd::new(to_base / slope, BASE),
+            SpanEnd::new(to_apex / slope, APEX),
+        );
         let (enter, leave) = if slope > 0.0 {
             (base, apex)
         } else {
@@ -135,7 +138,7 @@ impl Axis {
                 (Axis::new(rotated * self.base, rotated * self.apex), 1.0)
             }
             Step::Scale(by) => {
-                let factor = even_scale(*by).or_else(|| self.round_scale(*by))?;
+                let factor = uniform_scale(*by).or_else(|| self.round_scale(*by))?;
                 (Axis::new(self.base * *by, self.apex * *by), factor)
             }
             Step::General(_) => return None,
@@ -163,13 +166,13 @@ impl Slab {
         let (slope, height) = (ray.dir.y, ray.origin.y);
         if slope == 0.0 {
             return (low <= height && height <= high).then_some(Slab {
-                enter: (f64::NEG_INFINITY, BASE),
-                leave: (f64::INFINITY, APEX),
+                enter: SpanEnd::new(f64::NEG_INFINITY, BASE),
+                leave: SpanEnd::new(f64::INFINITY, APEX),
             });
         }
         let (base, apex) = (
-            ((low - height) / slope, BASE),
-            ((high - height) / slope, APEX),
+            SpanEnd::new((low - height) / slope, BASE),
+            SpanEnd::new((high - height) / slope, APEX),
         );
         let (enter, leave) = if slope > 0.0 {
             (base, apex)
@@ -179,22 +182,23 @@ impl Slab {
         Some(Slab { enter, leave })
     }
 
-    /// Intersects an interval inside the infinite side surface with the slab. On a rim the side is taken. One entry and
-    /// one exit keep the parity right by construction.
+    /// Intersects the interval `from` to `to` inside the infinite side surface with the slab. On a rim the side is
+    /// taken. One entry and one exit keep the parity right by construction.
     #[inline]
-    pub(crate) fn clip(&self, side: (f64, f64), is_open: bool) -> Option<[Root; 2]> {
-        let enter = if self.enter.0 > side.0 {
+    pub(crate) fn clip(&self, from: f64, to: f64, is_open: bool) -> Option<[Root; 2]> {
+        let enter = if self.enter.t > from {
             self.enter
         } else {
-            (side.0, SIDE)
+            SpanEnd::new(from, SIDE)
         };
-        let leave = if self.leave.0 < side.1 {
+        let leave = if self.leave.t < to {
             self.leave
         } else {
-            (side.1, SIDE)
+            SpanEnd::new(to, SIDE)
         };
         // A slab without height is visible; an interval of length zero on the side is not.
-        let is_hit = enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
+        let is_hit =
+            enter.t < leave.t || enter.t == leave.t && enter.face != SIDE && leave.face != SIDE;
         let roots = if is_hit { span(enter, leave) } else { None }?;
         Some(roots.map(|root| Root {
             is_visible: !is_open || root.face == SIDE,

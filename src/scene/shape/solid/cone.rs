@@ -134,9 +134,9 @@ impl Cone {
             return roots;
         };
         let mut push = |from: f64, to: f64| {
-            roots.extend(slab.clip((from, to), self.is_open).into_iter().flatten());
+            roots.extend(slab.clip(from, to, self.is_open).into_iter().flatten());
         };
-        match self.sides(ray, slab.enter.0, slab.leave.0) {
+        match self.sides(ray, slab.enter.t, slab.leave.t) {
             None => {}
             Some(Sides::Inner(from, to)) => push(from, to),
             Some(Sides::Outer(until, from)) if self.apex_radius < 0.0 => {

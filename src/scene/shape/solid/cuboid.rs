@@ -10,8 +10,8 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, splat, sub};
 use crate::scene::shape::{
-    Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, first_visible, push_span, read,
-    span,
+    CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
+    read, span,
 };
 use glam::DVec3;
 
@@ -65,8 +65,8 @@ impl Cuboid {
         let enter_axis = squarest(near, enter, ray.dir);
         let leave_axis = squarest(far, leave, ray.dir);
         span(
-            (enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
-            (leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
+            SpanEnd::new(enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
+            SpanEnd::new(leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
         )
     }
 
@@ -84,7 +84,7 @@ impl Cuboid {
             (2, ray.dir.z, high.z < low.z)
         };
         let lengths = ray.origin.abs() + (t * ray.dir).abs() + self.min.abs() + self.max.abs();
-        let margin = SURELY_ASIDE * lengths.max_element();
+        let margin = CLEAR_MARGIN * lengths.max_element();
         // The second smallest gap.
         let median = gap.x.min(gap.y).max(gap.x.max(gap.y).min(gap.z));
         let is_sure = median > margin && low.max(high).min_element() > margin && dir != 0.0;
@@ -110,7 +110,7 @@ impl Cuboid {
 
     /// Spans of a ray packet. Lanes parallel to a face take the scalar path.
     #[inline(always)]
-    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+    pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let to_min = depths(sub(splat(self.min), rays.origin), rays.dir);
         let to_max = depths(sub(splat(self.max), rays.origin), rays.dir);
         let [x, y, z] = [
@@ -123,7 +123,7 @@ impl Cuboid {
         let zero = F::splat(0.0);
         let is_slanted =
             zero.lt(rays.dir[0].abs()) & (zero.lt(rays.dir[1].abs()) & zero.lt(rays.dir[2].abs()));
-        SpanPacket::new((enter, leave), enter.le(leave), is_slanted)
+        SpanPacket::new(enter, leave, enter.le(leave), is_slanted)
     }
 
     /// Position between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.

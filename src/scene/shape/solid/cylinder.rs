@@ -17,7 +17,7 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::packet;
 use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::{
-    Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, original_span, push_span, read,
+    CLEAR_MARGIN, Crossing, Geometry, Root, Start, first_visible, original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -91,7 +91,7 @@ impl Cylinder {
         let slab = self.axis.slab(ray)?;
         let p = self.axis.across(ray.origin - self.axis.base);
         let dir = self.axis.across(ray.dir);
-        let side = if dir.dot(dir) == 0.0 {
+        let (enter, leave) = if dir.dot(dir) == 0.0 {
             if p.dot(p) >= self.radius * self.radius {
                 return None;
             }
@@ -99,7 +99,7 @@ impl Cylinder {
         } else {
             ball_chord(p, dir, self.radius)?
         };
-        slab.clip(side, self.is_open)
+        slab.clip(enter, leave, self.is_open)
     }
 
     /// The root at `t`, where the ray is known to have one; `None` unless it lies clearly on the side or on one cap.
@@ -112,7 +112,7 @@ impl Cylinder {
         let to_top = self.axis.unit.dot(to_apex) - height;
         let radial = p - height * self.axis.unit;
         let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
-        let margin = SURELY_ASIDE * (lengths.max_element() + self.radius);
+        let margin = CLEAR_MARGIN * (lengths.max_element() + self.radius);
         let is_on_cap = radial.length_squared() < (self.radius - margin) * (self.radius - margin);
         let slope = self.axis.unit.dot(ray.dir);
         let outward = radial.dot(ray.dir);
@@ -136,14 +136,14 @@ impl Cylinder {
         })
     }
 
-    /// True if [`Cylinder::four`] applies to this cylinder.
-    pub(crate) fn has_four(&self) -> bool {
+    /// True if [`Cylinder::span_packet`] applies to this cylinder.
+    pub(crate) fn supports_packets(&self) -> bool {
         !self.is_open && is_comfortable_size(self.radius)
     }
 
     /// Spans of a ray packet. Lanes parallel to the axis or to the caps take the scalar path.
     #[inline(always)]
-    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+    pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let unit = splat(self.axis.unit);
         let p = sub(rays.origin, splat(self.axis.base));
         let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
@@ -151,7 +151,7 @@ impl Cylinder {
         let (side_enter, side_leave, is_hit) = chords(across(unit, p), dir, self.radius);
         if F::bitmask(is_hit) == 0 && F::bitmask(is_known) == 0b1111 {
             let is_slanted = F::splat(0.0).lt(dot(dir, dir));
-            return SpanPacket::new((side_enter, side_leave), is_hit, is_slanted);
+            return SpanPacket::new(side_enter, side_leave, is_hit, is_slanted);
         }
         let slope = dot(unit, rays.dir);
         let to_base = dot(unit, sub(splat(self.axis.base), rays.origin)) / slope;
@@ -162,7 +162,7 @@ impl Cylinder {
         let enter = F::select(side_enter.lt(first), first, side_enter);
         let leave = F::select(last.lt(side_leave), last, side_leave);
         let is_slanted = F::splat(0.0).lt(dot(dir, dir)) & F::splat(0.0).lt(slope.abs());
-        SpanPacket::new((enter, leave), is_hit, is_known & is_slanted)
+        SpanPacket::new(enter, leave, is_hit, is_known & is_slanted)
     }
 
     #[cold]

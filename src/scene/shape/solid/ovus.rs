@@ -13,7 +13,7 @@ use crate::base::math::roots::interval_roots::first_below_zero;
 use crate::base::math::roots::ray_sphere::ball_chord;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, first_visible, push_span, read, span};
+use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, push_span, read, span};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -157,7 +157,7 @@ impl Ovus {
         let about = Ray::new(ray.origin - centre, ray.dir);
         if is_comfortable(size, ray.dir.dot(ray.dir), about.origin.dot(about.origin)) {
             let (enter, leave) = self.chord(&about, centre, size)?;
-            return span((enter, 0), (leave, 0));
+            return span(SpanEnd::new(enter, 0), SpanEnd::new(leave, 0));
         }
         let rescaled = RescaledRay::new(&about, size)?;
         let small = Ovus {
@@ -168,7 +168,10 @@ impl Ovus {
         };
         let (enter, leave) =
             small.chord(&rescaled.ray, centre / rescaled.size, size / rescaled.size)?;
-        span((rescaled.t(enter), 0), (rescaled.t(leave), 0))
+        span(
+            SpanEnd::new(rescaled.t(enter), 0),
+            SpanEnd::new(rescaled.t(leave), 0),
+        )
     }
 
     /// Interval of a ray inside the egg; `about` is the ray relative to the centre of a bounding sphere of radius

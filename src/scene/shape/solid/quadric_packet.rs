@@ -2,8 +2,8 @@
 //! there take the scalar path: directions that are rescaled first, a quadratic without its square, roots close to each
 //! other.
 //!
-//! Spans are valid within an interval of the line. An open quadric, such as the two nappes of a cone, has two of them; a
-//! lane in which both reach into the interval takes the scalar path.
+//! Spans are valid within an interval of the line. An open quadric, such as the two nappes of a cone, has two of them;
+//! a lane in which both reach into the interval takes the scalar path.
 
 use super::quadric::{CLOSE, NEAR_ENOUGH, Quadric, UNSCALED_SQUARES};
 use crate::base::math::Ray;

@@ -4,8 +4,8 @@
 //! from 10⁸ away, and a floor of radius 10¹² is as flat as double precision allows. A negative radius acts like its
 //! absolute value, as in POV-Ray.
 //!
-//! Error bound: roots lie within a rounding of the problem's size (`|O| + |t·D|`, by coordinates, and the radius) from the
-//! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
+//! Error bound: roots lie within a rounding of the problem's size (`|O| + |t·D|`, by coordinates, and the radius) from
+//! the surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
@@ -17,8 +17,8 @@ use crate::scene::shape::packet::{
     sub,
 };
 use crate::scene::shape::{
-    Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, even_scale, first_visible,
-    push_span, read, span,
+    CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
+    read, span, uniform_scale,
 };
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -81,7 +81,7 @@ impl Sphere {
         let p = sub(rays.origin, splat(self.centre));
         let (enter, leave, is_hit) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
-        SpanPacket::new((enter, leave), is_hit, is_known)
+        SpanPacket::new(enter, leave, is_hit, is_known)
     }
 
     /// Nearest roots of a ray packet with `from < t <= far`.
@@ -153,7 +153,7 @@ impl Sphere {
     #[inline]
     pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
         let from_middle = (ray.origin - self.centre).dot(ray.dir) + t;
-        let is_sure = from_middle.abs() > SURELY_ASIDE * (t.abs() + self.radius);
+        let is_sure = from_middle.abs() > CLEAR_MARGIN * (t.abs() + self.radius);
         is_sure.then_some(Root {
             t,
             crossing: match from_middle < 0.0 {
@@ -179,7 +179,7 @@ impl Sphere {
     #[inline(always)]
     fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let (enter, leave) = self.chord(ray)?;
-        span((enter, 0), (leave, 0))
+        span(SpanEnd::new(enter, 0), SpanEnd::new(leave, 0))
     }
 }
 
@@ -226,7 +226,7 @@ impl Geometry for Sphere {
             Step::Translate(by) => self.centre += *by,
             Step::Rotate(degrees) => self.centre = rotation(*degrees) * self.centre,
             Step::Scale(by) => {
-                let Some(factor) = even_scale(*by) else {
+                let Some(factor) = uniform_scale(*by) else {
                     return false;
                 };
                 self.centre *= *by;

@@ -28,7 +28,7 @@ use crate::base::math::roots::quartic::quartic_sign_changes;
 use crate::base::math::roots::ray_sphere::ball_chord;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::packet::RayPacket;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, even_scale, first_visible, read};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read, uniform_scale};
 use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
@@ -410,7 +410,7 @@ impl Geometry for Torus {
         match step {
             Step::Translate(by) => self.centre += *by,
             Step::Scale(by) => {
-                let Some(factor) = even_scale(*by) else {
+                let Some(factor) = uniform_scale(*by) else {
                     return false;
                 };
                 self.centre *= *by;

@@ -98,8 +98,8 @@ impl Torus {
             && is_comfortable_size(self.major + self.minor)
     }
 
-    /// Packet version of [`crate::scene::shape::Geometry::is_exiting`]: on the outer half the torus lies on one side of the tangent
-    /// plane.
+    /// Packet version of [`crate::scene::shape::Geometry::is_exiting`]: on the outer half the torus lies on one side of
+    /// the tangent plane.
     #[inline(always)]
     pub(crate) fn is_exiting_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = sub(rays.origin, splat(self.centre));

@@ -106,7 +106,7 @@ impl Prism {
         };
         crossings.sort_unstable_by(f64::total_cmp);
         for side in crossings.chunks_exact(2) {
-            let span = slab.clip((side[0], side[1]), self.is_open);
+            let span = slab.clip(side[0], side[1], self.is_open);
             if span.is_some_and(&mut visit) {
                 return;
             }

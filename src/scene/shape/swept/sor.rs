@@ -144,11 +144,11 @@ impl Profile {
         let count = self.rings.len();
         let rises = ray.dir.y >= 0.0;
         let mut is_inside = false;
-        if slab.enter.0 > near {
-            let cap = usize::from(slab.enter.1 == APEX);
-            is_inside = self.is_within(self.ends_sq[cap], ray, slab.enter.0);
+        if slab.enter.t > near {
+            let cap = usize::from(slab.enter.face == APEX);
+            is_inside = self.is_within(self.ends_sq[cap], ray, slab.enter.t);
             if is_inside {
-                roots.push(root(slab.enter.0, slab.enter.1, Crossing::Enter));
+                roots.push(root(slab.enter.t, slab.enter.face, Crossing::Enter));
             }
         }
         for step in 0..count {
@@ -176,7 +176,7 @@ impl Profile {
             is_inside = ends_inside;
         }
         if is_inside {
-            roots.push(root(slab.leave.0, slab.leave.1, Crossing::Leave));
+            roots.push(root(slab.leave.t, slab.leave.face, Crossing::Leave));
         }
     }
 
@@ -247,7 +247,7 @@ impl Ring {
     fn interval(&self, ray: &Ray) -> Option<(f64, f64)> {
         let slab = Slab::between(ray, self.low, self.high)?;
         // A horizontal ray at the height between two rings belongs to the upper one.
-        (ray.dir.y != 0.0 || ray.origin.y < self.high).then_some((slab.enter.0, slab.leave.0))
+        (ray.dir.y != 0.0 || ray.origin.y < self.high).then_some((slab.enter.t, slab.leave.t))
     }
 
     /// Appends the roots on a finite interval, given on which side its ends lie.

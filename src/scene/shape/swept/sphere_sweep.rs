@@ -22,7 +22,7 @@ use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, first_visible, read, span};
+use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, read, span};
 use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ use std::sync::Arc;
 /// Maximum number of spheres of a sweep.
 const MAX_SPHERES: f64 = 1e7;
 /// Spans of a ray inside parts of the sweep, each end with the index of its part.
-type Spans = SmallVec<[[(f64, u32); 2]; 4]>;
+type Spans = SmallVec<[[SpanEnd; 2]; 4]>;
 
 /// A sphere sweep. Copies share its parts.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,12 +113,12 @@ impl SphereSweep {
             self.0.parts[number as usize].spans(ray, number, &mut all);
             false
         });
-        all.sort_unstable_by(|a, b| a[0].0.total_cmp(&b[0].0).then(a[0].1.cmp(&b[0].1)));
+        all.sort_unstable_by(|a, b| a[0].t.total_cmp(&b[0].t).then(a[0].face.cmp(&b[0].face)));
         let mut disjoint = Spans::new();
         for [enter, leave] in all {
             match disjoint.last_mut() {
-                Some([_, last]) if enter.0 <= last.0 => {
-                    if leave.0 > last.0 {
+                Some([_, last]) if enter.t <= last.t => {
+                    if leave.t > last.t {
                         *last = leave;
                     }
                 }

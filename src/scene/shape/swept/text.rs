@@ -15,7 +15,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::scene::shape::{Crossing, Geometry, Root, SpanEnd, Start, first_visible, read};
 use font::Letter;
 use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
@@ -199,26 +199,35 @@ impl Line {
         let origin = ray.origin - letter.at;
         let [low, high] = self.depth.map(|depth| depth - origin.z);
         let (near, far) = if ray.dir.z > 0.0 {
-            ((low / ray.dir.z, FRONT), (high / ray.dir.z, BACK))
+            (
+                SpanEnd::new(low / ray.dir.z, FRONT),
+                SpanEnd::new(high / ray.dir.z, BACK),
+            )
         } else if ray.dir.z < 0.0 {
-            ((high / ray.dir.z, BACK), (low / ray.dir.z, FRONT))
+            (
+                SpanEnd::new(high / ray.dir.z, BACK),
+                SpanEnd::new(low / ray.dir.z, FRONT),
+            )
         } else if low <= 0.0 && high >= 0.0 {
-            ((f64::NEG_INFINITY, FRONT), (f64::INFINITY, BACK))
+            (
+                SpanEnd::new(f64::NEG_INFINITY, FRONT),
+                SpanEnd::new(f64::INFINITY, BACK),
+            )
         } else {
             return Spans::new();
         };
         let mut spans = Spans::new();
-        let interval = [near.0.max(from), far.0.min(to)];
-        let is_there = near.0 < far.0 && interval[0] < interval[1];
-        if !is_there {
+        let interval = [near.t.max(from), far.t.min(to)];
+        let is_hit = near.t < far.t && interval[0] < interval[1];
+        if !is_hit {
             return spans;
         }
         let first = self.first_faces[number as usize];
-        let mut push = |enter: (f64, u32), leave: (f64, u32)| {
-            let enter = if enter.0 > near.0 { enter } else { near };
-            let leave = if leave.0 < far.0 { leave } else { far };
-            if enter.0 < leave.0 {
-                let on_letter = |(t, face)| (t, first + face);
+        let mut push = |enter: SpanEnd, leave: SpanEnd| {
+            let enter = if enter.t > near.t { enter } else { near };
+            let leave = if leave.t < far.t { leave } else { far };
+            if enter.t < leave.t {
+                let on_letter = |end: SpanEnd| SpanEnd::new(end.t, first + end.face);
                 spans.extend(crate::scene::shape::span(
                     on_letter(enter),
                     on_letter(leave),
@@ -233,16 +242,18 @@ impl Line {
             return spans;
         }
         let hits = letter.outline.crossings(lanes, line, interval);
-        let mut entered = hits.starts_inside.then_some((interval[0], near.1));
+        let mut entered = hits
+            .starts_inside
+            .then_some(SpanEnd::new(interval[0], near.face));
         for (t, side) in hits.list {
-            let end = (t, CAPS + side);
+            let end = SpanEnd::new(t, CAPS + side);
             match entered.take() {
                 Some(enter) => push(enter, end),
                 None => entered = Some(end),
             }
         }
         if let Some(enter) = entered {
-            push(enter, (interval[1], far.1));
+            push(enter, SpanEnd::new(interval[1], far.face));
         }
         spans
     }

@@ -9,14 +9,15 @@ use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE, unit};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{add, scale};
-use crate::scene::shape::packet_search::{FourAsked, FourFound};
+use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4};
 
-/// Relative rounding error of a length.
+/// Bound on the relative rounding error of a length.
 const LOSS: f64 = 1e-9;
 
+/// Kernel that finds the nearest roots of a packet.
 struct PacketSearch<'a> {
     fractal: &'a Fractal,
-    query: &'a FourAsked,
+    query: &'a NearestQuery4,
 }
 
 /// A packet of rays of unit direction.
@@ -26,30 +27,30 @@ struct Rays<F> {
 }
 
 impl JuliaFractal {
-    /// True if [`JuliaFractal::nearest_of_four`] applies to this fractal.
-    pub(crate) fn has_four(&self) -> bool {
+    /// True if [`JuliaFractal::nearest_packet`] applies to this fractal.
+    pub(crate) fn supports_packets(&self) -> bool {
         self.0.batch_size() > 1
     }
 
     /// Nearest entries of the active rays of a packet.
-    pub(crate) fn nearest_of_four(&self, query: &FourAsked) -> FourFound {
+    pub(crate) fn nearest_packet(&self, query: &NearestQuery4) -> NearestResult4 {
         let fractal = &self.0;
         with_widest(|lanes| lanes.run(PacketSearch { fractal, query }))
     }
 }
 
 impl SimdKernel for PacketSearch<'_> {
-    type Output = FourFound;
+    type Output = NearestResult4;
 
     #[inline(always)]
-    fn run<F: F64x4>(self) -> FourFound {
+    fn run<F: F64x4>(self) -> NearestResult4 {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.search::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.search::<F, Quaternion<F, 3>>(),
             Rule::Hypercomplex(Function::Square) => self.search::<F, Pair<F>>(),
-            Rule::Hypercomplex(_) => FourFound {
-                unknown: self.query.there,
-                ..FourFound::default()
+            Rule::Hypercomplex(_) => NearestResult4 {
+                unknown: self.query.active,
+                ..NearestResult4::default()
             },
         }
     }
@@ -57,7 +58,7 @@ impl SimdKernel for PacketSearch<'_> {
 
 impl PacketSearch<'_> {
     #[inline(always)]
-    fn search<F: F64Lanes, O: Orbit<F>>(&self) -> FourFound {
+    fn search<F: F64Lanes, O: Orbit<F>>(&self) -> NearestResult4 {
         let (fractal, query) = (self.fractal, self.query);
         let rays = query.rays::<F>();
         let length = dot(rays.dir, rays.dir).sqrt();
@@ -77,14 +78,14 @@ impl PacketSearch<'_> {
             (from * length).lane_max(tolerance),
         );
         let mut depth = enter.lane_max(start);
-        let mut result = FourFound {
+        let mut result = NearestResult4 {
             t: [f64::INFINITY; 4],
-            met: 0,
+            hit_mask: 0,
             // Lanes without a finite start take the scalar path, since they report all roots behind the origin.
-            unknown: query.there & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
+            unknown: query.active & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
         };
         let is_hit = F::splat(0.0).lt(half_sq) & depth.lt(leave);
-        let mut active = F::bitmask(is_hit) & query.there & !result.unknown;
+        let mut active = F::bitmask(is_hit) & query.active & !result.unknown;
         // Roots beyond this are not needed.
         let end = F::from_array(&query.far) * length * F::splat(1.0 + LOSS);
         let mut states = self.states::<F, O>(&rays, depth, active);
@@ -152,7 +153,14 @@ impl PacketSearch<'_> {
 
     /// Records the root of a ray within a step.
     #[inline(never)]
-    fn record_root(&self, lane: usize, depth: f64, step: f64, enter: f64, result: &mut FourFound) {
+    fn record_root(
+        &self,
+        lane: usize,
+        depth: f64,
+        step: f64,
+        enter: f64,
+        result: &mut NearestResult4,
+    ) {
         let query = self.query;
         let (ray, length) = unit(&query.ray(lane));
         let hit_depth = self.fractal.bisect(&ray, depth, step, false);
@@ -164,6 +172,6 @@ impl PacketSearch<'_> {
         };
         result.t[lane] = t;
         result.unknown |= u32::from(!is_first) << lane;
-        result.met |= u32::from(is_first && t <= query.far[lane]) << lane;
+        result.hit_mask |= u32::from(is_first && t <= query.far[lane]) << lane;
     }
 }

@@ -106,7 +106,7 @@ impl Tessellator<'_> {
         let d = self.vertex(points[3][0], DVec2::new(high.x, low.y));
         for triangle in [[a, b, c], [a, c, d]] {
             let corners = triangle.map(|index| self.vertices[index as usize].point);
-            if !(Triangle { corners }).is_flat_line() {
+            if !(Triangle { corners }).is_degenerate() {
                 self.triangles.push(triangle);
             }
         }

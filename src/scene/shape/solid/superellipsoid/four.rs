@@ -10,7 +10,7 @@ use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE};
 use crate::base::math::simd::vec3::{dot, max_abs};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{RayPacket, add, scale};
-use crate::scene::shape::packet_search::{FourAsked, FourFound};
+use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4};
 use glam::DVec3;
 
 /// A ray packet clipped to the box from -1 to 1.
@@ -23,7 +23,7 @@ struct Clipped<F: F64Lanes> {
     hit_mask: u32,
 }
 
-/// Points where four convex norms fall below 1.
+/// Points of a packet at which the convex norm falls below 1.
 struct Entries<F: F64Lanes> {
     t: F,
     slope: F,
@@ -41,12 +41,12 @@ impl Superellipsoid {
 
     /// Packet version of `is_exiting`, as a bit mask.
     #[inline(never)]
-    pub(crate) fn is_exiting_packet(&self, query: &FourAsked) -> u32 {
+    pub(crate) fn is_exiting_packet(&self, query: &NearestQuery4) -> u32 {
         with_widest(|lanes| lanes.run(ExitingKernel(self, query)))
     }
 
     /// Nearest entering roots of the active lanes; rays that have just left the shape take the scalar path.
-    pub(crate) fn nearest_packet(&self, query: &FourAsked) -> FourFound {
+    pub(crate) fn nearest_packet(&self, query: &NearestQuery4) -> NearestResult4 {
         with_widest(|lanes| lanes.run(NearestKernel(self, query)))
     }
 
@@ -68,18 +68,18 @@ impl Superellipsoid {
             let (value, slope) = self.rough_at(rays, t);
             let next = t - value / slope;
             let falls = slope.lt(falling);
-            let is_there = F::bitmask(value.abs().le(slack)) & active;
-            let goes_on = falls & F::splat(0.0).le(*to - next);
-            let turns = !F::bitmask(goes_on) & active & !is_there;
+            let is_on_surface = F::bitmask(value.abs().le(slack)) & active;
+            let continues = falls & F::splat(0.0).le(*to - next);
+            let turns = !F::bitmask(continues) & active & !is_on_surface;
             let rest = (slope * (*to - t)).lane_min(F::splat(0.0)) + value;
             let is_clear = F::splat(0.0).lt(value) & F::splat(8.0 * SLACK).lt(rest);
-            let is_last = F::bitmask((next - t).abs().le(last)) & active & !is_there & !turns;
+            let is_last = F::bitmask((next - t).abs().le(last)) & active & !is_on_surface & !turns;
             let falls = F::bitmask(falls);
-            entries.unclear |= is_there & !falls | turns & !F::bitmask(is_clear);
-            entries.near |= is_there & falls | is_last;
+            entries.unclear |= is_on_surface & !falls | turns & !F::bitmask(is_clear);
+            entries.near |= is_on_surface & falls | is_last;
             entries.slope = F::select(F::mask_from_bits(active), slope, entries.slope);
-            entries.t = F::select(F::mask_from_bits(active & !is_there), next, t);
-            active &= !(is_there | turns | is_last);
+            entries.t = F::select(F::mask_from_bits(active & !is_on_surface), next, t);
+            active &= !(is_on_surface | turns | is_last);
             if active == 0 {
                 break;
             }
@@ -90,7 +90,7 @@ impl Superellipsoid {
 }
 
 /// Kernel that tests which rays do not hit the shape again.
-struct ExitingKernel<'a>(&'a Superellipsoid, &'a FourAsked);
+struct ExitingKernel<'a>(&'a Superellipsoid, &'a NearestQuery4);
 
 impl SimdKernel for ExitingKernel<'_> {
     type Output = u32;
@@ -107,23 +107,23 @@ impl SimdKernel for ExitingKernel<'_> {
 }
 
 /// Kernel that finds where the rays enter the shape.
-struct NearestKernel<'a>(&'a Superellipsoid, &'a FourAsked);
+struct NearestKernel<'a>(&'a Superellipsoid, &'a NearestQuery4);
 
 impl SimdKernel for NearestKernel<'_> {
-    type Output = FourFound;
+    type Output = NearestResult4;
 
     #[inline(always)]
-    fn run<F: F64x4>(self) -> FourFound {
+    fn run<F: F64x4>(self) -> NearestResult4 {
         let NearestKernel(shape, query) = self;
         let rays = query.rays::<F>();
         let (from, far) = (F::from_array(&query.from), F::from_array(&query.far));
-        let unknown = (query.left | !comfortable(&rays)) & query.there;
+        let unknown = (query.left | !comfortable(&rays)) & query.active;
         let clipped = clip(&rays);
-        let mut result = FourFound {
+        let mut result = NearestResult4 {
             unknown,
-            ..FourFound::default()
+            ..NearestResult4::default()
         };
-        let active = clipped.hit_mask & query.there & !unknown;
+        let active = clipped.hit_mask & query.active & !unknown;
         if active == 0 {
             return result;
         }
@@ -142,11 +142,11 @@ impl SimdKernel for NearestKernel<'_> {
         let near = entries.near & !result.unknown;
         let t = F::from_array(&t) + clipped.middle;
         let steep = F::splat(-STEEP) * dot(rays.dir, rays.dir).sqrt();
-        let is_seen = F::bitmask(from.lt(t) & entries.slope.lt(steep));
+        let is_valid = F::bitmask(from.lt(t) & entries.slope.lt(steep));
         let is_within = F::bitmask(t.le(far));
         result.t = t.to_array();
-        result.met = near & is_seen & is_within;
-        result.unknown |= near & !is_seen & is_within;
+        result.hit_mask = near & is_valid & is_within;
+        result.unknown |= near & !is_valid & is_within;
         result
     }
 }

@@ -5,6 +5,7 @@ use super::way::{ChordEnds, derivative, product};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::polynomial::{sign_changes, value};
 use crate::base::math::{Bounds, Ray};
+use crate::scene::shape::SpanEnd;
 use glam::{DVec3, DVec4};
 
 /// One polynomial segment of the curve.
@@ -122,7 +123,7 @@ impl Part {
         chord_ends.spans(|low, high| {
             let (enter, leave) = (to_ray(low), to_ray(high));
             if enter < leave {
-                spans.push([(enter, number), (leave, number)]);
+                spans.push([SpanEnd::new(enter, number), SpanEnd::new(leave, number)]);
             }
         });
     }
