@@ -87,7 +87,7 @@ impl Object {
     fn has_texture(&self) -> bool {
         self.texture.is_some()
             || match &self.kind {
-                Kind::Shape(shape) => !shape.skins().is_empty(),
+                Kind::Shape(shape) => !shape.face_textures().is_empty(),
                 Kind::Light { .. } => false,
                 Kind::Csg { children, .. } => children.iter().any(|child| child.has_texture()),
             }

@@ -158,7 +158,7 @@ fn shared(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
 }
 
 fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
-    if let Some((held, from_held)) = shape.held_box() {
+    if let Some((held, from_held)) = shape.povray_box() {
         let steps = Transform::from_steps(steps).world_from_object;
         return Stored::new(&held.transformed(&(steps * from_held)));
     }

@@ -190,9 +190,9 @@ impl Object {
             height: 1,
             leaves: 1,
             has_lights: matches!(kind, Kind::Light { .. }),
-            uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(FaceTexture::uses_uv)),
+            uses_uv: matches!(&kind, Kind::Shape(shape) if shape.face_textures().iter().any(FaceTexture::uses_uv)),
             has_cutaways: false,
-            reaches_out: matches!(&kind, Kind::Shape(shape) if shape.reaches_out()),
+            reaches_out: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
             turns: 0,
         };
         let size = match &kind {

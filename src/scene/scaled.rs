@@ -97,7 +97,7 @@ impl Object {
             bound.what = scaled_child(&bound.what, factor, known);
         }
         match &mut self.kind {
-            Kind::Shape(shape) => Arc::make_mut(shape).change_unit(factor),
+            Kind::Shape(shape) => Arc::make_mut(shape).scale_scene_lengths(factor),
             Kind::Light {
                 light,
                 looks_like,

@@ -226,7 +226,7 @@ impl World {
         self.model.holds(point)
     }
 
-    /// The weights of the textures in [`Surface::skins`] at a hit; empty if the object's own texture applies.
+    /// The weights of the textures in [`Surface::face_textures`] at a hit; empty if the object's own texture applies.
     #[must_use]
     pub fn texture_weights(&self, hit: &Hit) -> TextureWeights {
         if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {

@@ -59,7 +59,7 @@ impl Model {
     pub(super) fn suits_packets(&self, item: Item) -> bool {
         match item {
             Item::Program(program) => self.packet_strategy(program) != PacketStrategy::Scalar,
-            Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
+            Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_nearest_packet(),
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
     }

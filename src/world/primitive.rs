@@ -100,7 +100,7 @@ impl Leaf {
 
     /// Bounds of its surface, given those of the solid.
     pub(super) fn surface_bounds(&self, solid: &Bounds) -> Bounds {
-        if !self.shape.reaches_out() {
+        if !self.shape.extends_beyond_bounds() {
             return *solid;
         }
         let bounds = self.shape.bounds();
@@ -245,7 +245,8 @@ impl Leaf {
 
     /// The weights of the shape's own textures at a world point of a face.
     pub(super) fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
-        self.shape.shares(self.point_to_object(point), face)
+        self.shape
+            .texture_weights(self.point_to_object(point), face)
     }
 
     #[inline(always)]
@@ -296,7 +297,7 @@ impl Leaf {
         let Shape::Cylinder(cylinder) = &self.shape else {
             return None;
         };
-        let (base, axis, radius) = cylinder.rod();
+        let (base, axis, radius) = cylinder.axis_and_radius();
         let Some(matrix) = &self.object_from_world else {
             return Some((base, axis, radius));
         };

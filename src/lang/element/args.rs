@@ -9,7 +9,7 @@ use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
 use crate::scene;
-use crate::scene::shape::{PlacedMesh, Shape};
+use crate::scene::shape::{MeshInstance, Shape};
 use crate::scene::texture::{Layer, Normal, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
@@ -115,7 +115,7 @@ impl Args for Reader<'_> {
             && let Shape::Mesh(mesh) = &**shape
         {
             let transform = Transform::from_steps(&object.steps);
-            return Ok(Arc::new(PlacedMesh::new(mesh.clone(), transform)));
+            return Ok(Arc::new(MeshInstance::new(mesh.clone(), transform)));
         }
         let message = "this is not a mesh".to_owned();
         Err(self.with_trace(Diagnostic::error(at, message)))

@@ -248,7 +248,7 @@ fn projection(camera: &Camera, bounds: &Bounds, (width, height): (u32, u32)) -> 
             of(1, bounds.min.y, bounds.max.y),
             of(2, bounds.min.z, bounds.max.z),
         );
-        let (x, y) = camera.place_of(corner, width, height)?;
+        let (x, y) = camera.project(corner, width, height)?;
         all = all.with(&Rectangle {
             from: [x, y],
             to: [x, y],

@@ -368,7 +368,7 @@ impl Tracer<'_> {
         mut take: impl FnMut(usize, Sample),
     ) {
         let world = self.world;
-        let has_one_ray = world.lens.is_none() && world.camera.rays() == 1;
+        let has_one_ray = world.lens.is_none() && world.camera.rays_per_pixel() == 1;
         let is_scalar = !has_one_ray
             || !self.fast_paths.wavefront
             || world.radiosity.is_some()
@@ -445,7 +445,7 @@ impl Tracer<'_> {
         let are_aimed = with_widest(
             #[inline(always)]
             |lanes| {
-                camera.aim_all(lanes, positions, size, |packet, dirs| {
+                camera.for_each_dir_packet(lanes, positions, size, |packet, dirs| {
                     hits[packet].dir = dirs
                 }) || positions
                     .chunks(4)

@@ -18,7 +18,8 @@ impl Tracer<'_> {
     ) -> Sample {
         let camera = &self.world.camera;
         let (at, size) = ((x, y), (width, height));
-        let rays = (0..camera.rays()).filter_map(|number| camera.numbered_ray(number, at, size));
+        let rays =
+            (0..camera.rays_per_pixel()).filter_map(|number| camera.ray_by_index(number, at, size));
         let mut count: f32 = 0.0;
         let mut sum = Sample::BLACK;
         for ray in rays {
@@ -50,7 +51,7 @@ impl Tracer<'_> {
         let mut rgb = Rgb::BLACK;
         let mut transmit = 0.0;
         let mut count = 0;
-        for (stop, &end) in lens.stops().iter().enumerate() {
+        for (stop, &end) in lens.batch_ends().iter().enumerate() {
             for sample in count..end {
                 let sample = LensRay { sample, x, y };
                 let ray = lens.ray(&self.world.camera, &sample, width, height);

@@ -211,7 +211,9 @@ impl<'w> Tracer<'w> {
     ) -> Sample {
         match &self.world.lens {
             Some(lens) => self.through_lens(lens, x, y, width, height, scratch),
-            None if self.world.camera.rays() > 1 => self.mean_of_rays(x, y, width, height, scratch),
+            None if self.world.camera.rays_per_pixel() > 1 => {
+                self.mean_of_rays(x, y, width, height, scratch)
+            }
             None => {
                 let ray = self.world.camera.primary_ray(x, y, width, height);
                 self.sample(ray, scratch)

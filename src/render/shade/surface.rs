@@ -182,10 +182,10 @@ impl<'w> Tracer<'w> {
         };
         let needs_normal = shares
             .iter()
-            .any(|share| texture_of(share.skin).minds_normal());
+            .any(|share| texture_of(share.texture).minds_normal());
         let (point, mut chosen) = self.choosing(hit, dir, purpose, needs_normal);
         for share in drawn {
-            texture_of(share.skin).look(point, single(share.weight), &mut chosen);
+            texture_of(share.texture).look(point, single(share.weight), &mut chosen);
         }
         chosen.looks
     }

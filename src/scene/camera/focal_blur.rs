@@ -270,7 +270,7 @@ impl Lens {
 
     /// Sample counts after which to test convergence, in rising order; the last is the total.
     #[must_use]
-    pub fn stops(&self) -> &[usize] {
+    pub fn batch_ends(&self) -> &[usize] {
         &self.points.batch_ends
     }
 

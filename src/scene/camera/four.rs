@@ -69,7 +69,7 @@ impl Camera {
     /// rays start at [`Camera::location`]. `take` receives them four at a time, with the index of the packet; the last
     /// packet is filled up with its last ray. False where the caller must use [`Camera::primary_ray`] instead.
     #[inline(always)]
-    pub(crate) fn aim_all(
+    pub(crate) fn for_each_dir_packet(
         &self,
         lanes: SimdLevel,
         positions: &[(f64, f64)],
@@ -107,7 +107,8 @@ mod tests {
     ) -> Option<DirPacket> {
         let mut dirs = DirPacket::default();
         let positions = [0, 1, 2, 3].map(|lane| (x[lane], y[lane]));
-        let are_valid = camera.aim_all(lanes, &positions, size, |_, packet| dirs = packet);
+        let are_valid =
+            camera.for_each_dir_packet(lanes, &positions, size, |_, packet| dirs = packet);
         are_valid.then_some(dirs)
     }
 

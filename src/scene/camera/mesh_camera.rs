@@ -9,7 +9,7 @@ use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Transform};
 use crate::base::source::{Diagnostic, Span};
-use crate::scene::shape::PlacedMesh;
+use crate::scene::shape::MeshInstance;
 use glam::{DVec2, DVec3};
 use std::sync::{Arc, OnceLock};
 
@@ -39,7 +39,7 @@ const METHODS: [Method; 4] = [
 /// The meshes of a camera and their parameters.
 #[derive(Clone, Debug)]
 pub(super) struct MeshCamera {
-    meshes: Vec<Arc<PlacedMesh>>,
+    meshes: Vec<Arc<MeshInstance>>,
     method: Method,
     rays_per_pixel: u32,
     /// True if normals of smooth triangles are interpolated.
@@ -54,7 +54,7 @@ pub(super) struct MeshCamera {
 /// Meshes are compared by identity.
 impl PartialEq for MeshCamera {
     fn eq(&self, other: &Self) -> bool {
-        let is_same = |(a, b): (&Arc<PlacedMesh>, &Arc<PlacedMesh>)| Arc::ptr_eq(a, b);
+        let is_same = |(a, b): (&Arc<MeshInstance>, &Arc<MeshInstance>)| Arc::ptr_eq(a, b);
         (self.method, self.rays_per_pixel, self.is_smooth)
             == (other.method, other.rays_per_pixel, other.is_smooth)
             && (self.offset, self.is_reversed) == (other.offset, other.is_reversed)
@@ -90,7 +90,7 @@ impl MeshCamera {
         }
         let meshes: Vec<_> = meshes
             .into_iter()
-            .filter_map(|mesh| mesh.downcast::<PlacedMesh>().ok())
+            .filter_map(|mesh| mesh.downcast::<MeshInstance>().ok())
             .collect();
         if meshes.is_empty() {
             return Err(args.expected("`mesh` or `mesh2` in `mesh_camera`"));
@@ -151,7 +151,7 @@ impl MeshCamera {
         for instance in &mut self.meshes {
             let transform = instance.transform.then(by);
             let mesh = instance.mesh.clone();
-            *instance = Arc::new(PlacedMesh::new(mesh, transform));
+            *instance = Arc::new(MeshInstance::new(mesh, transform));
         }
     }
 
@@ -179,7 +179,7 @@ impl MeshCamera {
         clippy::cast_sign_loss,
         reason = "raster points are clamped to the picture, and the fraction is to be dropped"
     )]
-    fn face(&self, index: u32, raster: RasterPoint) -> Option<(&PlacedMesh, usize)> {
+    fn face(&self, index: u32, raster: RasterPoint) -> Option<(&MeshInstance, usize)> {
         let (column, row) = (raster.x as usize, raster.y as usize);
         let width = raster.width as usize;
         match self.method {
@@ -290,15 +290,15 @@ mod tests {
     use crate::scene::shape::Mesh;
 
     /// Triangles with centroids <i+1, 1, 0> that face along z.
-    fn row(count: u32, shift: f64) -> Arc<PlacedMesh> {
+    fn row(count: u32, shift: f64) -> Arc<MeshInstance> {
         let triangle = |i| format!("triangle {{ <{i},0,0>, <{i},3,0>, <{}, 0, 0> }}", i + 3);
         let text: String = (0..count).map(triangle).collect();
         let mesh = Mesh::read(&mut TextArgs::new(&text)).unwrap();
         let transform = Transform::translation(DVec3::Z * shift);
-        Arc::new(PlacedMesh::new(mesh, transform))
+        Arc::new(MeshInstance::new(mesh, transform))
     }
 
-    fn camera(method: Method, meshes: Vec<Arc<PlacedMesh>>) -> MeshCamera {
+    fn camera(method: Method, meshes: Vec<Arc<MeshInstance>>) -> MeshCamera {
         MeshCamera {
             meshes,
             method,
@@ -353,7 +353,7 @@ mod tests {
     fn texture_coordinates_map_to_a_point_of_a_triangle() {
         let text = "triangle { <0,0,0>, <0,300,0>, <300,0,0> uv_vectors <0, 0>, <0, 1>, <1, 0> }";
         let mesh = Mesh::read(&mut TextArgs::new(text)).unwrap();
-        let mesh = Arc::new(PlacedMesh::new(mesh, Transform::IDENTITY));
+        let mesh = Arc::new(MeshInstance::new(mesh, Transform::IDENTITY));
         let camera = camera(Method::Coordinates, vec![mesh]);
         let at = |x, y| origin(&camera, x, y).map(|origin| origin[0]);
         // The last column is clamped, half a pixel nearer to the one before.

@@ -156,14 +156,14 @@ impl Camera {
 
     /// Number of rays per image point; [`Camera::primary_ray`] is the first.
     #[must_use]
-    pub fn rays(&self) -> u32 {
+    pub fn rays_per_pixel(&self) -> u32 {
         self.meshes.as_ref().map_or(1, MeshCamera::rays_per_pixel)
     }
 
     /// One of the rays through an image point, as [`Camera::primary_ray`].
     #[must_use]
     #[cold]
-    pub fn numbered_ray(
+    pub fn ray_by_index(
         &self,
         index: u32,
         (x, y): (f64, f64),
@@ -213,7 +213,7 @@ impl Camera {
     /// Projects a point onto an image of `width` by `height` pixels, in the pixel coordinates of
     /// [`Camera::primary_ray`]. `None` behind the camera, and for projections that bend straight lines.
     #[must_use]
-    pub fn place_of(&self, point: DVec3, width: u32, height: u32) -> Option<(f64, f64)> {
+    pub fn project(&self, point: DVec3, width: u32, height: u32) -> Option<(f64, f64)> {
         let Frame {
             location,
             direction,

@@ -160,14 +160,14 @@ fn points_of_a_ray_project_to_its_pixel() {
         let camera = camera(text, 3.7);
         for (x, y) in [(0.0, 0.0), (17.3, 4.8), (-3.0, 40.0)] {
             let ray = camera.primary_ray(x, y, 40, 30).expect("a ray");
-            let seen = camera.place_of(ray.origin + 7.0 * ray.dir, 40, 30);
+            let seen = camera.project(ray.origin + 7.0 * ray.dir, 40, 30);
             let (u, v) = seen.expect("it lies before the camera");
             assert!((u - x).hypot(v - y) < 1e-9, "{text}: {u} {v}, not {x} {y}");
-            assert_eq!(camera.place_of(ray.origin - ray.dir, 40, 30), None);
+            assert_eq!(camera.project(ray.origin - ray.dir, 40, 30), None);
         }
     }
     let bent = camera("{ fisheye location <0, 0, -5> angle 120 }", 3.7);
-    assert_eq!(bent.place_of(DVec3::ZERO, 40, 30), None);
+    assert_eq!(bent.project(DVec3::ZERO, 40, 30), None);
 }
 
 /// POV-Ray 3.7 evaluates the bumps of each projection in that projection's own coordinates.

@@ -16,8 +16,8 @@ pub struct FaceTexture(pub Arc<Texture>);
 pub struct TextureWeight {
     /// The weight; all weights of a point add up to one.
     pub weight: f64,
-    /// Index into [`Geometry::skins`](super::Geometry::skins), or [`TextureWeight::OF_THE_OBJECT`].
-    pub skin: u32,
+    /// Index into [`Geometry::face_textures`](super::Geometry::face_textures), or [`TextureWeight::OF_THE_OBJECT`].
+    pub texture: u32,
 }
 
 /// Texture weights at a point; empty where the texture of the object applies.

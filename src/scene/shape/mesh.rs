@@ -128,13 +128,13 @@ impl Mesh {
 
     /// Intersects the whole line of a ray with a triangle of a patch; returns `t`.
     #[inline(always)]
-    pub(crate) fn meet(&self, frame: &RayFrame, face: u32) -> Option<f64> {
+    pub(crate) fn intersect_triangle(&self, frame: &RayFrame, face: u32) -> Option<f64> {
         frame.hit(&self.0.corners(face)).map(|hit| hit.t)
     }
 
     /// Intersects the whole lines of a ray packet with a triangle of a patch.
     #[inline(always)]
-    pub(crate) fn meet_four(
+    pub(crate) fn intersect_triangle_packet(
         &self,
         lanes: SimdLevel,
         rays: &RayFrames4,
@@ -495,14 +495,14 @@ impl Geometry for Mesh {
         ))
     }
 
-    fn skins(&self) -> &[FaceTexture] {
+    fn face_textures(&self) -> &[FaceTexture] {
         self.0
             .attributes
             .as_ref()
             .map_or(&[], |attributes| &attributes.textures)
     }
 
-    fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
+    fn texture_weights(&self, point: DVec3, face: u32) -> TextureWeights {
         match &self.0.attributes {
             Some(attributes) => attributes.texture_weights(face, || self.weights(point, face)),
             None => TextureWeights::new(),

@@ -62,7 +62,7 @@ pub use implicit::julia_fractal::JuliaFractal;
 pub use implicit::poly::Poly;
 pub use mesh::Mesh;
 pub use mesh::height_field::HeightField;
-pub use mesh::placed::PlacedMesh;
+pub use mesh::placed::MeshInstance;
 pub(crate) use packet::{RayPacket, SpanPacket};
 pub use patch::bicubic_patch::BicubicPatch;
 pub use patch::disc::Disc;
@@ -185,7 +185,7 @@ pub trait Geometry {
     }
 
     /// True if the inside extends beyond the bounding box of the surface.
-    fn reaches_out(&self) -> bool {
+    fn extends_beyond_bounds(&self) -> bool {
         false
     }
 
@@ -199,7 +199,7 @@ pub trait Geometry {
 
     /// Scales the lengths that POV-Ray measures in scene units, whatever the transform of the shape: the resolution of
     /// a root search along a ray, the flatness of patches.
-    fn change_unit(&mut self, _factor: f64) {}
+    fn scale_scene_lengths(&mut self, _factor: f64) {}
 
     /// Texture coordinates for `uv_mapping` at a point of surface piece `face`; `None` for shapes without their own,
     /// which take those of the world.
@@ -213,13 +213,13 @@ pub trait Geometry {
     }
 
     /// Textures of single surface pieces.
-    fn skins(&self) -> &[FaceTexture] {
+    fn face_textures(&self) -> &[FaceTexture] {
         &[]
     }
 
-    /// Weights of [`Geometry::skins`] at a point of surface piece `face`; empty where the texture of the object
+    /// Weights of [`Geometry::face_textures`] at a point of surface piece `face`; empty where the texture of the object
     /// applies.
-    fn shares(&self, _point: DVec3, _face: u32) -> TextureWeights {
+    fn texture_weights(&self, _point: DVec3, _face: u32) -> TextureWeights {
         TextureWeights::new()
     }
 
@@ -245,13 +245,13 @@ pub trait Geometry {
     /// True if the shape itself excludes the surface that a ray has just left, so that the caller must not hide any of
     /// its roots. Its roots then begin at the start of the ray, and [`Geometry::roots`] returns the side on which the
     /// ray starts.
-    fn knows_departures(&self) -> bool {
+    fn excludes_spawn_surface(&self) -> bool {
         false
     }
 
     /// Bounding box for `min_extent` and `max_extent` of a shape that POV-Ray stores in a rotated space of its own, and
     /// the transform from that space to the shape's. `None` where [`Geometry::bounds`] serves.
-    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         None
     }
 
@@ -323,8 +323,8 @@ macro_rules! shapes {
             fn solid_bounds(&self) -> Bounds {
                 match self { $(Shape::$name(shape) => shape.solid_bounds()),+ }
             }
-            fn reaches_out(&self) -> bool {
-                match self { $(Shape::$name(shape) => shape.reaches_out()),+ }
+            fn extends_beyond_bounds(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.extends_beyond_bounds()),+ }
             }
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
@@ -332,8 +332,8 @@ macro_rules! shapes {
             fn prepare(&mut self) {
                 match self { $(Shape::$name(shape) => shape.prepare()),+ }
             }
-            fn change_unit(&mut self, factor: f64) {
-                match self { $(Shape::$name(shape) => shape.change_unit(factor)),+ }
+            fn scale_scene_lengths(&mut self, factor: f64) {
+                match self { $(Shape::$name(shape) => shape.scale_scene_lengths(factor)),+ }
             }
             fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
                 match self { $(Shape::$name(shape) => shape.uv(point, face)),+ }
@@ -344,11 +344,11 @@ macro_rules! shapes {
             fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
             }
-            fn skins(&self) -> &[FaceTexture] {
-                match self { $(Shape::$name(shape) => shape.skins()),+ }
+            fn face_textures(&self) -> &[FaceTexture] {
+                match self { $(Shape::$name(shape) => shape.face_textures()),+ }
             }
-            fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
-                match self { $(Shape::$name(shape) => shape.shares(point, face)),+ }
+            fn texture_weights(&self, point: DVec3, face: u32) -> TextureWeights {
+                match self { $(Shape::$name(shape) => shape.texture_weights(point, face)),+ }
             }
             fn is_faceted(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_faceted()),+ }
@@ -356,11 +356,11 @@ macro_rules! shapes {
             fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest_beside(ray, from, to, face)),+ }
             }
-            fn knows_departures(&self) -> bool {
-                match self { $(Shape::$name(shape) => shape.knows_departures()),+ }
+            fn excludes_spawn_surface(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.excludes_spawn_surface()),+ }
             }
-            fn held_box(&self) -> Option<(Bounds, DAffine3)> {
-                match self { $(Shape::$name(shape) => shape.held_box()),+ }
+            fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+                match self { $(Shape::$name(shape) => shape.povray_box()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }

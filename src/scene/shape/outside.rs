@@ -16,7 +16,7 @@ const NEAR_ENOUGH: f64 = 1e6;
 impl Shape {
     /// Mask of the lanes whose point at `t` lies clearly outside; the others may lie anywhere.
     #[inline(always)]
-    pub(crate) fn four_clear<F: F64Lanes>(&self, rays: &RayPacket<F>, t: F) -> F::Mask {
+    pub(crate) fn clearly_outside_packet<F: F64Lanes>(&self, rays: &RayPacket<F>, t: F) -> F::Mask {
         match self {
             Shape::Sphere(sphere) => {
                 let (p, point) = relative_to(rays, t, sphere.centre);
@@ -25,7 +25,7 @@ impl Shape {
                     & are_near(p, point, size)
             }
             Shape::Cylinder(cylinder) => {
-                let (base, unit, size) = cylinder.rod();
+                let (base, unit, size) = cylinder.axis_and_radius();
                 let (p, point) = relative_to(rays, t, base);
                 let aside = across(splat(unit), point);
                 let is_beside = F::splat(size * size * (1.0 + CLEARLY)).lt(dot(aside, aside));
@@ -89,10 +89,10 @@ mod tests {
         type Output = u32;
 
         fn run<F: F64Lanes>(self) -> u32 {
-            F::bitmask(
-                self.shape
-                    .four_clear(&RayPacket::<F>::of_each(&self.rays), F::from_array(&self.t)),
-            )
+            F::bitmask(self.shape.clearly_outside_packet(
+                &RayPacket::<F>::of_each(&self.rays),
+                F::from_array(&self.t),
+            ))
         }
     }
 

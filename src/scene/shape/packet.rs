@@ -27,7 +27,7 @@ pub(crate) struct SpanPacket<F: F64Lanes> {
     pub(crate) enter: F,
     pub(crate) leave: F,
     /// Mask of the lanes that hit the solid.
-    pub(crate) is_met: F::Mask,
+    pub(crate) is_hit: F::Mask,
     /// Bit mask of the lanes for which the packet test is inconclusive: they take the scalar path.
     pub(crate) unknown: u32,
 }
@@ -43,7 +43,7 @@ impl<F: F64Lanes> SpanPacket<F> {
         SpanPacket {
             enter,
             leave,
-            is_met: is_hit & enter.lt(leave),
+            is_hit: is_hit & enter.lt(leave),
             unknown: 0b1111
                 & (!F::bitmask(is_known) | (F::bitmask(is_hit) & !F::bitmask(is_plain))),
         }
@@ -55,14 +55,14 @@ impl<F: F64Lanes> SpanPacket<F> {
     #[inline(always)]
     pub(super) fn nearest(&self, from: F, far: F) -> NearestPacket<F> {
         let within = from.lt(self.enter) & self.enter.le(far);
-        let enters = self.is_met & within;
+        let enters = self.is_hit & within;
         let within = from.lt(self.leave) & self.leave.le(far);
-        let leaves = self.is_met & within;
+        let leaves = self.is_hit & within;
         let enters_bits = F::bitmask(enters);
         NearestPacket {
             t: F::select(enters, self.enter, self.leave),
             leaves: F::bitmask(leaves) & !enters_bits,
-            met: enters_bits | F::bitmask(leaves),
+            hit_mask: enters_bits | F::bitmask(leaves),
             unknown: self.unknown,
         }
     }
@@ -84,7 +84,7 @@ pub(crate) struct NearestPacket<F: F64Lanes> {
     /// Bit mask of the lanes whose root leaves the solid; the others enter.
     pub(crate) leaves: u32,
     /// Bit mask of the lanes that have a root.
-    pub(crate) met: u32,
+    pub(crate) hit_mask: u32,
     /// Bit mask of the lanes that take the scalar path.
     pub(crate) unknown: u32,
 }
@@ -95,7 +95,7 @@ impl<F: F64Lanes> NearestPacket<F> {
         NearestPacket {
             t: F::from_array(&result.t),
             leaves: 0,
-            met: result.hit_mask,
+            hit_mask: result.hit_mask,
             unknown: result.unknown,
         }
     }
@@ -119,7 +119,7 @@ impl<F: F64Lanes> RootPacket<F> {
         let mut nearest = NearestPacket {
             t: F::splat(f64::INFINITY),
             leaves: 0,
-            met: 0,
+            hit_mask: 0,
             unknown: self.unknown,
         };
         let mut hidden = F::splat(f64::NAN);
@@ -141,12 +141,12 @@ impl<F: F64Lanes> RootPacket<F> {
             nearest.unknown |= is_hidden & passed;
             passed |= is_hidden;
             let is_within = from.lt(self.t[slot]) & self.t[slot].le(far);
-            let new = F::bitmask(is_within) & self.hit_masks[slot] & !is_hidden & !nearest.met;
+            let new = F::bitmask(is_within) & self.hit_masks[slot] & !is_hidden & !nearest.hit_mask;
             nearest.t = F::select(F::mask_from_bits(new), self.t[slot], nearest.t);
             if slot % 2 == 1 {
                 nearest.leaves |= new;
             }
-            nearest.met |= new;
+            nearest.hit_mask |= new;
         }
         nearest
     }
@@ -207,7 +207,7 @@ fn turned<F: F64Lanes>(v: Vec3Lanes<F>, matrix: &DAffine3) -> Vec3Lanes<F> {
 
 impl Shape {
     /// True if packet spans are implemented for the shape.
-    pub(crate) fn has_four(&self) -> bool {
+    pub(crate) fn has_span_packet(&self) -> bool {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Cuboid(_) => true,
@@ -218,7 +218,7 @@ impl Shape {
     }
 
     /// True if packet queries of the nearest root are implemented for the shape.
-    pub(crate) fn has_roots_of_four(&self) -> bool {
+    pub(crate) fn has_nearest_packet(&self) -> bool {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.supports_packets(),
@@ -239,7 +239,7 @@ impl Shape {
     /// Nearest roots of the active lanes, as [`RootPacket::nearest`] finds them. With `ANY` the distance may be that of
     /// any point within the solid.
     #[inline(always)]
-    pub(crate) fn nearest_of_four<F: F64Lanes, const ANY: bool>(
+    pub(crate) fn nearest_packet<F: F64Lanes, const ANY: bool>(
         &self,
         rays: &RayPacket<F>,
         (from, far): (F, F),
@@ -250,14 +250,14 @@ impl Shape {
             Shape::Sphere(sphere) if left == [0, 0] && ANY => {
                 sphere.any_hit_packet(rays, from, far, active)
             }
-            Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
+            Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_packet(rays, from, far),
             Shape::Torus(torus) => torus.nearest_packet::<F, ANY>(rays, from, far, left, active),
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => NearestPacket::load(
                 &self.search_packet(&NearestQuery4::new(rays, from, far, left, active)),
             ),
             Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
                 // No end beyond the first is needed.
-                let mut nearest = self.four(rays, (from, from)).nearest(from, far);
+                let mut nearest = self.span_packet(rays, (from, from)).nearest(from, far);
                 nearest.unknown |= left[0] | left[1];
                 nearest
             }
@@ -267,9 +267,9 @@ impl Shape {
 
     /// Packet version of [`super::Geometry::is_exiting`], for rays that leave the surface.
     #[inline(always)]
-    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
+    pub(crate) fn is_exiting_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         match self {
-            Shape::Sphere(sphere) => sphere.four_left_behind(rays),
+            Shape::Sphere(sphere) => sphere.is_exiting_packet(rays),
             Shape::Torus(torus) => torus.is_exiting_packet(rays),
             Shape::Superellipsoid(superellipsoid) => {
                 let none = F::splat(0.0);
@@ -283,7 +283,7 @@ impl Shape {
 
     /// True if the packet version of `is_exiting` is implemented for the shape.
     #[inline(always)]
-    pub(crate) fn tells_left_behind(&self) -> bool {
+    pub(crate) fn has_exiting_packet(&self) -> bool {
         match self {
             Shape::Sphere(_) | Shape::Torus(_) | Shape::Plane(_) => true,
             Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
@@ -299,7 +299,7 @@ impl Shape {
                 let spans = sphere.span_packet(rays);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
-                roots.hit_masks[0] = F::bitmask(spans.is_met);
+                roots.hit_masks[0] = F::bitmask(spans.is_hit);
                 roots.hit_masks[1] = roots.hit_masks[0];
                 roots
             }
@@ -312,7 +312,11 @@ impl Shape {
     /// Spans of a ray packet, all unknown for a shape without packet spans; ends outside the intervals `within` may be
     /// missing.
     #[inline(always)]
-    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>, within: (F, F)) -> SpanPacket<F> {
+    pub(crate) fn span_packet<F: F64Lanes>(
+        &self,
+        rays: &RayPacket<F>,
+        within: (F, F),
+    ) -> SpanPacket<F> {
         match self {
             Shape::Sphere(sphere) => sphere.span_packet(rays),
             Shape::Cuboid(cuboid) => cuboid.span_packet(rays),
@@ -396,10 +400,10 @@ mod tests {
 
         fn run<F: F64Lanes>(self) -> Self::Output {
             let rays = RayPacket::<F>::of_each(&self.rays);
-            let roots = if self.shape.has_four() {
+            let roots = if self.shape.has_span_packet() {
                 let all = F::splat(f64::INFINITY);
-                let spans = self.shape.four(&rays, (-all, all));
-                let hits = F::bitmask(spans.is_met);
+                let spans = self.shape.span_packet(&rays, (-all, all));
+                let hits = F::bitmask(spans.is_hit);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
                 (roots.hit_masks[0], roots.hit_masks[1]) = (hits, hits);
@@ -483,10 +487,10 @@ mod tests {
             let rays = RayPacket::<F>::of_each(&self.rays);
             let (from, far) = (F::from_array(&self.from), F::from_array(&self.far));
             let any = self.sphere.any_hit_packet(&rays, from, far, 0b1111);
-            let first = self.sphere.nearest_of_four(&rays, from, far);
-            let differs = any.t.to_array() != first.t.to_array() && any.met != 0;
+            let first = self.sphere.nearest_packet(&rays, from, far);
+            let differs = any.t.to_array() != first.t.to_array() && any.hit_mask != 0;
             (
-                [(any.met, any.unknown), (first.met, first.unknown)],
+                [(any.hit_mask, any.unknown), (first.hit_mask, first.unknown)],
                 differs,
             )
         }

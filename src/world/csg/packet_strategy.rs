@@ -29,7 +29,11 @@ impl CsgProgram {
         let count = self.order.others.len();
         // Operands in the BVH need no packet code: few rays come near them.
         let mut always_tested = self.order.required.iter().chain(&self.order.others);
-        let has_four = |&number: &u32| leaves[(self.first + number) as usize].shape.has_four();
+        let has_four = |&number: &u32| {
+            leaves[(self.first + number) as usize]
+                .shape
+                .has_span_packet()
+        };
         if count > MOST_OPERANDS || !always_tested.all(has_four) {
             return PacketStrategy::Scalar;
         }

@@ -578,7 +578,7 @@ pub(crate) fn hide_departure(
     leaf: &Leaf,
     dir: DVec3,
 ) -> Option<f64> {
-    if leaf.shape.knows_departures() {
+    if leaf.shape.excludes_spawn_surface() {
         return None;
     }
     let is_faceted = leaf.shape.is_faceted();

@@ -179,7 +179,7 @@ impl CsgProgram {
             (is_open, leaf.object_from_world.is_some(), !is_bounded)
         });
         let mut own = leaves[first..][..self.operands.len()].iter();
-        let least = if order.required.is_empty() && !own.all(|leaf| leaf.shape.has_four()) {
+        let least = if order.required.is_empty() && !own.all(|leaf| leaf.shape.has_span_packet()) {
             TREE_OF_LONE_RAYS_FROM
         } else {
             TREE_FROM

@@ -119,7 +119,7 @@ impl Lowering {
             } else {
                 Absorb::AllItCan
             };
-            return (slots.shape(attributes, shape.skins()), absorb);
+            return (slots.shape(attributes, shape.face_textures()), absorb);
         }
         // POV-Ray transforms the textures of blob components in any case.
         let moves_skins = attributes.says_uv && matches!(shape, Shape::Blob(_));
@@ -131,7 +131,7 @@ impl Lowering {
         if let Some(last) = self.same_as_last(shape, attributes) {
             return (last, Absorb::AllItCan);
         }
-        let mut surface = self.new_surface(attributes, shape.skins());
+        let mut surface = self.new_surface(attributes, shape.face_textures());
         if loses_uv && surface.uses_uv() {
             surface.set_unmoved(ObjectSpaceShape::new(shape, &attributes.steps));
         }
@@ -145,7 +145,7 @@ impl Lowering {
         let (number, last) = self.last_attributes.as_ref()?;
         let surface = &self.surfaces[*number as usize];
         let is_same = self.last_surface == Some(*number)
-            && shape.skins().is_empty()
+            && shape.face_textures().is_empty()
             && surface.face_textures().is_empty()
             && attributes.cutaway.is_none()
             && !surface.uses_uv()

@@ -69,7 +69,7 @@ impl Lowering {
     /// Returns true if lowering an object only appends to the lists. Photons need the positions of objects.
     fn is_plain_entry(&self, entry: &Entry) -> bool {
         let is_plain = |Colored { shape, finish, .. }: Colored<'_>| {
-            shape.skins().is_empty() && !finish.has_interior() && !shape.bounds().is_empty()
+            shape.face_textures().is_empty() && !finish.has_interior() && !shape.bounds().is_empty()
         };
         self.targets.is_none() && entry.colored().is_some_and(is_plain)
     }

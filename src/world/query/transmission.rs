@@ -126,7 +126,7 @@ impl World {
     /// Returns true if the roots of a leaf do not depend on the ray's origin along its line.
     fn has_stable_roots(&self, leaf: u32) -> bool {
         let shape = &self.model.leaves[leaf as usize].shape;
-        !shape.is_faceted() && !shape.knows_departures()
+        !shape.is_faceted() && !shape.excludes_spawn_surface()
     }
 
     /// Shading data at a transmissive hit.

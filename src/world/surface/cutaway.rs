@@ -40,7 +40,10 @@ impl Cutaway {
                 continue;
             }
             at += 1;
-            let share = |skin| TextureWeight { weight: 1.0, skin };
+            let share = |skin| TextureWeight {
+                weight: 1.0,
+                texture: skin,
+            };
             shares.extend(part.texture.map(share));
         }
         let count = f64::from(index(shares.len()));

@@ -401,12 +401,12 @@ impl Geometry for Blob {
         false
     }
 
-    fn skins(&self) -> &[FaceTexture] {
+    fn face_textures(&self) -> &[FaceTexture] {
         &self.0.textures
     }
 
     /// Each component is weighted by its field at the point, whether it adds or subtracts.
-    fn shares(&self, point: DVec3, _: u32) -> TextureWeights {
+    fn texture_weights(&self, point: DVec3, _: u32) -> TextureWeights {
         let mut weights = TextureWeights::new();
         if self.0.textures.is_empty() {
             return weights;
@@ -416,7 +416,10 @@ impl Geometry for Blob {
             let weight = component.field(point).abs();
             if weight > 0.0 {
                 let skin = component.skin;
-                weights.push(TextureWeight { weight, skin });
+                weights.push(TextureWeight {
+                    weight,
+                    texture: skin,
+                });
                 sum += weight;
             }
         });

@@ -347,7 +347,7 @@ impl Geometry for Isosurface {
         self.nearest(ray, from, to)
     }
 
-    fn knows_departures(&self) -> bool {
+    fn excludes_spawn_surface(&self) -> bool {
         true
     }
 
@@ -383,7 +383,7 @@ impl Geometry for Isosurface {
         false
     }
 
-    fn change_unit(&mut self, factor: f64) {
+    fn scale_scene_lengths(&mut self, factor: f64) {
         Arc::make_mut(&mut self.0).unit *= factor;
     }
 

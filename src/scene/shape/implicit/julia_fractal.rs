@@ -450,7 +450,7 @@ impl Geometry for JuliaFractal {
         false
     }
 
-    fn change_unit(&mut self, factor: f64) {
+    fn scale_scene_lengths(&mut self, factor: f64) {
         self.0.unit *= factor;
     }
 

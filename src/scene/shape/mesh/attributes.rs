@@ -101,7 +101,7 @@ impl TriangleAttributes {
         if triple[0] == triple[1] && triple[1] == triple[2] {
             return TextureWeights::from_slice(&[TextureWeight {
                 weight: 1.0,
-                skin: triple[0],
+                texture: triple[0],
             }]);
         }
         let weights = weights().map(|weight| weight.max(0.0));
@@ -110,7 +110,7 @@ impl TriangleAttributes {
         pairs
             .map(|(skin, weight)| TextureWeight {
                 weight: weight / sum,
-                skin,
+                texture: skin,
             })
             .collect()
     }

@@ -389,7 +389,7 @@ impl Geometry for HeightField {
         Bounds::EVERYTHING
     }
 
-    fn reaches_out(&self) -> bool {
+    fn extends_beyond_bounds(&self) -> bool {
         true
     }
 

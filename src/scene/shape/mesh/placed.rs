@@ -8,18 +8,18 @@ use glam::{DVec2, DVec3};
 
 /// A mesh and its transform to the world.
 #[derive(Clone, Debug)]
-pub struct PlacedMesh {
+pub struct MeshInstance {
     /// The mesh.
     pub mesh: Mesh,
     /// From the mesh's object space to the world.
     pub transform: Transform,
 }
 
-impl PlacedMesh {
+impl MeshInstance {
     /// A mesh with a transform.
     #[must_use]
     pub fn new(mesh: Mesh, transform: Transform) -> Self {
-        PlacedMesh { mesh, transform }
+        MeshInstance { mesh, transform }
     }
 
     /// Number of triangles, degenerate ones not counted.

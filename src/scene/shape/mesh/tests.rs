@@ -401,12 +401,12 @@ fn triangles_have_textures_of_their_own() {
     .with("A", named())
     .with("B", named());
     let mesh = Mesh::read(&mut args).unwrap();
-    assert_eq!(mesh.skins().len(), 2);
-    let shares = mesh.shares(DVec3::new(0.25, 0.0, 0.5), 1);
-    let shares: Vec<_> = shares.iter().map(|s| (s.weight, s.skin)).collect();
+    assert_eq!(mesh.face_textures().len(), 2);
+    let shares = mesh.texture_weights(DVec3::new(0.25, 0.0, 0.5), 1);
+    let shares: Vec<_> = shares.iter().map(|s| (s.weight, s.texture)).collect();
     assert_eq!(shares, [(0.25, 0), (0.25, 1), (0.5, 0)]);
-    assert!(mesh.shares(DVec3::ZERO, 0).is_empty());
-    assert!(mesh.shares(DVec3::ZERO, 2).is_empty());
+    assert!(mesh.texture_weights(DVec3::ZERO, 0).is_empty());
+    assert!(mesh.texture_weights(DVec3::ZERO, 2).is_empty());
 }
 
 #[test]

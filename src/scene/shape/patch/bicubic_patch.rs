@@ -350,7 +350,7 @@ impl Geometry for BicubicPatch {
         true
     }
 
-    fn change_unit(&mut self, factor: f64) {
+    fn scale_scene_lengths(&mut self, factor: f64) {
         self.net.flatness *= factor;
         self.tessellation = None;
     }

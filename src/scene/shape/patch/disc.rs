@@ -119,11 +119,11 @@ impl Geometry for Disc {
         Bounds::EVERYTHING
     }
 
-    fn reaches_out(&self) -> bool {
+    fn extends_beyond_bounds(&self) -> bool {
         true
     }
 
-    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         let corner = DVec3::new(self.radius, self.radius, HALF_HEIGHT);
         let stored = Bounds::new(-corner, corner);
         Some((stored, along(self.normal, self.centre)))

@@ -317,7 +317,7 @@ impl Geometry for Parametric {
         false
     }
 
-    fn change_unit(&mut self, factor: f64) {
+    fn scale_scene_lengths(&mut self, factor: f64) {
         Arc::make_mut(&mut self.0).unit *= factor;
     }
 

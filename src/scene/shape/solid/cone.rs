@@ -262,7 +262,7 @@ impl Geometry for Cone {
         self.axis.bounds(self.base_radius, self.apex_radius.abs())
     }
 
-    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         Some(self.axis.held_box(self.base_radius, self.apex_radius))
     }
 

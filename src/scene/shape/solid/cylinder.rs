@@ -50,7 +50,7 @@ impl Cylinder {
     }
 
     /// The infinite cylinder: a point of its axis, the unit direction of the axis, and the radius.
-    pub(crate) fn rod(&self) -> (DVec3, DVec3, f64) {
+    pub(crate) fn axis_and_radius(&self) -> (DVec3, DVec3, f64) {
         (self.axis.base, self.axis.unit, self.radius)
     }
 
@@ -224,7 +224,7 @@ impl Geometry for Cylinder {
         self.axis.bounds(self.radius, self.radius)
     }
 
-    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         Some(self.axis.held_box(self.radius, self.radius))
     }
 

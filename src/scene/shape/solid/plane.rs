@@ -78,7 +78,7 @@ impl Plane {
         SpanPacket {
             enter: F::select(is_left, -endless, t),
             leave: F::select(is_left, t, endless),
-            is_met: F::mask_from_bits(0b1111),
+            is_hit: F::mask_from_bits(0b1111),
             unknown: 0b1111 & !F::bitmask(t.abs().lt(endless)),
         }
     }

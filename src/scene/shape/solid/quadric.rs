@@ -356,14 +356,14 @@ impl Geometry for Quadric {
     }
 
     fn solid_bounds(&self) -> Bounds {
-        if self.reaches_out() {
+        if self.extends_beyond_bounds() {
             Bounds::EVERYTHING
         } else {
             self.bounds()
         }
     }
 
-    fn reaches_out(&self) -> bool {
+    fn extends_beyond_bounds(&self) -> bool {
         self.matrix.x_axis.x < 0.0
     }
 

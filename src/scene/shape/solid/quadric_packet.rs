@@ -102,7 +102,7 @@ impl Quadric {
             return SpanPacket {
                 enter: -endless,
                 leave: endless,
-                is_met: is_open,
+                is_hit: is_open,
                 unknown: 0b1111 & !F::bitmask(is_known),
             };
         }
@@ -134,7 +134,7 @@ impl Quadric {
         SpanPacket {
             enter: F::select(is_hit, enter, -endless),
             leave: F::select(is_hit, leave, endless),
-            is_met: is_hit | is_open,
+            is_hit: is_hit | is_open,
             unknown: 0b1111 & (!F::bitmask(is_known) | inconclusive),
         }
     }
@@ -234,7 +234,7 @@ mod tests {
                     .span_packet(&RayPacket::<F>::of_each(&self.rays), low, high)
             };
             let (enter, leave) = (spans.enter.to_array(), spans.leave.to_array());
-            let hits = F::bitmask(spans.is_met);
+            let hits = F::bitmask(spans.is_hit);
             [0, 1, 2, 3].map(|lane| {
                 let is_known = spans.unknown >> lane & 1 == 0;
                 is_known.then(|| match hits >> lane & 1 {

@@ -86,7 +86,7 @@ impl Sphere {
 
     /// Nearest roots of a ray packet with `from < t <= far`.
     #[inline(always)]
-    pub(crate) fn nearest_of_four<F: F64Lanes>(
+    pub(crate) fn nearest_packet<F: F64Lanes>(
         &self,
         rays: &RayPacket<F>,
         from: F,
@@ -123,19 +123,19 @@ impl Sphere {
         let is_hit = is_entered & reaches_middle;
         let is_clear = (is_missed | is_hit) & are_comfortable(a, from_centre_sq);
         if active & !F::bitmask(is_clear) != 0 {
-            return self.nearest_of_four(rays, from, far);
+            return self.nearest_packet(rays, from, far);
         }
         NearestPacket {
             t: middle,
             leaves: 0,
-            met: F::bitmask(is_hit),
+            hit_mask: F::bitmask(is_hit),
             unknown: 0,
         }
     }
 
     /// Packet version of [`Geometry::is_exiting`].
     #[inline(always)]
-    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
+    pub(crate) fn is_exiting_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = sub(rays.origin, splat(self.centre));
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         is_known & F::splat(0.0).lt(dot(p, rays.dir))

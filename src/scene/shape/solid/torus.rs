@@ -358,7 +358,7 @@ impl Geometry for Torus {
             let nearest = self.nearest_packet::<f64, false>(&rays, from, to, [0, 0], 0b1111);
             if nearest.unknown == 0 {
                 let crossing = [Crossing::Enter, Crossing::Leave][usize::from(nearest.leaves != 0)];
-                let is_hit = nearest.met != 0 && nearest.t < to;
+                let is_hit = nearest.hit_mask != 0 && nearest.t < to;
                 return is_hit.then(|| root(nearest.t, crossing, TUBE));
             }
             return first_visible(&self.robust_crossings(ray), from, to);

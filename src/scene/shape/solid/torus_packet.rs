@@ -155,11 +155,11 @@ impl Torus {
         let mut nearest = NearestPacket {
             t: F::splat(f64::INFINITY),
             leaves: 0,
-            met: 0,
+            hit_mask: 0,
             unknown: clipped.unknown,
         };
         for part in 0..2 {
-            let active = clipped.active[part] & !nearest.met & !nearest.unknown;
+            let active = clipped.active[part] & !nearest.hit_mask & !nearest.unknown;
             if active == 0 {
                 continue;
             }
@@ -173,7 +173,7 @@ impl Torus {
                 let is_clear = (from * F::splat(CLEARANCE)).lt(start) & end.lt(far);
                 let inside = quartics.inside() & active & F::bitmask(is_clear);
                 nearest.t = F::select(F::mask_from_bits(inside), segments.middle, nearest.t);
-                nearest.met |= inside;
+                nearest.hit_mask |= inside;
                 active &= !inside;
             }
             if active == 0 {
@@ -186,7 +186,7 @@ impl Torus {
             let is_within = from.lt(t) & t.le(far);
             let hits = first.hit_mask & refined & F::bitmask(is_within);
             nearest.t = F::select(F::mask_from_bits(hits), t, nearest.t);
-            nearest.met |= hits;
+            nearest.hit_mask |= hits;
         }
         nearest
     }

@@ -136,7 +136,7 @@ impl ItemBvh {
             match self.bounded[position].item {
                 Item::Leaf(leaf) => {
                     let leaf = &parts.leaves[leaf as usize];
-                    leaf.sphere().filter(|_| leaf.shape.has_roots_of_four())
+                    leaf.sphere().filter(|_| leaf.shape.has_nearest_packet())
                 }
                 Item::Program(_) | Item::Instance(_) => None,
             }

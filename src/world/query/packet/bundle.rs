@@ -232,7 +232,7 @@ impl World {
         was_of_use
     }
 
-    /// Returns true if [`World::ways_from`] pays off.
+    /// Returns true if [`World::occlusion_from_point`] pays off.
     #[must_use]
     pub fn can_bundle_from_point(&self) -> bool {
         self.meshes.is_empty()

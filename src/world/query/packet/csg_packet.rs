@@ -248,8 +248,10 @@ impl CsgPacket<'_> {
             }
             let leaf = &self.leaves[(self.program.first + number) as usize];
             clear &= F::bitmask(match &leaf.object_from_world {
-                None => leaf.shape.four_clear(rays, t),
-                Some(matrix) => leaf.shape.four_clear(&rays.to_object(matrix), t),
+                None => leaf.shape.clearly_outside_packet(rays, t),
+                Some(matrix) => leaf
+                    .shape
+                    .clearly_outside_packet(&rays.to_object(matrix), t),
             });
         }
         let is_known = clip.unknown == 0 && (clear | passes) & self.active == self.active;
@@ -290,8 +292,8 @@ impl CsgPacket<'_> {
         let spans = self.spans(number, rays, low, high);
         let endless = F::splat(f64::INFINITY);
         let ends = (
-            F::select(spans.is_met, spans.enter, endless),
-            F::select(spans.is_met, spans.leave, -endless),
+            F::select(spans.is_hit, spans.enter, endless),
+            F::select(spans.is_hit, spans.leave, -endless),
         );
         (ends, spans.unknown)
     }
@@ -310,7 +312,7 @@ impl CsgPacket<'_> {
             None => *rays,
             Some(matrix) => rays.to_object(matrix),
         };
-        leaf.shape.four(&rays, (low, high))
+        leaf.shape.span_packet(&rays, (low, high))
     }
 
     /// Adds the operands of a large program whose boxes some of the rays hit within their clip intervals, and updates

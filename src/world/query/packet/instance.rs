@@ -61,13 +61,13 @@ impl<const ANY: bool> SimdKernel for InstancePacket<'_, ANY> {
             }
             has_left &= lanes_tested;
             if has_left != 0 {
-                let gone = F::bitmask(sphere.four_left_behind(&rays)) & self.rays.goes_out;
+                let gone = F::bitmask(sphere.is_exiting_packet(&rays)) & self.rays.goes_out;
                 unknown |= has_left & !gone;
                 lanes_tested &= !has_left;
             }
-            let nearest = sphere.nearest_of_four(&rays, from, far);
+            let nearest = sphere.nearest_packet(&rays, from, far);
             unknown |= nearest.unknown & lanes_tested;
-            let new = nearest.met & lanes_tested;
+            let new = nearest.hit_mask & lanes_tested;
             if new == 0 {
                 continue;
             }

@@ -428,7 +428,9 @@ impl MeshQuery<'_> {
             if let Some(packet) = &frames.packet
                 && !some.is_power_of_two()
             {
-                let hits = self.mesh.meet_four(lanes, packet, rays.face);
+                let hits = self
+                    .mesh
+                    .intersect_triangle_packet(lanes, packet, rays.face);
                 scalar &= hits.unknown;
                 each_bit(hits.met & some, |lane| {
                     let (ray, t) = (start + lane, hits.t[lane % 4]);
@@ -439,7 +441,9 @@ impl MeshQuery<'_> {
             }
             each_bit(scalar, |lane| {
                 let ray = start + lane;
-                if let Some(t) = self.mesh.meet(&frames.each[lane % 4], rays.face)
+                if let Some(t) = self
+                    .mesh
+                    .intersect_triangle(&frames.each[lane % 4], rays.face)
                     && stream.t_min(ray) < t
                     && t <= stream.t_max(ray)
                 {

@@ -41,7 +41,7 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
             F::from_array(&self.rays.t_min),
             F::from_array(&self.rays.t_max),
         );
-        let nearest = self.leaf.shape.nearest_of_four::<F, ANY>(
+        let nearest = self.leaf.shape.nearest_packet::<F, ANY>(
             &rays,
             (from, far),
             self.origin_masks,
@@ -50,7 +50,7 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
         NearestRoots {
             t: nearest.t.to_array(),
             leaves: nearest.leaves,
-            hit_mask: nearest.met,
+            hit_mask: nearest.hit_mask,
             unknown: nearest.unknown,
         }
     }
@@ -71,7 +71,7 @@ impl SimdKernel for ExitedLanes<'_> {
         if let Some(matrix) = &self.leaf.object_from_world {
             rays = rays.to_object(matrix);
         }
-        F::bitmask(self.leaf.shape.four_left_behind(&rays))
+        F::bitmask(self.leaf.shape.is_exiting_packet(&rays))
     }
 }
 
@@ -105,7 +105,7 @@ impl World {
             active,
         };
         let mut own = rays.start_on(number) & active;
-        let handles_exits = leaf.shape.tells_left_behind();
+        let handles_exits = leaf.shape.has_exiting_packet();
         if own & rays.goes_out != 0 && handles_exits {
             let gone = own & rays.goes_out & lanes.run(ExitedLanes { leaf, rays });
             active &= !gone;

@@ -110,15 +110,15 @@ fn textures_of_components_are_weighted_by_their_fields() {
         "threshold 0.2 sphere { <-0.5,0,0>, 1, 1 pigment { rgb 1 } }
         sphere { <0.5,0,0>, 1, -0.5 } sphere { <5,0,0>, 1, 1 finish { phong 1 } }",
     );
-    assert_eq!(pair.skins().len(), 2);
-    let shares = pair.shares(DVec3::ZERO, 0);
+    assert_eq!(pair.face_textures().len(), 2);
+    let shares = pair.texture_weights(DVec3::ZERO, 0);
     let shares: Vec<_> = shares
         .iter()
-        .map(|share| (share.skin, share.weight))
+        .map(|share| (share.texture, share.weight))
         .collect();
     let expected = [(0, 2.0 / 3.0), (TextureWeight::OF_THE_OBJECT, 1.0 / 3.0)];
     assert_eq!(shares, expected);
-    assert!(blob(PAIR).shares(DVec3::ZERO, 0).is_empty());
+    assert!(blob(PAIR).texture_weights(DVec3::ZERO, 0).is_empty());
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn transforms_of_a_component_move_the_textures_before_them() {
         modifiers.map(|modifiers| modifiers.chain.steps().to_vec())
     };
     assert_eq!(
-        steps(&moved.skins()[0].0),
+        steps(&moved.face_textures()[0].0),
         Some(vec![Step::Scale(DVec3::splat(2.0))])
     );
 }
