@@ -7,13 +7,13 @@ mod bumps;
 mod cylinder;
 mod fisheye;
 mod focal_blur;
-mod four;
 mod lens_points;
 mod mesh_camera;
 mod omnimax;
 mod orthographic;
 mod panoramic;
 mod perspective;
+mod ray_packet;
 mod read;
 mod spherical;
 #[cfg(test)]

@@ -521,7 +521,7 @@ impl Geometry for Mesh {
 pub(super) mod attributes;
 pub(super) mod build;
 pub(super) mod height_field;
+pub(super) mod instance;
 pub(super) mod mesh2;
-pub(super) mod placed;
 #[cfg(test)]
 mod tests;

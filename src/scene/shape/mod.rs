@@ -62,7 +62,7 @@ pub use implicit::julia_fractal::JuliaFractal;
 pub use implicit::poly::Poly;
 pub use mesh::Mesh;
 pub use mesh::height_field::HeightField;
-pub use mesh::placed::MeshInstance;
+pub use mesh::instance::MeshInstance;
 pub(crate) use packet::{RayPacket, SpanPacket};
 pub use patch::bicubic_patch::BicubicPatch;
 pub use patch::disc::Disc;

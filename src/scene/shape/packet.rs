@@ -242,7 +242,8 @@ impl Shape {
     pub(crate) fn nearest_packet<F: F64Lanes, const ANY: bool>(
         &self,
         rays: &RayPacket<F>,
-        (from, far): (F, F),
+        from: F,
+        far: F,
         left: [u32; 2],
         active: u32,
     ) -> NearestPacket<F> {
@@ -257,7 +258,7 @@ impl Shape {
             ),
             Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
                 // No end beyond the first is needed.
-                let mut nearest = self.span_packet(rays, (from, from)).nearest(from, far);
+                let mut nearest = self.span_packet(rays, from, from).nearest(from, far);
                 nearest.unknown |= left[0] | left[1];
                 nearest
             }
@@ -309,20 +310,21 @@ impl Shape {
         }
     }
 
-    /// Spans of a ray packet, all unknown for a shape without packet spans; ends outside the intervals `within` may be
+    /// Spans of a ray packet, all unknown for a shape without packet spans; ends outside of `low` to `high` may be
     /// missing.
     #[inline(always)]
     pub(crate) fn span_packet<F: F64Lanes>(
         &self,
         rays: &RayPacket<F>,
-        within: (F, F),
+        low: F,
+        high: F,
     ) -> SpanPacket<F> {
         match self {
             Shape::Sphere(sphere) => sphere.span_packet(rays),
             Shape::Cuboid(cuboid) => cuboid.span_packet(rays),
             Shape::Cylinder(cylinder) => cylinder.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
-            Shape::Quadric(quadric) => quadric.span_packet(rays, within.0, within.1),
+            Shape::Quadric(quadric) => quadric.span_packet(rays, low, high),
             _ => {
                 let nothing = F::splat(0.0);
                 SpanPacket::new(nothing, nothing, F::mask_from_bits(0), F::mask_from_bits(0))
@@ -402,7 +404,7 @@ mod tests {
             let rays = RayPacket::<F>::of_each(&self.rays);
             let roots = if self.shape.has_span_packet() {
                 let all = F::splat(f64::INFINITY);
-                let spans = self.shape.span_packet(&rays, (-all, all));
+                let spans = self.shape.span_packet(&rays, -all, all);
                 let hits = F::bitmask(spans.is_hit);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);

@@ -196,9 +196,12 @@ impl Tracer<'_> {
                 },
             );
         }
-        let rays_to_grid = (&mut shadow_rays[..], requested.len());
-        self.world
-            .occlusion_from_point(hits, rays_to_grid, &mut scratch.query);
+        self.world.occlusion_from_point(
+            hits,
+            &mut shadow_rays,
+            requested.len(),
+            &mut scratch.query,
+        );
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
             let shadow_path = ShadowPath {

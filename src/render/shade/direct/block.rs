@@ -161,12 +161,16 @@ impl Tracer<'_> {
         order.occlusions.clear();
         let mut unbundled = 0;
         for indices in order.sorted.chunks(BUNDLE_RAYS) {
-            let rays = (&**hits, &*shadow_rays);
             let occlusions = &mut order.occlusions;
             let centre = (unbundled == 0).then_some(light.centre);
-            let has_paid =
-                self.world
-                    .occlusion_bundle(indices, rays, centre, &mut single.query, occlusions);
+            let has_paid = self.world.occlusion_bundle(
+                indices,
+                hits,
+                shadow_rays,
+                centre,
+                &mut single.query,
+                occlusions,
+            );
             unbundled = match centre {
                 None => unbundled - 1,
                 Some(_) if has_paid => 0,
@@ -223,10 +227,11 @@ impl Tracer<'_> {
                     let there = (count - 8 * pair).min(8);
                     active &= 0xff >> (8 - there);
                     if active != 0 {
-                        let active = (active, number);
                         self.world.occlusion_packet8(
                             lanes,
-                            (hits, shadow_rays),
+                            number,
+                            hits,
+                            shadow_rays,
                             active,
                             &mut scratch.query,
                         );

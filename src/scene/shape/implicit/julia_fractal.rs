@@ -19,8 +19,8 @@
 //! so that a difference shows what an intersection would; here it stays a difference.
 
 mod complex;
-mod four;
-mod places;
+mod inside_test;
+mod packet;
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
@@ -28,7 +28,7 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
-use places::{BATCH, Lookahead, to_complex_pair};
+use inside_test::{BATCH, Lookahead, to_complex_pair};
 use smallvec::SmallVec;
 
 /// Length at which the halving of a step ends, in object units; POV-Ray's value.

@@ -18,8 +18,8 @@
 
 mod exact;
 mod floors;
-mod four;
 mod norms;
+mod packet;
 mod rough;
 
 use self::exact::{Along, derivative, norm, norm_and_derivatives};

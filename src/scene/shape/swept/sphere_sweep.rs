@@ -14,10 +14,7 @@
 //!
 //! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and ignored.
 
-mod part;
-mod way;
-
-use self::part::{B_SPLINE, CATMULL_ROM, Part};
+use self::segment::{B_SPLINE, CATMULL_ROM, Part};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
@@ -204,5 +201,7 @@ impl Geometry for SphereSweep {
     }
 }
 
+mod path;
+mod segment;
 #[cfg(test)]
 mod tests;

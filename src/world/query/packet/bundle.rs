@@ -152,7 +152,8 @@ impl World {
     pub fn occlusion_bundle(
         &self,
         indices: &[u16],
-        (hits, to_light): (&[HitPacket4], &[ShadowPacket4]),
+        hits: &[HitPacket4],
+        to_light: &[ShadowPacket4],
         centre: Option<DVec3>,
         scratch: &mut QueryScratch,
         occlusions: &mut Vec<Occlusion>,
@@ -243,7 +244,8 @@ impl World {
     pub fn occlusion_from_point(
         &self,
         hits: &HitPacket4,
-        (to_light, count): (&mut [ShadowPacket4], usize),
+        to_light: &mut [ShadowPacket4],
+        count: usize,
         scratch: &mut QueryScratch,
     ) {
         scratch.rays.shadow += count as u64;

@@ -312,7 +312,7 @@ impl CsgPacket<'_> {
             None => *rays,
             Some(matrix) => rays.to_object(matrix),
         };
-        leaf.shape.span_packet(&rays, (low, high))
+        leaf.shape.span_packet(&rays, low, high)
     }
 
     /// Adds the operands of a large program whose boxes some of the rays hit within their clip intervals, and updates

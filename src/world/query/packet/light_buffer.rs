@@ -184,8 +184,10 @@ impl World {
     pub(crate) fn occlusion_packet8(
         &self,
         lanes: SimdLevel,
-        (hits, shadow_rays): (&[HitPacket4], &mut [ShadowPacket4]),
-        (active, light): (u32, u32),
+        light: u32,
+        hits: &[HitPacket4],
+        shadow_rays: &mut [ShadowPacket4],
+        active: u32,
         scratch: &mut QueryScratch,
     ) {
         let Some(light_buffer) = self.light_buffers.of_light(light) else {

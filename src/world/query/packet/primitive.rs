@@ -43,7 +43,8 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
         );
         let nearest = self.leaf.shape.nearest_packet::<F, ANY>(
             &rays,
-            (from, far),
+            from,
+            far,
             self.origin_masks,
             self.active,
         );

@@ -1,7 +1,7 @@
 //! One polynomial segment of the curve of a sweep.
 
 use super::Spans;
-use super::way::{ChordEnds, derivative, product};
+use super::path::{ChordEnds, derivative, product};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::polynomial::{sign_changes, value};
 use crate::base::math::{Bounds, Ray};

@@ -4,7 +4,7 @@
 //! Rays that start inside, and rays that would have to continue after a root, take the scalar path.
 
 use super::complex::Function;
-use super::places::{Orbit, Pair, PointStates, Quaternion};
+use super::inside_test::{Orbit, Pair, PointStates, Quaternion};
 use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE, unit};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
