@@ -347,8 +347,8 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     let about = About {
         title: "povr beside POV-Ray",
         text: format!(
-            "<code>povr compare {}</code>: both drew with the same switches and one thread. Differences are in steps of \
-             1/255, times those of whole processes, side by side with others. {}",
+            "<code>povr compare {}</code>: same switches, one thread each. Differences in 1/255 \
+             steps; times are wall-clock for the whole process, with other jobs running. {}",
             page::escaped(&[names, wanted.switches.join(" ")].join(" ")),
             page::escaped(&version)
         ),

@@ -276,15 +276,15 @@ pub(super) fn error_reached(reached: &AdaptiveOutcome, pixels: u64) -> String {
         ..
     } = reached;
     let aim = if *target > 0.0 && largest <= target {
-        format!("held the error of {target}")
+        format!("reached --error {target}")
     } else if *target > 0.0 {
-        format!("did not hold the error of {target}")
+        format!("missed --error {target}")
     } else {
         "stopped".to_owned()
     };
     format!(
-        "povr: {aim}: estimated {largest:.3} at most and {rms:.3} on the average (steps of 1/255), \
-         {samples:.2} samples a pixel"
+        "povr: {aim}: max {largest:.3}, mean {rms:.3} (in 1/255 steps), \
+         {samples:.1} samples per pixel"
     )
 }
 

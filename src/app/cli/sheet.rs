@@ -276,7 +276,7 @@ fn draw(scene: &Path, size: Size, environment: &Environment) -> Result<(), CliEr
         && draw::carry_out(&settings, &crate::draw)? != ExitCode::SUCCESS
     {
         return Err(CliError::new(format!("cannot draw `{}`", scene.display()))
-            .with_hint("the file of one's own must be one object, or name one with `--object`"));
+            .with_hint("your own file must be one object, or name one with `--object`"));
     }
     Ok(())
 }

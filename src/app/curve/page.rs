@@ -48,8 +48,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          picture with {:.0} samples a pixel (the truth) whose own error is estimated at {:.5} (root mean square). Times are \
          processor seconds of tracing, the median of the drawings. POV-Ray's pictures are measured against povr's too: what \
          the programs draw differently is a level below which its error does not fall.</p>\n{}\
-         <p>Every dot is a setting, by what it cost (to the right) and how wrong its picture is (upwards), both by their \
-         logarithms: the lower and the further left, the better. Lines join the settings that no other of their kind \
+         <p>Each dot is one setting: time across, error up (both on log scales). Lower left is better. Lines join the settings that no other of their kind \
          betters.</p>\n\
          <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
         report.threads,
@@ -66,9 +65,9 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     };
     let _ = writeln!(
         page,
-        "<h2>Table</h2>\n<p><b>RMSE</b>: root mean square error. <b>99.9 %</b>: the error that so many pixels do not exceed; \
+        "<h2>Table</h2>\n<p><b>RMSE</b>: root mean square error. <b>99.9 %</b>: the error that 99.9 % of the pixels do not exceed; \
          <b>max</b>: that of the worst. <b>FLIP</b>: how different a person finds both pictures, 0 for equal ones. \
-         <b>estimated</b>: what povr took its RMSE for without knowing the truth.</p>\n\
+         <b>estimated</b>: povr's own estimate of its RMSE.</p>\n\
          <div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>{spread}<th>wall s</th>{spread}\
          <th>samples a pixel</th><th>RMSE</th><th>estimated</th><th>99.9 %</th><th>max</th><th>FLIP</th></tr></thead>\n<tbody>"
     );
@@ -78,7 +77,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     page += "</tbody></table></div>\n<h2>Pictures</h2>\n";
     let _ = writeln!(
         page,
-        "<p>Left the picture, right how much it differs from the truth, {ENLARGED:.0} times enlarged.</p>\n\
+        "<p>Left: the image. Right: its error, amplified {ENLARGED:.0}×.</p>\n\
          <figure class=\"truth\"><img alt=\"the truth\" src=\"{}\"><figcaption>The truth</figcaption></figure>\n\
          <div class=\"pictures\">",
         embedded(&pictures.join("truth.png"))?

@@ -58,7 +58,9 @@ impl Reader<'_> {
             ',' if wants_word(wanted) && self.is_between_numbers() => {
                 "A vector stands in `<` and `>`: `<1, 2, 3>`."
             }
-            ',' if wants_word(wanted) => "Parts of a block stand without commas; remove it.",
+            ',' if wants_word(wanted) => {
+                "Remove this comma: items in a block are not separated by commas."
+            }
             ';' if wants_word(wanted) => {
                 "Only declarations of numbers, and some directives, end with `;`; remove it."
             }
@@ -115,7 +117,7 @@ impl Reader<'_> {
         if Word::from_spelling(&small)
             .is_some_and(|word| fits(word, wanted) && !is_part_of_color(word))
         {
-            return Some(format!("Reserved words have small letters: `{small}`."));
+            return Some(format!("Keywords are lower case: `{small}`."));
         }
         if let Some(line) = self.declared_further_down(symbol) {
             return Some(format!(

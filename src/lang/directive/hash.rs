@@ -36,7 +36,7 @@ impl Reader<'_> {
                     .to_owned()
             }
         };
-        let error = Diagnostic::error(hash.to(name), format!("`#{found}` is no directive"));
+        let error = Diagnostic::error(hash.to(name), format!("`#{found}` is not a directive"));
         self.with_trace(error.with_hint(hint))
     }
 

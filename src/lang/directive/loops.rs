@@ -41,9 +41,9 @@ impl Reader<'_> {
         }
         let error = Diagnostic::error(
             home.span(index),
-            "this loop does not end: no round of it changes anything",
+            "this loop never ends: nothing in its body changes the condition",
         );
-        let hint = "Change what its condition asks for, or leave it by `#break`.";
+        let hint = "Change a value that its condition depends on, or exit with `#break`.";
         Err(self.with_trace(error.with_hint(hint)))
     }
 
@@ -125,7 +125,7 @@ mod tests {
             "#declare S = seed(1); #while (rand(seed(rand(seed(2)))) < 2) sphere { 0, 1 } #end",
             "#macro R(N) rand(seed(N)) #end #while (R(1) < 2) #if (R(2) > 2) #break #end #end",
         ] {
-            let expected = ["this loop does not end: no round of it changes anything"];
+            let expected = ["this loop never ends: nothing in its body changes the condition"];
             assert_eq!(errors(text), expected, "{text}");
         }
     }

@@ -151,7 +151,7 @@ impl Reader<'_> {
         let behind = Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.draft.version >= 3.5 {
-            let error = Diagnostic::error(behind, message).with_hint("Write `;` behind this.");
+            let error = Diagnostic::error(behind, message).with_hint("Add `;` here.");
             self.record(*self.with_trace(error));
         } else {
             self.warning(Diagnostic::warning(behind, message));

@@ -280,10 +280,7 @@ impl Reader<'_> {
         let (is, hint) = if bad.is_nan() {
             ("no number", "It comes of `0 * infinity` or the like.")
         } else {
-            (
-                "infinite",
-                "It comes of a division by zero, or of a number too large to hold.",
-            )
+            ("infinite", "Caused by a division by zero or an overflow.")
         };
         let span = self.span_from(start);
         Err(self.with_trace(Diagnostic::error(span, format!("this value is {is}")).with_hint(hint)))

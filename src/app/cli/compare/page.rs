@@ -86,7 +86,7 @@ pub(super) fn html(rows: &[Row], total: &Total, about: &About<'_>) -> String {
     for row in rows {
         table_row(&mut page, row, about);
     }
-    page += "</tbody></table></div>\n<p id=\"empty\" hidden>Nothing is shown: no row fits the filter.</p>\n";
+    page += "</tbody></table></div>\n<p id=\"empty\" hidden>No scenes match the filter.</p>\n";
     page += VIEWER;
     let _ = write!(page, "<script>\n{SCRIPT}</script>\n</body>\n</html>\n");
     page
