@@ -16,7 +16,7 @@ use crate::scene::Radiosity;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
-use crate::scene::shape::{Shape, TextureWeights};
+use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -240,11 +240,11 @@ impl World {
     /// whose components have their own textures, and not for meshes (checked with POV-Ray).
     #[must_use]
     pub fn has_one_side(&self, hit: &Hit) -> bool {
-        let is_blob = || matches!(self.model.shape(hit.spawn_surface.leaf), Shape::Blob(_));
+        let has_one_side = || self.model.shape(hit.spawn_surface.leaf).has_one_side();
         !self.surfaces[hit.surface as usize]
             .face_textures()
             .is_empty()
-            && is_blob()
+            && has_one_side()
     }
 
     /// The texture coordinates at a hit: those of the shape before all transforms, or the position in world space.

@@ -149,11 +149,9 @@ impl Leaf {
     /// The root that a world ray is known to have at `t`; `None` if it turns out to have none.
     pub(super) fn root_at(&self, ray: &Ray, t: f64, roots: &mut Vec<Root>) -> Option<Root> {
         let transformed = &mut None;
-        let direct = match &self.shape {
-            Shape::Sphere(sphere) if self.object_from_world.is_none() => sphere.root_at(ray, t),
-            Shape::Cuboid(cuboid) => cuboid.root_at(self.to_object(ray, transformed), t),
-            Shape::Cylinder(cylinder) => cylinder.root_at(self.to_object(ray, transformed), t),
-            _ => None,
+        let direct = match self.world_sphere() {
+            Some(sphere) => sphere.root_of_unit_ray(ray, t),
+            None => self.shape.root_at(self.to_object(ray, transformed), t),
         };
         if direct.is_some() {
             return direct;
@@ -167,11 +165,8 @@ impl Leaf {
     #[must_use]
     #[inline]
     pub(super) fn holds(&self, ray: &Ray, to: f64) -> bool {
-        match &self.shape {
-            Shape::Sphere(sphere) => sphere.holds(self.to_object(ray, &mut None), to),
-            Shape::Cuboid(cuboid) => cuboid.holds(self.to_object(ray, &mut None), to),
-            _ => false,
-        }
+        self.shape
+            .is_well_inside(self.to_object(ray, &mut None), to)
     }
 
     /// The first visible root of a world ray with `from < t < to`.
@@ -185,9 +180,9 @@ impl Leaf {
     #[must_use]
     #[inline(always)]
     pub fn has_exited_convex(&self, ray: &Ray) -> bool {
-        match (&self.shape, &self.object_from_world) {
-            (Shape::Sphere(sphere), None) => sphere.is_exiting(ray),
-            _ => self.other_has_exited_convex(ray),
+        match self.world_sphere() {
+            Some(sphere) => sphere.is_exiting(ray),
+            None => self.other_has_exited_convex(ray),
         }
     }
 
@@ -220,7 +215,7 @@ impl Leaf {
     #[must_use]
     #[inline]
     pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
-        if let (Shape::Sphere(sphere), None) = (&self.shape, &self.object_from_world) {
+        if let Some(sphere) = self.world_sphere() {
             let normal = unit_normal(point - sphere.centre);
             return (normal, normal);
         }
@@ -261,8 +256,16 @@ impl Leaf {
     /// Centre and radius, if the leaf is a sphere in world coordinates.
     #[must_use]
     pub fn sphere(&self) -> Option<(DVec3, f64)> {
+        self.world_sphere()
+            .map(|sphere| (sphere.centre, sphere.radius))
+    }
+
+    /// The shape, if it is a sphere in world coordinates: the most frequent one, which queries treat first.
+    #[must_use]
+    #[inline(always)]
+    pub(super) fn world_sphere(&self) -> Option<&Sphere> {
         match (&self.shape, &self.object_from_world) {
-            (Shape::Sphere(sphere), None) => Some((sphere.centre, sphere.radius)),
+            (Shape::Sphere(sphere), None) => Some(sphere),
             _ => None,
         }
     }
@@ -270,16 +273,9 @@ impl Leaf {
     /// A tight bounding sphere by centre and radius, and whether the leaf fills it.
     #[must_use]
     pub(super) fn bounding_sphere(&self) -> Option<(DVec3, f64, bool)> {
-        let (centre, radius) = match &self.shape {
-            Shape::Torus(torus) => (torus.centre, torus.rim()),
-            Shape::Cuboid(cuboid) => {
-                let half = 0.5 * cuboid.max - 0.5 * cuboid.min;
-                (cuboid.min + half, half.length() * (1.0 + MARGIN))
-            }
-            _ => {
-                let (centre, radius) = self.sphere()?;
-                return Some((centre, radius, true));
-            }
+        let Some((centre, radius)) = self.shape.bounding_sphere() else {
+            let (centre, radius) = self.sphere()?;
+            return Some((centre, radius, true));
         };
         let slack = |centre: DVec3| MARGIN * centre.abs().max_element();
         let Some(matrix) = &self.object_from_world else {
@@ -294,10 +290,7 @@ impl Leaf {
     /// A tight infinite bounding cylinder.
     #[must_use]
     pub(super) fn bounding_cylinder(&self) -> Option<BoundingCylinder> {
-        let Shape::Cylinder(cylinder) = &self.shape else {
-            return None;
-        };
-        let (base, axis, radius) = cylinder.axis_and_radius();
+        let (base, axis, radius) = self.shape.bounding_cylinder()?;
         let Some(matrix) = &self.object_from_world else {
             return Some((base, axis, radius));
         };
@@ -314,7 +307,7 @@ impl Leaf {
     /// uses, may have twice the surface area.
     #[must_use]
     pub(super) fn tightened(&self, bounds: &Bounds) -> Bounds {
-        let (Shape::Torus(torus), Some(matrix)) = (&self.shape, &self.object_from_world) else {
+        let Some(matrix) = &self.object_from_world else {
             return *bounds;
         };
         let world_from_object = matrix.inverse();
@@ -322,10 +315,10 @@ impl Leaf {
         if !there_and_back.abs_diff_eq(DMat3::IDENTITY, 0.5 * MARGIN) {
             return *bounds;
         }
-        let Some(reach) = torus.reach_under(&world_from_object.matrix3) else {
+        let Some((centre, reach)) = self.shape.tight_extent(&world_from_object.matrix3) else {
             return *bounds;
         };
-        let centre = world_from_object.transform_point3(torus.centre);
+        let centre = world_from_object.transform_point3(centre);
         let reach = reach * (1.0 + MARGIN) + MARGIN * centre.abs().max_element();
         let tight = Bounds::new(centre - reach, centre + reach);
         if tight.is_finite() {

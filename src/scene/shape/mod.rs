@@ -255,6 +255,58 @@ pub trait Geometry {
         None
     }
 
+    /// The root at `t`, where the ray is known to have one; `None` in doubt.
+    fn root_at(&self, _ray: &Ray, _t: f64) -> Option<Root> {
+        None
+    }
+
+    /// True if a ray lies well inside from its start to `to`: no rounding can bring the surface there. False in doubt.
+    fn is_well_inside(&self, _ray: &Ray, _to: f64) -> bool {
+        false
+    }
+
+    /// A bounding sphere by centre and radius, where one is tighter than the bounding box.
+    fn bounding_sphere(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
+    /// A tight infinite bounding cylinder: a point of its axis, the unit direction of the axis, and the radius.
+    fn bounding_cylinder(&self) -> Option<(DVec3, DVec3, f64)> {
+        None
+    }
+
+    /// The centre, and the extent from it along each axis after a rotation or scaling by `matrix`, where that is tighter
+    /// than the transformed bounding box; `None` also if squares overflow or underflow.
+    fn tight_extent(&self, _matrix: &DMat3) -> Option<(DVec3, DVec3)> {
+        None
+    }
+
+    /// The part of a box that may lie inside, or outside where `is_inverse`, of a surface that is unbounded by itself.
+    fn limited(&self, _around: &Bounds, _is_inverse: bool) -> Option<Bounds> {
+        None
+    }
+
+    /// The normal and distance of a half-space.
+    fn half_space(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
+    /// True if the normal does not flip where the inside is inverted, as POV-Ray has it for single triangles.
+    fn keeps_normal(&self) -> bool {
+        false
+    }
+
+    /// True if transforms apply to the textures of surface pieces even under `uv_mapping`, as POV-Ray has it for blobs.
+    fn moves_face_textures(&self) -> bool {
+        false
+    }
+
+    /// True if both sides look alike, whatever `interior_texture` says: blobs whose components have textures, but not
+    /// meshes (measured with POV-Ray).
+    fn has_one_side(&self) -> bool {
+        false
+    }
+
     /// True if [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
@@ -361,6 +413,38 @@ macro_rules! shapes {
             }
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }
+            }
+            #[inline]
+            fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+                match self { $(Shape::$name(shape) => shape.root_at(ray, t)),+ }
+            }
+            #[inline]
+            fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_well_inside(ray, to)),+ }
+            }
+            fn bounding_sphere(&self) -> Option<(DVec3, f64)> {
+                match self { $(Shape::$name(shape) => shape.bounding_sphere()),+ }
+            }
+            fn bounding_cylinder(&self) -> Option<(DVec3, DVec3, f64)> {
+                match self { $(Shape::$name(shape) => shape.bounding_cylinder()),+ }
+            }
+            fn tight_extent(&self, matrix: &DMat3) -> Option<(DVec3, DVec3)> {
+                match self { $(Shape::$name(shape) => shape.tight_extent(matrix)),+ }
+            }
+            fn limited(&self, around: &Bounds, is_inverse: bool) -> Option<Bounds> {
+                match self { $(Shape::$name(shape) => shape.limited(around, is_inverse)),+ }
+            }
+            fn half_space(&self) -> Option<(DVec3, f64)> {
+                match self { $(Shape::$name(shape) => shape.half_space()),+ }
+            }
+            fn keeps_normal(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.keeps_normal()),+ }
+            }
+            fn moves_face_textures(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.moves_face_textures()),+ }
+            }
+            fn has_one_side(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.has_one_side()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }

@@ -230,6 +230,11 @@ impl Shape {
         }
     }
 
+    /// True if packets know more of it once an interval limits their rays: an unbounded quadric.
+    pub(crate) fn gains_from_intervals(&self) -> bool {
+        matches!(self, Shape::Quadric(_))
+    }
+
     /// True if its roots lie on several faces.
     #[inline(always)]
     pub(crate) fn has_faces(&self) -> bool {

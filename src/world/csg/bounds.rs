@@ -2,7 +2,7 @@
 //! Without a box every ray would have to test such a CSG object.
 
 use crate::base::math::Bounds;
-use crate::scene::shape::{Plane, Quadric, Shape};
+use crate::scene::shape::Geometry;
 use crate::world::primitive::Leaf;
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
@@ -22,24 +22,23 @@ pub(crate) fn limited(leaves: &[Leaf], factors: &Factors, around: Bounds) -> Bou
     let mut limited = around;
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
-        if let Shape::Quadric(quadric) = &leaf.shape {
-            let matrix = leaf.object_from_world.as_deref();
-            let in_world = of_quadric(quadric, is_inverse, matrix, leaves, factors, &limited);
+        if leaf.shape.limited(&limited, is_inverse).is_some() {
+            let in_world = of_unbounded(leaf, is_inverse, leaves, factors, &limited);
             limited = limited.intersection(&in_world);
         }
     }
     limited
 }
 
-/// Bounds of the inside of a quadric, or of its outside, within a box and the planes among the factors.
-fn of_quadric(
-    quadric: &Quadric,
+/// Bounds of the inside of an unbounded primitive, or of its outside, within a box and the planes among the factors.
+fn of_unbounded(
+    unbounded: &Leaf,
     is_inverse: bool,
-    object_from_world: Option<&DAffine3>,
     leaves: &[Leaf],
     factors: &Factors,
     around: &Bounds,
 ) -> Bounds {
+    let object_from_world = unbounded.object_from_world.as_deref();
     let object_from_world = object_from_world.copied().unwrap_or(DAffine3::IDENTITY);
     let world_from_object = object_from_world.inverse();
     if !world_from_object.is_finite() {
@@ -48,12 +47,15 @@ fn of_quadric(
     let mut here = around.transformed(&object_from_world);
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
-        if let (Shape::Plane(plane), None) = (&leaf.shape, &leaf.object_from_world) {
-            here = here.intersection(&half_space(plane, is_inverse, &world_from_object));
+        if leaf.object_from_world.is_none()
+            && let Some((normal, distance)) = leaf.shape.half_space()
+        {
+            let sign = if is_inverse { -1.0 } else { 1.0 };
+            here = here.intersection(&half_space(normal, distance, sign, &world_from_object));
         }
     }
     for _ in 0..ROUNDS {
-        here = quadric.limited(&here, is_inverse);
+        here = unbounded.shape.limited(&here, is_inverse).unwrap_or(here);
     }
     if here.is_empty() || !here.is_finite() {
         return Bounds::EVERYTHING;
@@ -67,10 +69,9 @@ fn of_quadric(
 }
 
 /// A half-space in object space, as a box; everything if its plane is not axis-aligned there.
-fn half_space(plane: &Plane, is_inverse: bool, world_from_object: &DAffine3) -> Bounds {
-    let sign = if is_inverse { -1.0 } else { 1.0 };
-    let normal = sign * (world_from_object.matrix3.transpose() * plane.normal);
-    let distance = sign * (plane.distance - plane.normal.dot(world_from_object.translation));
+fn half_space(normal: DVec3, distance: f64, sign: f64, world_from_object: &DAffine3) -> Bounds {
+    let distance = sign * (distance - normal.dot(world_from_object.translation));
+    let normal = sign * (world_from_object.matrix3.transpose() * normal);
     let mut bounds = Bounds::EVERYTHING;
     let size = normal.abs().max_element();
     let large = (0..3).filter(|&axis| normal[axis].abs() > ALONG * size);
@@ -95,7 +96,7 @@ mod tests {
     use super::*;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::{Step, Transform};
-    use crate::scene::shape::Geometry;
+    use crate::scene::shape::{Plane, Quadric, Shape};
     use crate::world::{Extent, primitive::Absorb};
 
     fn leaf(shape: Shape, steps: &[Step]) -> Leaf {

@@ -7,7 +7,7 @@ use super::inside::InsideInit;
 use super::program::{Combine, CsgProgram, MOST_PARTS, NONE, Node, OperandBvh, OperandOrder};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
-use crate::scene::shape::{Geometry, Shape};
+use crate::scene::shape::Geometry;
 use crate::world::primitive::Leaf;
 use glam::DVec3;
 use std::ops::Range;
@@ -175,7 +175,7 @@ impl CsgProgram {
         order.required.sort_by_key(|&number| {
             let leaf = &leaves[first + number as usize];
             let is_bounded = bounds[number as usize].is_finite();
-            let is_open = matches!(leaf.shape, Shape::Quadric(_)) && !is_bounded;
+            let is_open = leaf.shape.gains_from_intervals() && !is_bounded;
             (is_open, leaf.object_from_world.is_some(), !is_bounded)
         });
         let mut own = leaves[first..][..self.operands.len()].iter();

@@ -121,13 +121,12 @@ impl Lowering {
             };
             return (slots.shape(attributes, shape.face_textures()), absorb);
         }
-        // POV-Ray transforms the textures of blob components in any case.
-        let moves_skins = attributes.says_uv && matches!(shape, Shape::Blob(_));
-        let skins_moved = moves_skins.then(|| Inherited {
+        let moves_face_textures = attributes.says_uv && shape.moves_face_textures();
+        let moved = moves_face_textures.then(|| Inherited {
             says_uv: false,
             ..attributes.clone()
         });
-        let attributes = skins_moved.as_ref().unwrap_or(attributes);
+        let attributes = moved.as_ref().unwrap_or(attributes);
         if let Some(last) = self.same_as_last(shape, attributes) {
             return (last, Absorb::AllItCan);
         }

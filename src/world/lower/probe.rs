@@ -3,7 +3,7 @@
 use crate::base::math::Ray;
 use crate::base::options::{LeastDistance, RenderOptions};
 use crate::scene::pattern::Solid;
-use crate::scene::shape::Shape;
+use crate::scene::shape::Geometry;
 use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::lowering::Lowering;
@@ -50,12 +50,7 @@ impl ProbeModel {
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.spawn_surface.leaf;
-        // POV-Ray does not flip the normals of single triangles.
-        let is_triangle = matches!(
-            world.shape(leaf),
-            Shape::Triangle(_) | Shape::SmoothTriangle(_)
-        );
-        let is_turned = world.is_inverse(leaf) && !is_triangle;
+        let is_turned = world.is_inverse(leaf) && !world.shape(leaf).keeps_normal();
         let normal = hit.shading_normal;
         Some((hit.point, if is_turned { -normal } else { normal }))
     }

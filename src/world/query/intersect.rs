@@ -4,7 +4,7 @@ use super::QueryScratch;
 use super::packet::hits::NO_LEAF;
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
-use crate::scene::shape::{Geometry, Root, Shape};
+use crate::scene::shape::{Geometry, Root};
 use crate::world::csg::program::{RawHit, RayInterval, hide_departure};
 use crate::world::model::{Item, Model};
 use crate::world::primitive::Leaf;
@@ -230,7 +230,7 @@ fn nearest_but(
     t_min: f64,
     roots: &mut Vec<Root>,
 ) -> Option<Root> {
-    if let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world) {
+    if let Some(sphere) = leaf.world_sphere() {
         let root = sphere.other_root(ray, origin.normal.dot(ray.dir) > 0.0)?;
         return (root.t > t_min).then_some(root);
     }

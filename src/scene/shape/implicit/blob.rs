@@ -367,6 +367,14 @@ impl Geometry for Blob {
         first_visible(&self.0.crossings(ray, from, to, from), from, to)
     }
 
+    fn moves_face_textures(&self) -> bool {
+        true
+    }
+
+    fn has_one_side(&self) -> bool {
+        !self.face_textures().is_empty()
+    }
+
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         let mut normal = DVec3::ZERO;
         self.0

@@ -95,6 +95,10 @@ impl Geometry for SmoothTriangle {
         self.flat.nearest(ray, from, to)
     }
 
+    fn keeps_normal(&self) -> bool {
+        true
+    }
+
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         self.flat.normal(point, face)
     }

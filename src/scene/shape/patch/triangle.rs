@@ -84,6 +84,10 @@ impl Geometry for Triangle {
         first_visible(self.touch(ray).as_slice(), from, to)
     }
 
+    fn keeps_normal(&self) -> bool {
+        true
+    }
+
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {
         let [a, b, c] = self.corners;
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());

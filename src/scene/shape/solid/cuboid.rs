@@ -24,6 +24,9 @@ pub struct Cuboid {
     pub max: DVec3,
 }
 
+/// Relative enlargement of the bounding sphere, more than the rounding errors of its radius.
+const SPHERE_MARGIN: f64 = 1e-9;
+
 impl Cuboid {
     /// The box between two opposite corners, in any order.
     #[must_use]
@@ -68,44 +71,6 @@ impl Cuboid {
             SpanEnd::new(enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
             SpanEnd::new(leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
         )
-    }
-
-    /// The root at `t`, where the ray is known to have one; `None` unless it lies clearly on one face.
-    #[inline]
-    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
-        let point = ray.at(t);
-        let (low, high) = ((point - self.min).abs(), (point - self.max).abs());
-        let gap = low.min(high);
-        let (axis, dir, is_upper) = if gap.x <= gap.y && gap.x <= gap.z {
-            (0, ray.dir.x, high.x < low.x)
-        } else if gap.y <= gap.z {
-            (1, ray.dir.y, high.y < low.y)
-        } else {
-            (2, ray.dir.z, high.z < low.z)
-        };
-        let lengths = ray.origin.abs() + (t * ray.dir).abs() + self.min.abs() + self.max.abs();
-        let margin = CLEAR_MARGIN * lengths.max_element();
-        // The second smallest gap.
-        let median = gap.x.min(gap.y).max(gap.x.max(gap.y).min(gap.z));
-        let is_sure = median > margin && low.max(high).min_element() > margin && dir != 0.0;
-        is_sure.then_some(Root {
-            t,
-            crossing: match is_upper == (dir < 0.0) {
-                true => Crossing::Enter,
-                false => Crossing::Leave,
-            },
-            face: face(axis, is_upper),
-            is_visible: true,
-        })
-    }
-
-    /// True if a ray lies well inside from its start to `to`: no rounding can bring a face there.
-    #[inline]
-    pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
-        let margin = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());
-        let (low, high) = (self.min + margin, self.max - margin);
-        let is_inside = |point: DVec3| (point.cmpgt(low) & point.cmplt(high)).all();
-        is_inside(ray.origin) && is_inside(ray.at(to))
     }
 
     /// Spans of a ray packet. Lanes parallel to a face take the scalar path.
@@ -181,6 +146,48 @@ impl Geometry for Cuboid {
         let above = ray.origin.cmpgt(self.max - margin) & ray.dir.cmpgt(DVec3::ZERO);
         let below = ray.origin.cmplt(self.min + margin) & ray.dir.cmplt(DVec3::ZERO);
         (above | below).any()
+    }
+
+    #[inline]
+    fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {
+        let margin = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());
+        let (low, high) = (self.min + margin, self.max - margin);
+        let is_inside = |point: DVec3| (point.cmpgt(low) & point.cmplt(high)).all();
+        is_inside(ray.origin) && is_inside(ray.at(to))
+    }
+
+    /// `None` unless it lies clearly on one face.
+    #[inline]
+    fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let point = ray.at(t);
+        let (low, high) = ((point - self.min).abs(), (point - self.max).abs());
+        let gap = low.min(high);
+        let (axis, dir, is_upper) = if gap.x <= gap.y && gap.x <= gap.z {
+            (0, ray.dir.x, high.x < low.x)
+        } else if gap.y <= gap.z {
+            (1, ray.dir.y, high.y < low.y)
+        } else {
+            (2, ray.dir.z, high.z < low.z)
+        };
+        let lengths = ray.origin.abs() + (t * ray.dir).abs() + self.min.abs() + self.max.abs();
+        let margin = CLEAR_MARGIN * lengths.max_element();
+        // The second smallest gap.
+        let median = gap.x.min(gap.y).max(gap.x.max(gap.y).min(gap.z));
+        let is_sure = median > margin && low.max(high).min_element() > margin && dir != 0.0;
+        is_sure.then_some(Root {
+            t,
+            crossing: match is_upper == (dir < 0.0) {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face: face(axis, is_upper),
+            is_visible: true,
+        })
+    }
+
+    fn bounding_sphere(&self) -> Option<(DVec3, f64)> {
+        let half = 0.5 * self.max - 0.5 * self.min;
+        Some((self.min + half, half.length() * (1.0 + SPHERE_MARGIN)))
     }
 
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {

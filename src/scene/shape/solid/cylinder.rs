@@ -102,40 +102,6 @@ impl Cylinder {
         slab.clip(enter, leave, self.is_open)
     }
 
-    /// The root at `t`, where the ray is known to have one; `None` unless it lies clearly on the side or on one cap.
-    #[inline]
-    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
-        let (from_base, displacement) = (ray.origin - self.axis.base, t * ray.dir);
-        let p = from_base + displacement;
-        let to_apex = self.axis.apex - self.axis.base;
-        let height = self.axis.unit.dot(p);
-        let to_top = self.axis.unit.dot(to_apex) - height;
-        let radial = p - height * self.axis.unit;
-        let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
-        let margin = CLEAR_MARGIN * (lengths.max_element() + self.radius);
-        let is_on_cap = radial.length_squared() < (self.radius - margin) * (self.radius - margin);
-        let slope = self.axis.unit.dot(ray.dir);
-        let outward = radial.dot(ray.dir);
-        let (enters, is_sure, face) = match (height > margin, to_top > margin) {
-            (true, true) => {
-                let is_sure = outward.abs() > margin * ray.dir.abs().max_element();
-                (outward < 0.0, is_sure, SIDE)
-            }
-            (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
-            (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
-            (false, false) => return None,
-        };
-        (is_sure && !self.is_open && self.radius > margin).then_some(Root {
-            t,
-            crossing: match enters {
-                true => Crossing::Enter,
-                false => Crossing::Leave,
-            },
-            face,
-            is_visible: true,
-        })
-    }
-
     /// True if [`Cylinder::span_packet`] applies to this cylinder.
     pub(crate) fn supports_packets(&self) -> bool {
         !self.is_open && is_comfortable_size(self.radius)
@@ -196,6 +162,44 @@ impl Geometry for Cylinder {
     /// True from the surface, or from outside it, away from the cylinder.
     fn is_exiting(&self, ray: &Ray) -> bool {
         self.axis.is_exiting(ray, self.radius, 0.0)
+    }
+
+    /// `None` unless it lies clearly on the side or on one cap.
+    #[inline]
+    fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let (from_base, displacement) = (ray.origin - self.axis.base, t * ray.dir);
+        let p = from_base + displacement;
+        let to_apex = self.axis.apex - self.axis.base;
+        let height = self.axis.unit.dot(p);
+        let to_top = self.axis.unit.dot(to_apex) - height;
+        let radial = p - height * self.axis.unit;
+        let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
+        let margin = CLEAR_MARGIN * (lengths.max_element() + self.radius);
+        let is_on_cap = radial.length_squared() < (self.radius - margin) * (self.radius - margin);
+        let slope = self.axis.unit.dot(ray.dir);
+        let outward = radial.dot(ray.dir);
+        let (enters, is_sure, face) = match (height > margin, to_top > margin) {
+            (true, true) => {
+                let is_sure = outward.abs() > margin * ray.dir.abs().max_element();
+                (outward < 0.0, is_sure, SIDE)
+            }
+            (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
+            (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
+            (false, false) => return None,
+        };
+        (is_sure && !self.is_open && self.radius > margin).then_some(Root {
+            t,
+            crossing: match enters {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face,
+            is_visible: true,
+        })
+    }
+
+    fn bounding_cylinder(&self) -> Option<(DVec3, DVec3, f64)> {
+        Some(self.axis_and_radius())
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

@@ -140,6 +140,10 @@ impl Geometry for Plane {
         self.is_exiting_packet(&RayPacket::<f64>::of(ray))
     }
 
+    fn half_space(&self) -> Option<(DVec3, f64)> {
+        Some((self.normal, self.distance))
+    }
+
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {
         self.normal
     }

@@ -81,31 +81,6 @@ impl Quadric {
         Ok(Quadric::new(squares, mixed, linear, constant))
     }
 
-    /// The part of a box that may lie inside, or outside where `is_inverse`, as far as it can be bounded axis by axis.
-    #[must_use]
-    pub(crate) fn limited(&self, around: &Bounds, is_inverse: bool) -> Bounds {
-        let sign = if is_inverse { -1.0 } else { 1.0 };
-        let [a, b, c] = self.matrix.to_cols_array_2d();
-        let mixed = [a[1], a[2], b[2]];
-        if mixed != [0.0; 3] {
-            return *around;
-        }
-        let squares = [sign * a[0], sign * b[1], sign * c[2]];
-        let mut limited = *around;
-        for axis in 0..3 {
-            let part = |axis: usize| Part {
-                square: squares[axis],
-                linear: sign * self.linear[axis],
-            };
-            let least = |axis: usize| part(axis).least(limited.min[axis], limited.max[axis]);
-            let others = least((axis + 1) % 3) + least((axis + 2) % 3);
-            let (low, high) = part(axis).not_above(-sign * self.constant - others);
-            limited.min[axis] = limited.min[axis].max(low);
-            limited.max[axis] = limited.max[axis].min(high);
-        }
-        limited
-    }
-
     /// The part of a box in which POV-Ray searches for the surface (measured): ellipsoids, elliptic cylinders and cones
     /// have their own limits; hyperboloids of one sheet have those of the hyperboloid with a waist 1 wide; a paraboloid
     /// has those of its image with the opposite sign of the constant. Other quadrics have no limits but the box.
@@ -137,7 +112,7 @@ impl Quadric {
             constant: sign * constant,
             ..self.clone()
         };
-        known.limited(around, sign < 0.0)
+        known.limited(around, sign < 0.0).unwrap_or(*around)
     }
 
     fn value(&self, p: DVec3) -> f64 {
@@ -311,6 +286,29 @@ impl Geometry for Quadric {
             }
         });
         first
+    }
+
+    fn limited(&self, around: &Bounds, is_inverse: bool) -> Option<Bounds> {
+        let sign = if is_inverse { -1.0 } else { 1.0 };
+        let [a, b, c] = self.matrix.to_cols_array_2d();
+        let mixed = [a[1], a[2], b[2]];
+        if mixed != [0.0; 3] {
+            return Some(*around);
+        }
+        let squares = [sign * a[0], sign * b[1], sign * c[2]];
+        let mut limited = *around;
+        for axis in 0..3 {
+            let part = |axis: usize| Part {
+                square: squares[axis],
+                linear: sign * self.linear[axis],
+            };
+            let least = |axis: usize| part(axis).least(limited.min[axis], limited.max[axis]);
+            let others = least((axis + 1) % 3) + least((axis + 2) % 3);
+            let (low, high) = part(axis).not_above(-sign * self.constant - others);
+            limited.min[axis] = limited.min[axis].max(low);
+            limited.max[axis] = limited.max[axis].min(high);
+        }
+        Some(limited)
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {

@@ -67,14 +67,6 @@ impl Sphere {
         Some((rescaled.t(enter), rescaled.t(leave)))
     }
 
-    /// True if a ray lies well inside from its start to `to`: no rounding can bring the surface there.
-    #[inline]
-    pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
-        let inner_sq = WELL_INSIDE * self.radius * self.radius;
-        let [start, end] = [ray.origin, ray.at(to)].map(|point| point - self.centre);
-        is_comfortable_size(self.radius) && start.dot(start) < inner_sq && end.dot(end) < inner_sq
-    }
-
     /// Spans of a ray packet.
     #[inline(always)]
     pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
@@ -151,7 +143,7 @@ impl Sphere {
     /// The root of a ray with a unit direction that is known to lie at `t`, if it lies surely on one side of the middle
     /// of the chord.
     #[inline]
-    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+    pub(crate) fn root_of_unit_ray(&self, ray: &Ray, t: f64) -> Option<Root> {
         let from_middle = (ray.origin - self.centre).dot(ray.dir) + t;
         let is_sure = from_middle.abs() > CLEAR_MARGIN * (t.abs() + self.radius);
         is_sure.then_some(Root {
@@ -199,6 +191,13 @@ impl Geometry for Sphere {
     fn is_exiting(&self, ray: &Ray) -> bool {
         let p = ray.origin - self.centre;
         is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) && p.dot(ray.dir) > 0.0
+    }
+
+    #[inline]
+    fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {
+        let inner_sq = WELL_INSIDE * self.radius * self.radius;
+        let [start, end] = [ray.origin, ray.at(to)].map(|point| point - self.centre);
+        is_comfortable_size(self.radius) && start.dot(start) < inner_sq && end.dot(end) < inner_sq
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {

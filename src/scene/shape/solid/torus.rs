@@ -86,29 +86,6 @@ impl Torus {
         })
     }
 
-    /// Distance from the centre to the outermost points.
-    pub(crate) fn rim(&self) -> f64 {
-        self.major + self.minor
-    }
-
-    /// Extent from its centre along each axis after a rotation or scaling; `None` if squares overflow or underflow.
-    pub(crate) fn reach_under(&self, turn: &DMat3) -> Option<DVec3> {
-        let rows = turn.transpose();
-        let mut reach = [0.0; 3];
-        for (reach, row) in reach
-            .iter_mut()
-            .zip([rows.x_axis, rows.y_axis, rows.z_axis])
-        {
-            let size = row.length();
-            if !is_comfortable_size(size) {
-                return None;
-            }
-            let across = (row.x * row.x + row.z * row.z).sqrt();
-            *reach = self.major * across + self.minor * size;
-        }
-        Some(DVec3::from_array(reach))
-    }
-
     fn is_empty(&self) -> bool {
         self.major < 0.0 || self.minor <= 0.0
     }
@@ -369,6 +346,27 @@ impl Geometry for Torus {
     /// Only from the outer half of a ring, which is a part of its convex hull.
     fn is_exiting(&self, ray: &Ray) -> bool {
         self.is_exiting_packet(&RayPacket::<f64>::of(ray))
+    }
+
+    fn bounding_sphere(&self) -> Option<(DVec3, f64)> {
+        Some((self.centre, self.major + self.minor))
+    }
+
+    fn tight_extent(&self, matrix: &DMat3) -> Option<(DVec3, DVec3)> {
+        let rows = matrix.transpose();
+        let mut reach = [0.0; 3];
+        for (reach, row) in reach
+            .iter_mut()
+            .zip([rows.x_axis, rows.y_axis, rows.z_axis])
+        {
+            let size = row.length();
+            if !is_comfortable_size(size) {
+                return None;
+            }
+            let across = (row.x * row.x + row.z * row.z).sqrt();
+            *reach = self.major * across + self.minor * size;
+        }
+        Some((self.centre, DVec3::from_array(reach)))
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

@@ -6,7 +6,7 @@ use crate::base::math::simd::vec3::{
 };
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 use crate::base::memory::prefetch;
-use crate::scene::shape::{Crossing, Shape};
+use crate::scene::shape::Crossing;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::query::ClosestHit;
@@ -413,7 +413,7 @@ impl World {
             prefetch(surface);
         }
         if let Some(leaf) = self.model.leaves.get(hit.leaf as usize)
-            && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
+            && let Some(sphere) = leaf.world_sphere()
         {
             *spheres |= 1 << lane;
             return sphere.centre;
