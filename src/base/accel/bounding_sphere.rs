@@ -1,23 +1,32 @@
-//! A ball around an item of a tree.
+//! Bounding spheres of the items of a tree.
 
 use super::node::{Aabb32, Frame};
-use super::packet::DOUBT;
+use super::packet::REL_ERROR;
 use crate::base::math::rounding::{f32_above, loose_above, loose_below, nearest};
 use glam::{DVec3, Vec3};
 
-/// A ball around an item, in the frame of its tree.
+/// A bounding sphere of an item, in the frame of its tree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundingSphere {
     centre: [f32; 3],
     radius: f32,
-    /// Whether the item fills it, so that its box tells no more.
+    /// True if the item is the sphere itself, so that its box adds nothing.
     pub(super) is_filled: bool,
 }
 
+/// A bounding sphere relative to a point.
+#[derive(Clone, Copy)]
+pub(super) struct ViewedSphere {
+    pub(super) centre: Vec3,
+    pub(super) radius: f32,
+    /// The distance of the centre.
+    pub(super) distance: f32,
+}
+
 impl BoundingSphere {
-    /// Around the points within a radius of a centre, which are all of the item or not.
-    pub(super) fn new(frame: &Frame, (centre, radius, is_filled): (DVec3, f64, bool)) -> Self {
-        let centre = frame.place(centre);
+    /// Converts a sphere to the frame; `is_filled` tells whether the item is that sphere itself.
+    pub(super) fn new(frame: &Frame, centre: DVec3, radius: f64, is_filled: bool) -> Self {
+        let centre = frame.to_frame(centre);
         let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
         let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();
@@ -28,7 +37,7 @@ impl BoundingSphere {
         }
     }
 
-    /// One that its item fills.
+    /// The sphere of an item that is itself a sphere.
     #[inline(always)]
     pub(super) fn filled(centre: [f32; 3], radius: f32) -> Self {
         BoundingSphere {
@@ -39,7 +48,7 @@ impl BoundingSphere {
     }
 
     /// The box around it.
-    pub(super) fn cell(&self) -> Aabb32 {
+    pub(super) fn aabb(&self) -> Aabb32 {
         let radius = f64::from(self.radius);
         Aabb32 {
             low: self
@@ -51,25 +60,29 @@ impl BoundingSphere {
         }
     }
 
-    /// Around a box.
+    /// The bounding sphere of a box.
     #[inline(always)]
-    pub(super) fn around(cell: &Aabb32) -> Self {
-        let (low, high) = (Vec3::from_array(cell.low), Vec3::from_array(cell.high));
+    pub(super) fn around(aabb: &Aabb32) -> Self {
+        let (low, high) = (Vec3::from_array(aabb.low), Vec3::from_array(aabb.high));
         let centre = 0.5 * low + 0.5 * high;
-        // Beyond what is lost in the rounding of the middle.
+        // The rounding error of the centre grows with its coordinates.
         let size = low.abs().max(high.abs()).max_element();
         BoundingSphere {
             centre: centre.to_array(),
-            radius: (0.5 * high - 0.5 * low).length() * (1.0 + 4.0 * DOUBT) + DOUBT * size,
+            radius: (0.5 * high - 0.5 * low).length() * (1.0 + 4.0 * REL_ERROR) + REL_ERROR * size,
             is_filled: false,
         }
     }
 
-    /// Its centre as seen from a place in the frame, a radius that makes up for the rounding of that, and the distance.
+    /// The sphere relative to a point in the frame, its radius enlarged by the rounding error of the centre.
     #[inline(always)]
-    pub(super) fn seen_from(&self, origin: DVec3) -> (Vec3, f32, f32) {
+    pub(super) fn viewed_from(&self, origin: DVec3) -> ViewedSphere {
         let centre = (DVec3::from(self.centre.map(f64::from)) - origin).as_vec3();
         let distance = centre.length();
-        (centre, self.radius + 2.0 * DOUBT * distance, distance)
+        ViewedSphere {
+            centre,
+            radius: self.radius + 2.0 * REL_ERROR * distance,
+            distance,
+        }
     }
 }

@@ -1,17 +1,17 @@
-//! Many rays from one point at once: those of a camera to a tile of the picture, or those between a light and the points
-//! that it may light.
+//! Bundles of many rays from one point: camera rays through a tile of the image, or shadow rays between a light and
+//! shading points.
 //!
-//! The tree is walked once for all of them. Nodes are tried against the pyramid around the rays, items by their balls
-//! against groups of eight rays and then against single ones, all in single precision with every doubt in favour of
-//! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
-//! are those of one ray at a time, to the bit.
+//! The tree is traversed once for all of them. Nodes are tested against the frustum around the rays, items by their
+//! bounding spheres against packets of eight rays and then against single rays, all in single precision and
+//! conservatively. What remains is a short list of pairs of an item and a ray, which the caller intersects exactly. So
+//! the results are those of single rays, bit for bit.
 
-use super::bounding_sphere::BoundingSphere;
+use super::bounding_sphere::{BoundingSphere, ViewedSphere};
 use super::frustum::{Frustum, FrustumAndNode, FrustumAndSphereLeaf};
-use super::node::{Aabb32, Child, ChildKind, Node, WIDTH, larger, smaller};
+use super::node::{Aabb32, Child, ChildKind, Node, WIDTH, max_f32, min_f32};
 use super::packet::{
-    ConesAndSphere, DOUBT, LANES, PacketAndBox, PacketAndSphere, PacketCones, RayPacket8, ViewBox,
-    frame_end,
+    ConesAndSphere, LANES, PacketAndBox, PacketAndSphere, PacketCones, REL_ERROR, RayPacket8,
+    ViewBox, frame_end,
 };
 use super::packet_interval::{DirInterval, IntervalAndBox, IntervalAndBoxes, NodeBoxes};
 use super::{Bvh, Pending, Stack, nearest_child};
@@ -20,100 +20,100 @@ use crate::base::math::rounding::{f32_above, f32_below, nearest};
 use crate::base::math::simd::SimdLevel;
 use glam::{DVec3, Vec3};
 
-/// Rays must not spread farther from their middle than this cosine, or a pyramid is no use.
-const LEAST_COSINE: f32 = 0.2;
-/// From farther away, in sizes of the tree, single precision cannot tell its items apart.
-pub(super) const FARTHEST: f64 = 256.0;
+/// Minimum cosine between a ray and the axis of the bundle; a wider frustum culls nothing.
+const MIN_COSINE: f32 = 0.2;
+/// Maximum distance of the origin, in sizes of the tree: from farther away single precision cannot separate its items.
+pub(super) const MAX_DISTANCE: f64 = 256.0;
 
-/// How many nodes and single items may be visited for each ray of a bundle; items of a node that are tried together cost
-/// little more than it. A ray by itself visits some twenty, each of which costs about as much.
-const PATIENCE: usize = 6;
-/// How many more may be visited by any bundle.
-const LEAST_PATIENCE: usize = 32;
+/// Number of nodes and single items that may be visited per ray of a bundle; items of a node that are tested together
+/// cost little more than the node. A single ray visits some twenty, each of which costs about as much.
+const VISITS_PER_RAY: usize = 6;
+/// Number of visits that any bundle may make in addition.
+const MIN_VISITS: usize = 32;
 
-/// Of a node of which rays may meet so many items these are tried together.
-const MANY: u32 = 3;
+/// From this number of candidate items on, the items of a node are tested together.
+const BATCH_MIN_ITEMS: u32 = 3;
 
-/// The place of the root's box, which no node holds.
-const NOWHERE: u32 = u32::MAX;
+/// The box index of the root, whose box no node holds.
+const NO_BOX: u32 = u32::MAX;
 
-/// A number of rays from one point.
+/// Rays from one point.
 #[derive(Debug, Default)]
 pub struct Bundle {
     /// In the frame of the tree.
     origin: DVec3,
-    groups: Vec<RayPacket8>,
-    /// How many rays there are; the last group may have room for more.
+    packets: Vec<RayPacket8>,
+    /// The number of rays; the last packet may have unused lanes.
     count: usize,
     cones: Vec<PacketCones>,
-    /// One for each group, made when first asked for.
-    beams: Vec<DirInterval>,
-    pyramid: Frustum,
-    /// Frame lengths of world lengths.
+    /// One for each packet, built on first use.
+    intervals: Vec<DirInterval>,
+    frustum: Frustum,
+    /// Length in the frame of a world-space unit.
     scale: f64,
 }
 
 impl Bundle {
-    /// Takes `count` rays for a walk through `tree`: unit directions, and where each ends, four by four; behind the last
-    /// ray some ray stands again. False if they cannot go together.
+    /// Loads `count` rays for a traversal of `tree`: unit directions and ends, four by four; lanes behind the last ray
+    /// repeat some ray. Returns false if the rays cannot be traversed together.
     #[inline(always)]
     pub fn fill(
         &mut self,
         tree: &Bvh,
         origin: DVec3,
         count: usize,
-        four: impl Fn(usize) -> ([[f64; 4]; 3], [f64; 4]),
+        packet4: impl Fn(usize) -> ([[f64; 4]; 3], [f64; 4]),
     ) -> bool {
-        self.origin = tree.frame.place(origin);
+        self.origin = tree.frame.to_frame(origin);
         self.scale = tree.frame.scale();
         // NaN is too far as well.
-        let is_near = self.origin.abs().max_element() < FARTHEST;
+        let is_near = self.origin.abs().max_element() < MAX_DISTANCE;
         if !is_near || count == 0 || !self.scale.is_normal() {
             return false;
         }
         self.count = count;
-        self.groups.clear();
-        self.beams.clear();
+        self.packets.clear();
+        self.intervals.clear();
         let last = (count - 1) / 4;
         for number in 0..count.div_ceil(LANES) {
-            let mut group = RayPacket8::EMPTY;
+            let mut packet = RayPacket8::EMPTY;
             for half in 0..2 {
-                let (dir, end) = four((2 * number + half).min(last));
-                group.take(half, (&dir, &end), self.scale);
+                let (dir, end) = packet4((2 * number + half).min(last));
+                packet.load_half(half, &dir, &end, self.scale);
             }
-            self.groups.push(group);
+            self.packets.push(packet);
         }
-        for number in count..self.groups.len() * LANES {
-            self.groups[number / LANES].end[number % LANES] = f32::NEG_INFINITY;
+        for number in count..self.packets.len() * LANES {
+            self.packets[number / LANES].end[number % LANES] = f32::NEG_INFINITY;
         }
-        self.gather_cones();
-        self.gather_pyramid()
+        self.build_cones();
+        self.build_frustum()
     }
 
     #[inline(always)]
-    fn gather_cones(&mut self) {
+    fn build_cones(&mut self) {
         self.cones.clear();
-        for groups in self.groups.chunks(LANES) {
+        for packets in self.packets.chunks(LANES) {
             let mut cones = PacketCones {
                 middle: [[0.0; LANES]; 3],
                 spread: [f32::NEG_INFINITY; LANES],
             };
-            for (place, group) in groups.iter().enumerate() {
-                let (middle, spread) = group.cone();
+            for (lane, packet) in packets.iter().enumerate() {
+                let (middle, spread) = packet.cone();
                 for axis in 0..3 {
-                    cones.middle[axis][place] = middle[axis];
+                    cones.middle[axis][lane] = middle[axis];
                 }
-                cones.spread[place] = spread;
+                cones.spread[lane] = spread;
             }
             self.cones.push(cones);
         }
     }
 
-    /// Lays the pyramid around all rays; false if they spread too far.
+    /// Builds the frustum around all rays; returns false if they spread too far.
     #[inline(always)]
-    fn gather_pyramid(&mut self) -> bool {
-        let sum = self.groups.iter().fold(Vec3::ZERO, |sum, group| {
-            sum + Vec3::from_array(group.dir.map(|lanes| lanes.iter().sum()))
+    fn build_frustum(&mut self) -> bool {
+        let sum = self.packets.iter().fold(Vec3::ZERO, |sum, packet| {
+            sum + Vec3::from_array(packet.dir.map(|lanes| lanes.iter().sum()))
         });
         let Some(axis) = sum.try_normalize() else {
             return false;
@@ -122,194 +122,220 @@ impl Bundle {
         let mut low = [[f32::INFINITY; LANES]; 2];
         let mut high = [[f32::NEG_INFINITY; LANES]; 2];
         let mut least = [f32::INFINITY; LANES];
-        for group in &self.groups {
-            let along = group.dot(axis);
+        for packet in &self.packets {
+            let along = packet.dot(axis);
             let inverse = along.map(|cosine| 1.0 / cosine);
             for (side, dir) in [across, up].into_iter().enumerate() {
-                let slope = group.dot(dir);
+                let slope = packet.dot(dir);
                 for i in 0..LANES {
                     let slope = slope[i] * inverse[i];
-                    low[side][i] = smaller(slope, low[side][i]);
-                    high[side][i] = larger(slope, high[side][i]);
+                    low[side][i] = min_f32(slope, low[side][i]);
+                    high[side][i] = max_f32(slope, high[side][i]);
                 }
             }
             for i in 0..LANES {
-                least[i] = smaller(along[i], least[i]);
+                least[i] = min_f32(along[i], least[i]);
             }
         }
-        let is_narrow = least.into_iter().all(|cosine| cosine > LEAST_COSINE);
+        let is_narrow = least.into_iter().all(|cosine| cosine > MIN_COSINE);
         let axis = axis.as_dvec3();
         let mut planes = [(DVec3::ZERO, 0.0); 4];
         for (side, dir) in [across.as_dvec3(), up.as_dvec3()].into_iter().enumerate() {
-            let low = f64::from(low[side].into_iter().fold(f32::INFINITY, smaller) - 16.0 * DOUBT);
-            let high =
-                f64::from(high[side].into_iter().fold(f32::NEG_INFINITY, larger) + 16.0 * DOUBT);
+            let low =
+                f64::from(low[side].into_iter().fold(f32::INFINITY, min_f32) - 16.0 * REL_ERROR);
+            let high = f64::from(
+                high[side].into_iter().fold(f32::NEG_INFINITY, max_f32) + 16.0 * REL_ERROR,
+            );
             planes[2 * side] = (dir - high * axis, 0.0);
             planes[2 * side + 1] = (low * axis - dir, 0.0);
         }
-        for (place, (normal, _)) in planes.into_iter().enumerate() {
+        for (side, (normal, _)) in planes.into_iter().enumerate() {
             let offset = normal.dot(self.origin);
-            let slack = f64::from(8.0 * DOUBT) * (4.0 + offset.abs()) * (1.0 + normal.length());
-            self.pyramid.normals[place] = [normal.x, normal.y, normal.z].map(nearest);
-            self.pyramid.offsets[place] = nearest(offset + slack);
-            self.pyramid.sizes[place] = nearest(normal.length()) * (1.0 + 4.0 * DOUBT);
+            let slack = f64::from(8.0 * REL_ERROR) * (4.0 + offset.abs()) * (1.0 + normal.length());
+            self.frustum.normals[side] = [normal.x, normal.y, normal.z].map(nearest);
+            self.frustum.offsets[side] = nearest(offset + slack);
+            self.frustum.sizes[side] = nearest(normal.length()) * (1.0 + 4.0 * REL_ERROR);
         }
         let origin = [self.origin.x, self.origin.y, self.origin.z];
-        self.pyramid.low = origin.map(f32_below);
-        self.pyramid.high = origin.map(f32_above);
-        let (low, high) = (self.pyramid.low, self.pyramid.high);
-        self.pyramid.slack = (0..3).map(|axis| 2.0 * (high[axis] - low[axis])).sum();
+        self.frustum.low = origin.map(f32_below);
+        self.frustum.high = origin.map(f32_above);
+        let (low, high) = (self.frustum.low, self.frustum.high);
+        self.frustum.slack = (0..3).map(|axis| 2.0 * (high[axis] - low[axis])).sum();
         is_narrow
     }
 
-    /// Whether a ray of it may meet a box, ends not regarded.
+    /// False only if no ray of the bundle hits a box, ends disregarded.
     #[must_use]
     pub fn may_meet(&self, tree: &Bvh, bounds: &Bounds) -> bool {
-        let cell = tree.frame.cell(bounds);
-        let pyramid = &self.pyramid;
+        let aabb = tree.frame.aabb(bounds);
+        let frustum = &self.frustum;
         (0..4).all(|side| {
-            let normal = pyramid.normals[side];
-            // The corner that lies farthest to the inner side.
+            let normal = frustum.normals[side];
+            // The corner farthest to the inner side.
             let nearest = (0..3).fold(0.0, |sum, axis| {
-                let ends = [cell.high[axis], cell.low[axis]];
+                let ends = [aabb.high[axis], aabb.low[axis]];
                 sum + normal[axis] * ends[usize::from(normal[axis] >= 0.0)]
             });
-            // An infinite end says nothing.
-            nearest.is_nan() || nearest <= pyramid.offsets[side]
+            // NaN from an infinite box culls nothing.
+            nearest.is_nan() || nearest <= frustum.offsets[side]
         })
     }
 
-    /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
+    /// Shortens a ray: to this distance, or to nothing if that is negative.
     #[inline]
     pub fn shorten(&mut self, ray: usize, end: f64) {
-        self.groups[ray / LANES].end[ray % LANES] = frame_end(end, self.scale);
+        self.packets[ray / LANES].end[ray % LANES] = frame_end(end, self.scale);
     }
 
-    /// The farthest end of a ray; negative when all are done.
+    /// The farthest end of a ray; negative when all rays are done.
     #[inline(always)]
     fn farthest(&self) -> f32 {
         let mut farthest = [f32::NEG_INFINITY; LANES];
-        for group in &self.groups {
-            for (farthest, end) in farthest.iter_mut().zip(group.end) {
-                *farthest = larger(end, *farthest);
+        for packet in &self.packets {
+            for (farthest, end) in farthest.iter_mut().zip(packet.end) {
+                *farthest = max_f32(end, *farthest);
             }
         }
-        farthest.into_iter().fold(f32::NEG_INFINITY, larger)
+        farthest.into_iter().fold(f32::NEG_INFINITY, max_f32)
     }
 
-    /// Tries an item against all rays; `visit` gets eight rays at a time, some of which may meet it.
+    /// Tests an item against all rays; `visit` gets packets of eight rays with a mask of those that may hit it. Returns
+    /// whether a ray was shortened.
     #[inline(always)]
-    fn try_item(
+    fn test_item(
         &mut self,
         lanes: SimdLevel,
-        (ball, cell): (&BoundingSphere, Option<&Aabb32>),
+        sphere: &BoundingSphere,
+        aabb: Option<&Aabb32>,
         mut visit: impl FnMut(usize, u32, &mut NewEnds),
     ) -> bool {
-        let (centre, radius, distance) = ball.seen_from(self.origin);
-        let slab = cell.map(|cell| ViewBox::new(cell, self.origin));
+        let ViewedSphere {
+            centre,
+            radius,
+            distance,
+        } = sphere.viewed_from(self.origin);
+        let view_box = aabb.map(|aabb| ViewBox::new(aabb, self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
-            let asked = ConesAndSphere {
+            let kernel = ConesAndSphere {
                 cones: &self.cones[cones],
                 centre,
                 radius,
                 distance,
             };
-            let mut met = lanes.run(asked);
-            while met != 0 {
-                let place = cones * LANES + met.trailing_zeros() as usize;
-                met &= met - 1;
-                let Some(group) = self.groups.get(place) else {
+            let mut hits = lanes.run(kernel);
+            while hits != 0 {
+                let packet_index = cones * LANES + hits.trailing_zeros() as usize;
+                hits &= hits - 1;
+                let Some(packet) = self.packets.get(packet_index) else {
                     break;
                 };
-                let asked = PacketAndSphere {
-                    group,
+                let kernel = PacketAndSphere {
+                    packet,
                     centre,
                     radius,
                 };
-                let mut rays = lanes.run(asked);
+                let mut rays = lanes.run(kernel);
                 if rays != 0
-                    && let Some(slab) = &slab
+                    && let Some(view_box) = &view_box
                 {
-                    rays &= lanes.run(PacketAndBox { group, slab });
+                    rays &= lanes.run(PacketAndBox { packet, view_box });
                 }
-                rays &= self.there(place);
+                rays &= self.active_lanes(packet_index);
                 if rays == 0 {
                     continue;
                 }
-                let mut ended = NewEnds::default();
-                visit(place * LANES, rays, &mut ended);
-                is_shortened |= ended.lanes != 0;
-                self.end(place, ended);
+                let mut new_ends = NewEnds::default();
+                visit(packet_index * LANES, rays, &mut new_ends);
+                is_shortened |= new_ends.lanes != 0;
+                self.end(packet_index, new_ends);
             }
         }
         is_shortened
     }
 
-    /// Tries some items of a node, one bit each, against all rays, as [`Bundle::try_item`] does. The node lies in a box, if
-    /// that is known.
+    /// Tests some items of a node, one bit each, against all rays, as [`Bundle::test_item`] does. `around` is the box
+    /// of the node, if known.
     #[inline(always)]
-    fn try_items(
+    fn test_items(
         &mut self,
         lanes: SimdLevel,
-        (node, around, items): (&Node, Option<&Aabb32>, u32),
-        ball: impl Fn(u32) -> Option<BoundingSphere>,
+        node: &Node,
+        around: Option<&Aabb32>,
+        items: u32,
+        sphere: impl Fn(u32) -> Option<BoundingSphere>,
         mut visit: impl FnMut(u32, usize, u32, &mut NewEnds),
     ) -> bool {
-        if self.beams.is_empty() {
-            self.beams.extend(self.groups.iter().map(DirInterval::new));
+        if self.intervals.is_empty() {
+            self.intervals
+                .extend(self.packets.iter().map(DirInterval::new));
         }
-        let pyramid = &self.pyramid;
-        let boxes = &lanes.run(NodeBoxes { pyramid, node });
-        let around = around.map(|cell| BoundingSphere::around(cell).seen_from(self.origin));
+        let frustum = &self.frustum;
+        let boxes = &lanes.run(NodeBoxes { frustum, node });
+        let enclosing_sphere =
+            around.map(|aabb| BoundingSphere::around(aabb).viewed_from(self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
-            let mut met = match around {
-                Some((centre, radius, distance)) => {
-                    let asked = ConesAndSphere {
+            let mut hits = match enclosing_sphere {
+                Some(ViewedSphere {
+                    centre,
+                    radius,
+                    distance,
+                }) => {
+                    let kernel = ConesAndSphere {
                         cones: &self.cones[cones],
                         centre,
                         radius,
                         distance,
                     };
-                    lanes.run(asked)
+                    lanes.run(kernel)
                 }
                 None => 0xff,
             };
-            while met != 0 {
-                let place = cones * LANES + met.trailing_zeros() as usize;
-                met &= met - 1;
-                let Some(group) = self.groups.get(place) else {
+            while hits != 0 {
+                let packet_index = cones * LANES + hits.trailing_zeros() as usize;
+                hits &= hits - 1;
+                let Some(packet) = self.packets.get(packet_index) else {
                     break;
                 };
-                let (beam, end) = (&self.beams[place], group.farthest());
-                let mut some = items & lanes.run(IntervalAndBoxes { beam, boxes, end });
-                while some != 0 {
-                    let at = some.trailing_zeros() as usize % WIDTH;
-                    some &= some - 1;
-                    let Some(item) = node.child(at).and_then(Child::item) else {
+                let (interval, end) = (&self.intervals[packet_index], packet.farthest());
+                let mut boxes_hit = items
+                    & lanes.run(IntervalAndBoxes {
+                        interval,
+                        boxes,
+                        end,
+                    });
+                while boxes_hit != 0 {
+                    let slot = boxes_hit.trailing_zeros() as usize % WIDTH;
+                    boxes_hit &= boxes_hit - 1;
+                    let Some(item) = node.child(slot).and_then(Child::item) else {
                         continue;
                     };
-                    let (group, beam) = (&self.groups[place], &self.beams[place]);
-                    let slab = &boxes.slab(at);
-                    let mut rays = lanes.run(IntervalAndBox { group, beam, slab });
+                    let (packet, interval) =
+                        (&self.packets[packet_index], &self.intervals[packet_index]);
+                    let view_box = &boxes.view_box(slot);
+                    let mut rays = lanes.run(IntervalAndBox {
+                        packet,
+                        interval,
+                        view_box,
+                    });
                     if rays != 0
-                        && let Some(ball) = ball(item)
+                        && let Some(sphere) = sphere(item)
                     {
-                        let (centre, radius, _) = ball.seen_from(self.origin);
-                        let asked = PacketAndSphere {
-                            group,
+                        let ViewedSphere { centre, radius, .. } = sphere.viewed_from(self.origin);
+                        let kernel = PacketAndSphere {
+                            packet,
                             centre,
                             radius,
                         };
-                        rays &= lanes.run(asked);
+                        rays &= lanes.run(kernel);
                     }
-                    rays &= self.there(place);
+                    rays &= self.active_lanes(packet_index);
                     if rays != 0 {
-                        let mut ended = NewEnds::default();
-                        visit(item, place * LANES, rays, &mut ended);
-                        is_shortened |= ended.lanes != 0;
-                        self.end(place, ended);
+                        let mut new_ends = NewEnds::default();
+                        visit(item, packet_index * LANES, rays, &mut new_ends);
+                        is_shortened |= new_ends.lanes != 0;
+                        self.end(packet_index, new_ends);
                     }
                 }
             }
@@ -317,20 +343,20 @@ impl Bundle {
         is_shortened
     }
 
-    /// Which rays of a group there are, one bit each. Sizes without end meet what has none as well: the empty places behind
-    /// the last ray.
+    /// Mask of the lanes of a packet that hold rays. Infinite spheres and boxes are hit by the unused lanes behind the
+    /// last ray as well.
     #[inline(always)]
-    fn there(&self, group: usize) -> u32 {
-        0xff >> (LANES - (self.count - group * LANES).min(LANES))
+    fn active_lanes(&self, packet: usize) -> u32 {
+        0xff >> (LANES - (self.count - packet * LANES).min(LANES))
     }
 
-    /// Lets rays of a group end sooner.
+    /// Shortens rays of a packet.
     #[inline(always)]
-    fn end(&mut self, group: usize, mut ended: NewEnds) {
-        while ended.lanes != 0 {
-            let lane = ended.lanes.trailing_zeros() as usize % LANES;
-            ended.lanes &= ended.lanes - 1;
-            self.groups[group].end[lane] = frame_end(ended.ends[lane], self.scale);
+    fn end(&mut self, packet: usize, mut new_ends: NewEnds) {
+        while new_ends.lanes != 0 {
+            let lane = new_ends.lanes.trailing_zeros() as usize % LANES;
+            new_ends.lanes &= new_ends.lanes - 1;
+            self.packets[packet].end[lane] = frame_end(new_ends.ends[lane], self.scale);
         }
     }
 }
@@ -343,14 +369,14 @@ pub struct NewEnds {
 }
 
 impl NewEnds {
-    /// Notes the new end of a ray: the distance of a hit, or a negative number for a ray that is done.
+    /// Sets the new end of a ray: the distance of a hit, or a negative number for a ray that is done.
     #[inline(always)]
     pub fn note(&mut self, lane: usize, end: f64) {
         self.lanes |= 1 << lane;
         self.ends[lane % LANES] = end;
     }
 
-    /// Calls `visit` with each ray that has a new end, and that.
+    /// Calls `visit` with each ray that has a new end, and that end.
     #[inline(always)]
     pub(super) fn each(&self, mut visit: impl FnMut(usize, f64)) {
         for lane in (0..LANES).filter(|lane| self.lanes >> lane & 1 == 1) {
@@ -360,10 +386,10 @@ impl NewEnds {
 }
 
 impl Bvh {
-    /// Visits, roughly front to back, items with the rays of the bundle that may meet them before the ends of the rays.
-    /// `visit` gets the item, the number of the first of eight rays, and which of them are asked, one bit each; it notes
-    /// new ends. False if the rays have so little in common that the walk was given up: not all pairs have been
-    /// visited then, and each ray is better asked for by itself.
+    /// Visits, roughly front to back, items with the rays of the bundle that may hit them before the ends of the rays.
+    /// `visit` gets the item, the index of the first of eight rays, and a mask of the rays to be intersected; it sets
+    /// new ends. Returns false if the traversal was abandoned because the rays have too little in common: not all pairs
+    /// have been visited then, and single-ray traversal is better.
     #[inline(always)]
     #[must_use]
     pub(crate) fn together(
@@ -372,40 +398,42 @@ impl Bvh {
         bundle: &mut Bundle,
         mut visit: impl FnMut(u32, usize, u32, &mut NewEnds),
     ) -> bool {
-        let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
+        let mut visits_left = MIN_VISITS + VISITS_PER_RAY * bundle.count;
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
-        // A child with the place of its box in the list of all nodes' boxes, which the root has not.
-        let mut next = self.root.map(|root| (root, NOWHERE));
-        while let Some((child, at)) = next {
+        // A child with the index of its box among the boxes of all nodes; the root's box is in none.
+        let mut next = self.root.map(|root| (root, NO_BOX));
+        while let Some((child, box_index)) = next {
             next = None;
-            if patience == 0 {
+            if visits_left == 0 {
                 return false;
             }
-            patience -= usize::from(child.item().is_none());
-            // Items to be tried: those from the first on that are marked, one bit each.
-            let (first, mut met, block) = match child.kind() {
+            visits_left -= usize::from(child.item().is_none());
+            // Items to be tested: those from the first on that are marked, one bit each.
+            let (first, mut hits, leaf) = match child.kind() {
                 ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
-                    let asked = FrustumAndNode {
-                        pyramid: &bundle.pyramid,
+                    let kernel = FrustumAndNode {
+                        frustum: &bundle.frustum,
                         node,
                         end,
                     };
-                    let (near_sq, mut met) = lanes.run(asked);
-                    let items = met & node.items();
-                    if items.count_ones() >= MANY {
-                        met &= !items;
-                        let around = self.box_at(at);
-                        let ball = |item: u32| self.balls.get(item as usize).copied().flatten();
-                        let asked = (node, around.as_ref(), items);
-                        let is_shortened = bundle.try_items(
+                    let (near_sq, mut hits) = lanes.run(kernel);
+                    let items = hits & node.items();
+                    if items.count_ones() >= BATCH_MIN_ITEMS {
+                        hits &= !items;
+                        let around = self.box_at(box_index);
+                        let sphere =
+                            |item: u32| self.bounding_spheres.get(item as usize).copied().flatten();
+                        let is_shortened = bundle.test_items(
                             lanes,
-                            asked,
-                            ball,
+                            node,
+                            around.as_ref(),
+                            items,
+                            sphere,
                             #[inline(always)]
-                            |item, first, rays, ended| {
-                                visit(item, first, rays, ended);
+                            |item, first, rays, new_ends| {
+                                visit(item, first, rays, new_ends);
                             },
                         );
                         if is_shortened {
@@ -413,71 +441,74 @@ impl Bvh {
                         }
                     }
                     #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
-                    let at = |place: usize| number * WIDTH as u32 + place as u32;
-                    let name = |place: usize| node.child(place).map(|child| (child, at(place)));
-                    let bottom = pending.make_room();
-                    next = nearest_child((&near_sq, met), (&mut pending, bottom), name);
+                    let box_index = |slot: usize| number * WIDTH as u32 + slot as u32;
+                    let child_at =
+                        |slot: usize| node.child(slot).map(|child| (child, box_index(slot)));
+                    let bottom = pending.reserve();
+                    next = nearest_child(&near_sq, hits, &mut pending, bottom, child_at);
                     (0, 0, None)
                 }
-                ChildKind::Block(number) => {
-                    let block = &self.blocks[number as usize];
-                    let asked = FrustumAndSphereLeaf {
-                        pyramid: &bundle.pyramid,
-                        block,
+                ChildKind::Leaf(number) => {
+                    let leaf = &self.sphere_leaves[number as usize];
+                    let kernel = FrustumAndSphereLeaf {
+                        frustum: &bundle.frustum,
+                        leaf,
                         end,
                     };
-                    let met = lanes.run(asked);
-                    (self.firsts[number as usize], met, Some(block))
+                    let hits = lanes.run(kernel);
+                    (self.first_items[number as usize], hits, Some(leaf))
                 }
                 ChildKind::Item(item) => (item, 1, None),
             };
-            while met != 0 {
-                let place = met.trailing_zeros();
-                met &= met - 1;
-                patience = patience.saturating_sub(1);
-                let item = first + place;
-                let (ball, cell) = match block {
-                    Some(block) => (block.ball(place as usize % WIDTH), None),
-                    None => self.ball_or_box(item, at),
+            while hits != 0 {
+                let slot = hits.trailing_zeros();
+                hits &= hits - 1;
+                visits_left = visits_left.saturating_sub(1);
+                let item = first + slot;
+                let (sphere, aabb) = match leaf {
+                    Some(leaf) => (leaf.sphere(slot as usize % WIDTH), None),
+                    None => self.sphere_or_box(item, box_index),
                 };
-                let is_shortened = bundle.try_item(
+                let is_shortened = bundle.test_item(
                     lanes,
-                    (&ball, cell.as_ref()),
+                    &sphere,
+                    aabb.as_ref(),
                     #[inline(always)]
-                    |first, rays, ended| visit(item, first, rays, ended),
+                    |first, rays, new_ends| visit(item, first, rays, new_ends),
                 );
                 if is_shortened {
                     end = bundle.farthest();
                 }
             }
             while next.is_none()
-                && let Some(place) = pending.pop()
+                && let Some(entry) = pending.pop()
             {
                 let is_reached = end >= 0.0
-                    && place.enter * (1.0 - 8.0 * DOUBT) <= end * end * (1.0 + 8.0 * DOUBT);
-                next = is_reached.then_some(place.child);
+                    && entry.enter * (1.0 - 8.0 * REL_ERROR) <= end * end * (1.0 + 8.0 * REL_ERROR);
+                next = is_reached.then_some(entry.child);
             }
         }
         true
     }
 
-    /// The box in this place of all nodes.
+    /// The box with this index among the boxes of all nodes.
     #[inline(always)]
-    fn box_at(&self, at: u32) -> Option<Aabb32> {
-        let node = self.nodes.get(at as usize / WIDTH)?;
-        Some(node.cell(at as usize % WIDTH))
+    fn box_at(&self, box_index: u32) -> Option<Aabb32> {
+        let node = self.nodes.get(box_index as usize / WIDTH)?;
+        Some(node.aabb(box_index as usize % WIDTH))
     }
 
-    /// A ball that holds an item, whose box is at this place of all nodes, and that box if it tells more.
+    /// The bounding sphere of an item, and its box, which has this index among the boxes of all nodes, if that is
+    /// tighter.
     #[inline(always)]
-    fn ball_or_box(&self, item: u32, at: u32) -> (BoundingSphere, Option<Aabb32>) {
-        let cell = || self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
-        match self.balls.get(item as usize).copied().flatten() {
-            Some(ball) if ball.is_filled => (ball, None),
-            Some(ball) => (ball, Some(cell())),
+    fn sphere_or_box(&self, item: u32, box_index: u32) -> (BoundingSphere, Option<Aabb32>) {
+        let aabb = || self.nodes[box_index as usize / WIDTH].aabb(box_index as usize % WIDTH);
+        match self.bounding_spheres.get(item as usize).copied().flatten() {
+            Some(sphere) if sphere.is_filled => (sphere, None),
+            Some(sphere) => (sphere, Some(aabb())),
             None => {
-                let cell = cell();
-                (BoundingSphere::around(&cell), Some(cell))
+                let aabb = aabb();
+                (BoundingSphere::around(&aabb), Some(aabb))
             }
         }
     }

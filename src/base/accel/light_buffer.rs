@@ -1,9 +1,9 @@
-//! What lies around a point from which many rays go out or at which many arrive, a camera or a lamp: a grid of cells
-//! across the view, each with the items that a ray through it may meet, the nearest first (Haines and Greenberg 1986, "The
-//! light buffer: a shadow-testing accelerator").
+//! Light buffers: the items around a point from which many rays start or at which many end, a camera or a light. A grid
+//! of cells across the view lists for each cell the items that a ray through it may hit, the nearest first (Haines and
+//! Greenberg 1986, "The light buffer: a shadow-testing accelerator").
 //!
-//! A ray looks up its cell and walks no tree. Cells are found, and items tried, in single precision with every doubt in
-//! favour of being met: what is visited is more than what is met, never less. So answers are those of the tree, to the bit.
+//! A ray looks up its cell and traverses no tree. Cells and candidate items are determined in single precision and
+//! conservatively: more items are visited than are hit, never fewer. So the results are those of the tree, bit for bit.
 
 pub(super) mod grid;
 pub(super) mod lookup;
@@ -11,100 +11,109 @@ pub(super) mod projection;
 
 use super::Bvh;
 use super::bounding_cylinder::{BoundingCylinder, ViewedCylinder};
-use super::bounding_sphere::BoundingSphere;
-use super::bundle::FARTHEST;
+use super::bounding_sphere::{BoundingSphere, ViewedSphere};
+use super::bundle::MAX_DISTANCE;
 use super::light_buffer::grid::{CellGrid, Rect, SlopeRange};
 use super::light_buffer::projection::{Projection, ViewExtent};
 use super::node::Frame;
-use super::packet::{DOUBT, ViewBox};
+use super::packet::{REL_ERROR, ViewBox};
 use crate::base::math::rounding::nearest;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-/// The view of a camera goes on beside the picture for so many times as many pixels as lie together.
-const BESIDE: f64 = 2.0;
-/// A direction from a lamp to its items has at least this cosine with the middle one, or a flat grid is no use.
-const LEAST_COSINE: f64 = 0.4;
-/// So many items may lie around the point or beside the grid: every ray asks about them.
-const MOST_AROUND: usize = 8;
-/// So many nodes tell well enough in which direction the items lie.
-const NODES_THAT_TELL: usize = 1024;
+/// The grid of a camera extends beyond the picture by this many pixel blocks.
+const MARGIN_IN_BLOCKS: f64 = 2.0;
+/// Minimum cosine between the mean direction from a light to its items and the direction to each; below it a flat grid
+/// does not work.
+const MIN_COSINE: f64 = 0.4;
+/// Maximum number of items around the point or outside of the grid: every ray is tested against them.
+const MAX_ALWAYS_TESTED: usize = 8;
+/// Number of nodes sampled for the mean direction to the items.
+const MAX_SAMPLED_NODES: usize = 1024;
 
-/// What lies around a point.
+/// The light buffer of a camera or a light.
 #[derive(Clone, Debug)]
 pub struct LightBuffer {
     /// The frame of the tree, and the point in it.
     pub(super) frame: Frame,
     pub(super) origin: DVec3,
-    /// How slopes are measured: those across and up are `axes[0] · dir / axes[2] · dir` and `axes[1] · dir / axes[2] · dir`.
+    /// Axes by which slopes are measured. Those across and up are
+    /// `axes[0] · dir / axes[2] · dir` and `axes[1] · dir / axes[2] · dir`.
     pub(super) axes: [[f32; 3]; 3],
-    pub(super) raster: CellGrid,
-    /// The items that are no part of the picture that the grid holds: those around the point, and beside it.
-    pub(super) around: Vec<u32>,
-    pub(super) known: Vec<ItemProxy>,
-    /// More of items that are not balls; empty if all are, or if of each no more is known than its slab.
-    forms: Vec<ItemBounds>,
-    pub(super) slabs: Vec<ViewBox>,
-    pub(super) rods: Vec<ViewedCylinder>,
+    pub(super) cell_grid: CellGrid,
+    /// The items that are not in the grid, since they are around the point or outside of the grid.
+    pub(super) always_tested: Vec<u32>,
+    pub(super) proxies: Vec<ItemProxy>,
+    /// Indices of the boxes and cylinders of items that are not spheres. Empty if all items are spheres, or if each has
+    /// a box and no cylinder.
+    item_bounds: Vec<ItemBounds>,
+    pub(super) view_boxes: Vec<ViewBox>,
+    pub(super) cylinders: Vec<ViewedCylinder>,
 }
 
-/// An item as it is seen.
+/// An item as seen from the point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ItemProxy {
-    /// A ball around it, relative to the point.
+    /// The bounding sphere, relative to the point.
     pub(super) centre: [f32; 3],
     pub(super) radius: f32,
-    /// Nothing of it is nearer.
+    /// A lower bound on its distance.
     pub(super) near: f32,
 }
 
-/// The box of an item, and the rod around it; [`NONE`] where the ball tells as much.
+/// The indices of the box and the bounding cylinder of an item; [`NONE`] where the sphere is as tight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ItemBounds {
-    pub(super) slab: u32,
-    pub(super) rod: u32,
+    pub(super) view_box: u32,
+    pub(super) cylinder: u32,
 }
 
 pub(super) const NONE: u32 = u32::MAX;
 
 impl ItemBounds {
-    const BALL: ItemBounds = ItemBounds {
-        slab: NONE,
-        rod: NONE,
+    const SPHERE_ONLY: ItemBounds = ItemBounds {
+        view_box: NONE,
+        cylinder: NONE,
     };
 }
 
 impl ItemProxy {
-    /// Out of view.
-    const NOTHING: ItemProxy = ItemProxy {
+    /// An item out of view.
+    const EMPTY: ItemProxy = ItemProxy {
         centre: [0.0; 3],
         radius: 0.0,
         near: f32::INFINITY,
     };
 
-    /// Within a ball of this centre and radius at such a distance.
+    /// The proxy of a bounding sphere, given by its centre, radius and distance.
     #[inline(always)]
-    fn new((centre, radius, distance): (Vec3, f32, f32)) -> Self {
+    fn new(sphere: ViewedSphere) -> Self {
+        let ViewedSphere {
+            centre,
+            radius,
+            distance,
+        } = sphere;
         ItemProxy {
             centre: centre.to_array(),
             radius,
-            near: (distance * (1.0 - 4.0 * DOUBT) - radius).max(0.0),
+            near: (distance * (1.0 - 4.0 * REL_ERROR) - radius).max(0.0),
         }
     }
 }
 
 impl LightBuffer {
-    /// What a lamp at a point sees of all items; `None` where a flat grid is no use, since they lie all around.
+    /// Builds the light buffer of a light at a point, with all items; `None` where a flat grid does not work because
+    /// the items surround the light.
     #[must_use]
     pub fn from_outside(
         tree: &Bvh,
         point: DVec3,
-        rods: impl Fn(u32) -> Option<BoundingCylinder>,
+        cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
     ) -> Option<LightBuffer> {
-        let origin = tree.frame.place(point);
+        let origin = tree.frame.to_frame(point);
         let mut sum = DVec3::ZERO;
-        let step = ((tree.nodes.len() + tree.blocks.len()) / NODES_THAT_TELL).max(1);
-        tree.some_items(step, |_, cell| {
-            let (low, high) = cell.ends();
+        let step = ((tree.nodes.len() + tree.sphere_leaves.len()) / MAX_SAMPLED_NODES).max(1);
+        tree.for_some_items(step, |_, aabb| {
+            let (low, high) = aabb.ends();
             if !(low.cmple(origin) & origin.cmple(high)).all() {
                 sum += (0.5 * low + 0.5 * high - origin).normalize_or_zero();
             }
@@ -115,180 +124,183 @@ impl LightBuffer {
             origin,
             axes: [across, up, along],
         };
-        LightBuffer::new(tree, (&view, None), rods, None)
+        LightBuffer::new(tree, &view, None, cylinders, None)
     }
 
-    /// What a camera at a point sees: slopes are measured by `axes` and go from -0.5 to 0.5 across and up the picture, of
-    /// which pixels of so many slopes lie together.
+    /// Builds the light buffer of a camera at a point: slopes are measured by `axes` and go from -0.5 to 0.5 across and
+    /// up the picture. `pixel_block` is the size in slopes of the blocks of pixels that are traced together.
     #[must_use]
     pub fn of_picture(
         tree: &Bvh,
         point: DVec3,
-        (axes, together): ([DVec3; 3], [f64; 2]),
-        rods: impl Fn(u32) -> Option<BoundingCylinder>,
+        (axes, pixel_block): ([DVec3; 3], [f64; 2]),
+        cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
     ) -> Option<LightBuffer> {
         let size = axes[2].length();
         let view = Projection {
-            origin: tree.frame.place(point),
+            origin: tree.frame.to_frame(point),
             axes: axes.map(|axis| axis / size),
         };
-        // Rays may go a little beside the picture.
-        let beside = together.map(|together| BESIDE * together);
+        // Rays may pass slightly outside of the picture.
+        let margin = pixel_block.map(|pixel_block| MARGIN_IN_BLOCKS * pixel_block);
         let window = Rect {
-            low: beside.map(|beside| -0.5 - beside),
-            high: beside.map(|beside| 0.5 + beside),
+            low: margin.map(|margin| -0.5 - margin),
+            high: margin.map(|margin| 0.5 + margin),
         };
-        LightBuffer::new(tree, (&view, Some(window)), rods, Some(together))
+        LightBuffer::new(tree, &view, Some(window), cylinders, Some(pixel_block))
     }
 
     fn new(
         tree: &Bvh,
-        (view, window): (&Projection, Option<Rect>),
-        rods: impl Fn(u32) -> Option<BoundingCylinder>,
-        together: Option<[f64; 2]>,
+        view: &Projection,
+        window: Option<Rect>,
+        cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
+        pixel_block: Option<[f64; 2]>,
     ) -> Option<LightBuffer> {
-        let is_near = view.origin.abs().max_element() < FARTHEST;
-        let is_fit = view.axes.iter().all(|axis| axis.is_finite());
-        if !is_near || !is_fit || !tree.frame.scale().is_normal() {
+        let is_near = view.origin.abs().max_element() < MAX_DISTANCE;
+        let are_finite = view.axes.iter().all(|axis| axis.is_finite());
+        if !is_near || !are_finite || !tree.frame.scale().is_normal() {
             return None;
         }
         let axes = view.axes.map(|axis| [axis.x, axis.y, axis.z].map(nearest));
-        // Slopes are measured as they will be.
+        // Slopes are measured with the same rounded axes as in lookups.
         let view = Projection {
             axes: axes.map(|axis| DVec3::from(axis.map(f64::from))),
             ..*view
         };
-        let is_ball = |ball: &Option<BoundingSphere>| ball.is_some_and(|ball| ball.is_filled);
-        let mut count = tree.balls.len();
-        let are_balls = tree.has_only_spheres();
+        let is_sphere =
+            |sphere: &Option<BoundingSphere>| sphere.is_some_and(|sphere| sphere.is_filled);
+        let mut count = tree.bounding_spheres.len();
+        let are_spheres = tree.has_only_spheres();
         if count == 0 {
-            tree.each_item(|item, _| count = count.max(item as usize + 1));
+            tree.for_each_item(|item, _| count = count.max(item as usize + 1));
         }
         let mut rects = vec![SlopeRange::EMPTY; count];
-        let mut known = vec![ItemProxy::NOTHING; count];
-        let mut around = Vec::new();
+        let mut proxies = vec![ItemProxy::EMPTY; count];
+        let mut always_tested = Vec::new();
         let mut seen = Rect::EMPTY;
-        let reach = (1.0 / (LEAST_COSINE * LEAST_COSINE) - 1.0).sqrt();
-        // Takes note of an item that is seen there; says whether it is.
-        let mut note = |item: u32, extent: ViewExtent| {
+        let reach = (1.0 / (MIN_COSINE * MIN_COSINE) - 1.0).sqrt();
+        // Adds an item with this extent; returns whether it is in view.
+        let mut add_item = |item: u32, extent: ViewExtent| {
             match (extent, &window) {
                 (ViewExtent::Nowhere, Some(_)) => return false,
-                (ViewExtent::Within(rect), Some(window)) => match rect.shared(window) {
-                    Some(rect) => rects[item as usize] = rect.narrow(),
+                (ViewExtent::Within(rect), Some(window)) => match rect.clipped(window) {
+                    Some(rect) => rects[item as usize] = rect.to_f32(),
                     None => return false,
                 },
                 (ViewExtent::Within(rect), None) if rect.is_within(reach) => {
-                    rects[item as usize] = rect.narrow();
-                    seen = seen.around(&rect);
+                    rects[item as usize] = rect.to_f32();
+                    seen = seen.union(&rect);
                 }
-                _ => around.push(item),
+                _ => always_tested.push(item),
             }
             true
         };
-        let mut forms = Vec::new();
-        let (mut slabs, mut seen_rods) = (Vec::new(), Vec::new());
-        if are_balls {
-            tree.some_balls(1, |item, ball| {
-                let ball = ball.seen_from(view.origin);
-                if note(item, view.rect_of_ball(&ball)) {
-                    known[item as usize] = ItemProxy::new(ball);
+        let mut item_bounds = Vec::new();
+        let (mut view_boxes, mut viewed_cylinders) = (Vec::new(), Vec::new());
+        if are_spheres {
+            tree.for_some_spheres(1, |item, sphere| {
+                let sphere = sphere.viewed_from(view.origin);
+                if add_item(item, view.rect_of_sphere(&sphere)) {
+                    proxies[item as usize] = ItemProxy::new(sphere);
                 }
             });
         } else {
-            let is_mixed = tree.balls.iter().any(is_ball)
-                || (0..).take(count).any(|item: u32| rods(item).is_some());
+            let is_mixed = tree.bounding_spheres.iter().any(is_sphere)
+                || (0..).take(count).any(|item: u32| cylinders(item).is_some());
             if is_mixed {
-                forms.resize(count, ItemBounds::BALL);
+                item_bounds.resize(count, ItemBounds::SPHERE_ONLY);
             } else {
-                slabs.resize(count, ViewBox::NOTHING);
+                view_boxes.resize(count, ViewBox::EMPTY);
             }
-            tree.each_item(|item, cell| {
-                let ball = tree.balls.get(item as usize).copied().flatten();
-                let from_here = ball.map(|ball| ball.seen_from(view.origin));
-                let is_filled = is_ball(&ball);
-                if !note(item, view.rect((from_here, is_filled), &cell)) {
+            tree.for_each_item(|item, aabb| {
+                let sphere = tree.bounding_spheres.get(item as usize).copied().flatten();
+                let viewed_sphere = sphere.map(|sphere| sphere.viewed_from(view.origin));
+                let is_filled = is_sphere(&sphere);
+                if !add_item(item, view.rect(viewed_sphere, is_filled, &aabb)) {
                     return;
                 }
-                let around_it = || BoundingSphere::around(&cell).seen_from(view.origin);
-                known[item as usize] = ItemProxy::new(from_here.unwrap_or_else(around_it));
+                let sphere_of_box = || BoundingSphere::around(&aabb).viewed_from(view.origin);
+                proxies[item as usize] =
+                    ItemProxy::new(viewed_sphere.unwrap_or_else(sphere_of_box));
                 if is_filled {
                     return;
                 }
-                let slab = ViewBox::new(&cell, view.origin);
-                let Some(form) = forms.get_mut(item as usize) else {
-                    slabs[item as usize] = slab;
+                let view_box = ViewBox::new(&aabb, view.origin);
+                let Some(bounds) = item_bounds.get_mut(item as usize) else {
+                    view_boxes[item as usize] = view_box;
                     return;
                 };
-                form.slab = number_of_next(&slabs);
-                slabs.push(slab);
-                let rod =
-                    rods(item).and_then(|rod| ViewedCylinder::new(rod, &tree.frame, view.origin));
-                if let Some(rod) = rod {
-                    form.rod = number_of_next(&seen_rods);
-                    seen_rods.push(rod);
+                bounds.view_box = next_index(&view_boxes);
+                view_boxes.push(view_box);
+                let cylinder = cylinders(item)
+                    .and_then(|cylinder| ViewedCylinder::new(cylinder, &tree.frame, view.origin));
+                if let Some(cylinder) = cylinder {
+                    bounds.cylinder = next_index(&viewed_cylinders);
+                    viewed_cylinders.push(cylinder);
                 }
             });
         }
-        if around.len() > MOST_AROUND {
+        if always_tested.len() > MAX_ALWAYS_TESTED {
             return None;
         }
         let window = window.unwrap_or(seen);
-        let raster = CellGrid::new(rects, |item| known[item].near, window, together)?;
-        if !view.is_sharp(&window, &raster.grid) {
+        let cell_grid = CellGrid::new(rects, |item| proxies[item].near, window, pixel_block)?;
+        if !view.is_sharp(&window, &cell_grid.grid) {
             return None;
         }
-        for known in &mut known {
-            known.near = raster.rounded(known.near);
+        for proxy in &mut proxies {
+            proxy.near = cell_grid.rounded(proxy.near);
         }
-        for &item in &around {
-            known[item as usize].near = 0.0;
+        for &item in &always_tested {
+            proxies[item as usize].near = 0.0;
         }
         Some(LightBuffer {
             frame: tree.frame,
             origin: view.origin,
             axes,
-            raster,
-            around,
-            known,
-            forms,
-            slabs,
-            rods: seen_rods,
+            cell_grid,
+            always_tested,
+            proxies,
+            item_bounds,
+            view_boxes,
+            cylinders: viewed_cylinders,
         })
     }
 
-    /// Whether nothing is seen between these slopes.
+    /// True if no item is in view between these slopes.
     #[must_use]
     pub fn is_empty(&self, low: [f64; 2], high: [f64; 2]) -> bool {
-        self.around.is_empty() && self.raster.is_empty(&Rect { low, high })
+        self.always_tested.is_empty() && self.cell_grid.is_empty(&Rect { low, high })
     }
 
-    /// What more is known of an item than its ball.
+    /// The indices of the box and the cylinder of an item.
     #[inline(always)]
-    pub(super) fn form(&self, item: u32) -> ItemBounds {
-        match self.forms.get(item as usize) {
-            Some(form) => *form,
-            None if self.slabs.is_empty() => ItemBounds::BALL,
+    pub(super) fn bounds_of(&self, item: u32) -> ItemBounds {
+        match self.item_bounds.get(item as usize) {
+            Some(bounds) => *bounds,
+            None if self.view_boxes.is_empty() => ItemBounds::SPHERE_ONLY,
             None => ItemBounds {
-                slab: item,
-                rod: NONE,
+                view_box: item,
+                cylinder: NONE,
             },
         }
     }
 
-    /// The memory it takes.
+    /// The memory that it takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
-            + self.raster.bytes()
-            + self.around.capacity() * size_of::<u32>()
-            + self.known.capacity() * size_of::<ItemProxy>()
-            + self.forms.capacity() * size_of::<ItemBounds>()
-            + self.slabs.capacity() * size_of::<ViewBox>()
-            + self.rods.capacity() * size_of::<ViewedCylinder>()
+            + self.cell_grid.bytes()
+            + self.always_tested.capacity() * size_of::<u32>()
+            + self.proxies.capacity() * size_of::<ItemProxy>()
+            + self.item_bounds.capacity() * size_of::<ItemBounds>()
+            + self.view_boxes.capacity() * size_of::<ViewBox>()
+            + self.cylinders.capacity() * size_of::<ViewedCylinder>()
     }
 }
 
-/// The number of what comes next in a list; [`NONE`] if that is too large.
-fn number_of_next<T>(list: &[T]) -> u32 {
+/// The index of the next element of a list; [`NONE`] if that is too large.
+fn next_index<T>(list: &[T]) -> u32 {
     u32::try_from(list.len()).unwrap_or(NONE)
 }

@@ -1,11 +1,12 @@
-//! Finding what a ray may meet: a bounding volume hierarchy over anything with bounds.
+//! Bounding volume hierarchy (BVH) over anything with bounds.
 //!
 //! Nodes hold eight boxes in single precision, rounded outward, in a frame of the tree's own: centred, and scaled by a
-//! power of two. A scene far from the origin or in odd units costs no more than any other. Where all that a node would
-//! hold are balls, a leaf holds the balls themselves, by which fewer of them have to be asked (`block.rs`).
+//! power of two. A scene far from the origin or in odd units costs no more than any other. Where a node would hold
+//! nothing but spheres, a leaf stores the spheres themselves, which leaves fewer of them to be tested
+//! (`sphere_leaf.rs`).
 //!
-//! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
-//! decides ties by a rule of its own gets the same answer whatever the order of the visits.
+//! Traversal never loses a hit, and it visits a box that begins exactly where the search ends. So a caller who breaks
+//! ties by a rule of its own gets the same answer whatever the order of the visits.
 
 mod bounding_cylinder;
 mod bounding_sphere;
@@ -36,96 +37,97 @@ use node::{Aabb32, Child, ChildKind, Frame, Node, WIDTH};
 use rayon::prelude::*;
 use sphere_leaf::SphereLeaf;
 
-/// A tree over items, which it knows by their position in the list it was built from.
+/// A BVH over items, which are identified by their position in the list it was built from.
 #[derive(Clone, Debug)]
 pub struct Bvh {
     root: Option<Child>,
     nodes: Vec<Node>,
-    /// Leaves of balls, in place of nodes that hold nothing else.
-    blocks: Vec<SphereLeaf>,
-    /// The first item of each block; the others follow.
-    firsts: Vec<u32>,
+    /// Leaves of up to eight spheres, in place of nodes that would hold nothing else.
+    sphere_leaves: Vec<SphereLeaf>,
+    /// The first item of each sphere leaf; its other items follow.
+    first_items: Vec<u32>,
     frame: Frame,
-    /// For bundles, the balls of items that are or nearly fill one; empty if no item does, and where blocks hold all.
-    balls: Vec<Option<BoundingSphere>>,
+    /// Bounding spheres of items, for bundles; empty if no item has one, and where sphere leaves hold all items.
+    bounding_spheres: Vec<Option<BoundingSphere>>,
 }
 
-/// A place still to be visited, with the earliest parameter of the ray in it.
+/// A subtree still to be visited, with the smallest parameter of the ray in its box.
 #[derive(Clone, Copy, Default)]
 struct Pending<C> {
     enter: f32,
     child: C,
 }
 
-/// A traversal stack. Only the deepest trees need the heap, and its memory is not cleared beforehand: that would cost as
-/// much as the traversal of a small tree.
+/// A traversal stack. Only the deepest trees need the heap, and its memory is not cleared beforehand: that would cost
+/// as much as the traversal of a small tree.
 struct Stack<T> {
-    places: ArrayVec<T, ROOM>,
-    /// What lies below them.
-    deeper: Vec<T>,
+    entries: ArrayVec<T, STACK_CAPACITY>,
+    /// Older entries, moved to the heap.
+    spilled: Vec<T>,
 }
 
-/// The items of a block, as they were called before the order of the tree was known.
+/// The items of a sphere leaf, numbered as before the reordering by the tree.
 type LeafItems = [u32; WIDTH];
 
-/// So many nodes have their items counted at a time.
-const PIECE: usize = 1 << 12;
+/// Number of nodes per parallel task when items are counted and renumbered.
+const NODES_PER_CHUNK: usize = 1 << 12;
 
-/// Room for the pending places of a tree of eight levels and more.
-const ROOM: usize = 64;
+/// Number of pending entries that a tree of eight levels needs at the most.
+const STACK_CAPACITY: usize = 64;
 
 impl<T: Copy> Stack<T> {
     #[inline(always)]
     fn new() -> Self {
         Stack {
-            places: ArrayVec::new_const(),
-            deeper: Vec::new(),
+            entries: ArrayVec::new_const(),
+            spilled: Vec::new(),
         }
     }
 
-    /// Makes room for the children of a node; gives the number of places in use.
+    /// Makes sure that the children of a node fit; returns the number of entries in use.
     #[inline(always)]
-    fn make_room(&mut self) -> usize {
-        if self.places.len() > ROOM - WIDTH {
+    fn reserve(&mut self) -> usize {
+        if self.entries.len() > STACK_CAPACITY - WIDTH {
             self.deepen();
         }
-        self.places.len()
+        self.entries.len()
     }
 
     #[cold]
     fn deepen(&mut self) {
-        self.deeper.extend_from_slice(&self.places);
-        self.places.clear();
+        self.spilled.extend_from_slice(&self.entries);
+        self.entries.clear();
     }
 
-    /// Puts a place on top, for which there must be room.
+    /// Pushes an entry; [`Stack::reserve`] must have been called.
     #[inline(always)]
-    fn put(&mut self, place: T) {
-        self.places.push(place);
+    fn push(&mut self, entry: T) {
+        self.entries.push(entry);
     }
 
-    /// Puts a place, for which there must be room, below those down to `bottom` that are to come before it.
+    /// Inserts an entry below those that come before it, but not below index `bottom`; [`Stack::reserve`] must have
+    /// been called.
     #[inline(always)]
-    fn sink(&mut self, place: T, bottom: usize, comes_first: impl Fn(&T, &T) -> bool) {
-        let mut at = self.places.len();
-        self.places.push(place);
-        while at > bottom && comes_first(&self.places[at - 1], &place) {
-            self.places[at] = self.places[at - 1];
-            at -= 1;
+    fn insert(&mut self, entry: T, bottom: usize, comes_first: impl Fn(&T, &T) -> bool) {
+        let mut index = self.entries.len();
+        self.entries.push(entry);
+        while index > bottom && comes_first(&self.entries[index - 1], &entry) {
+            self.entries[index] = self.entries[index - 1];
+            index -= 1;
         }
-        self.places[at] = place;
+        self.entries[index] = entry;
     }
 
     #[inline(always)]
     fn pop(&mut self) -> Option<T> {
-        let top = self.places.pop();
-        top.or_else(|| self.deeper.pop())
+        let top = self.entries.pop();
+        top.or_else(|| self.spilled.pop())
     }
 }
 
 impl Bvh {
-    /// The tree over these boxes. Items with empty bounds are left out. Infinite bounds are met by every ray that meets
-    /// them, but a caller does better to keep such items elsewhere.
+    /// Builds the tree over these boxes. Items with empty bounds are left out. Infinite bounds are visited by every ray
+    /// that intersects them, but such items are better handled outside of the tree.
     ///
     /// # Panics
     /// For 2³⁰ boxes or more.
@@ -134,7 +136,8 @@ impl Bvh {
         Bvh::build_of(bounds.len(), |item| bounds[item])
     }
 
-    /// The same over so many items, of which `bounds` gives the boxes, each more than once: nobody need keep them.
+    /// Builds the tree over `count` items whose boxes `bounds` gives. It is called more than once for each item, so
+    /// that no list of boxes has to be stored.
     ///
     /// # Panics
     /// For 2³⁰ boxes or more.
@@ -143,27 +146,27 @@ impl Bvh {
         Bvh::grow(count, |item| (bounds(item), false)).0
     }
 
-    /// The tree, and the items of its blocks. `bounds` also says whether an item is the ball that touches all sides of its
-    /// box.
+    /// Builds the tree; also returns the items of its sphere leaves. `bounds` also tells whether an item is the sphere
+    /// that touches all sides of its box.
     fn grow(
         count: usize,
         bounds: impl Fn(usize) -> (Bounds, bool) + Sync,
     ) -> (Self, Vec<LeafItems>) {
-        assert!(count <= Child::MOST, "items are counted in 30 bits");
-        let around = (0..count).into_par_iter().map(|item| {
+        assert!(count <= Child::MAX_COUNT, "items are counted in 30 bits");
+        let finite_bounds = (0..count).into_par_iter().map(|item| {
             let (bounds, _) = bounds(item);
-            let counts = bounds.is_finite() && !bounds.is_empty();
-            let around = if counts { bounds } else { Bounds::EMPTY };
-            (around, bounds.is_empty())
+            let is_bounded = bounds.is_finite() && !bounds.is_empty();
+            let finite_bounds = if is_bounded { bounds } else { Bounds::EMPTY };
+            (finite_bounds, bounds.is_empty())
         });
-        let (whole, has_empty) = around.reduce(
+        let (whole, has_empty) = finite_bounds.reduce(
             || (Bounds::EMPTY, false),
             |all, one| (all.0.union(&one.0), all.1 || one.1),
         );
         let frame = Frame::new(&whole);
         let entry = |item| {
-            let (bounds, is_ball) = bounds(item as usize);
-            Entry::new(frame.cell(&bounds), item, is_ball)
+            let (bounds, is_sphere) = bounds(item as usize);
+            Entry::new(frame.aabb(&bounds), item, is_sphere)
         };
         let items = 0..u32::try_from(count).expect("no more than that");
         let mut entries: Vec<Entry> = items.into_par_iter().map(entry).collect();
@@ -173,22 +176,23 @@ impl Bvh {
         let GrowingBvh {
             root,
             nodes,
-            blocks,
-            held,
+            sphere_leaves,
+            leaf_items,
         } = build::build(entries);
         let tree = Bvh {
             root,
             nodes,
-            blocks,
-            firsts: Vec::new(),
+            sphere_leaves,
+            first_items: Vec::new(),
             frame,
-            balls: Vec::new(),
+            bounding_spheres: Vec::new(),
         };
-        (tree, held)
+        (tree, leaf_items)
     }
 
-    /// The tree over so many boxes, and the items in the order of the tree. That order is what it then knows them by, so that
-    /// neighbours can be kept together. `bounds` also says whether an item is the ball that touches all sides of its box.
+    /// Builds the tree over `count` boxes, and the list of the items in the order of the tree. From then on the tree
+    /// identifies items by their position in that list, so that neighbours can be stored together. `bounds` also tells
+    /// whether an item is the sphere that touches all sides of its box.
     ///
     /// # Panics
     /// For 2³⁰ boxes or more.
@@ -197,9 +201,9 @@ impl Bvh {
         count: usize,
         bounds: impl Fn(usize) -> (Bounds, bool) + Sync,
     ) -> (Self, Vec<u32>) {
-        let (mut tree, held) = Bvh::grow(count, &bounds);
+        let (mut tree, leaf_items) = Bvh::grow(count, &bounds);
         let mut order = vec![0; count];
-        let pieces = tree.nodes.par_chunks(PIECE);
+        let pieces = tree.nodes.par_chunks(NODES_PER_CHUNK);
         let counts: Vec<usize> = pieces
             .map(|nodes| nodes.iter().map(Node::count).sum())
             .collect();
@@ -211,7 +215,7 @@ impl Bvh {
             first += u32::try_from(count).expect("items are counted in 30 bits");
             rest = others;
         }
-        let pieces = tree.nodes.par_chunks_mut(PIECE).zip(lists);
+        let pieces = tree.nodes.par_chunks_mut(NODES_PER_CHUNK).zip(lists);
         pieces.for_each(|(nodes, (mut first, mut list))| {
             for node in nodes {
                 let count = node.renumber(first, list);
@@ -219,40 +223,44 @@ impl Bvh {
                 list = &mut list[count as usize..];
             }
         });
-        tree.firsts.reserve_exact(held.len());
-        for (block, held) in tree.blocks.iter().zip(&held) {
-            tree.firsts.push(first);
-            let count = block.count();
-            order[first as usize..][..count].copy_from_slice(&held[..count]);
+        tree.first_items.reserve_exact(leaf_items.len());
+        for (leaf, leaf_items) in tree.sphere_leaves.iter().zip(&leaf_items) {
+            tree.first_items.push(first);
+            let count = leaf.count();
+            order[first as usize..][..count].copy_from_slice(&leaf_items[..count]);
             first += build::index(count);
         }
         order.truncate(first as usize);
         (tree, order)
     }
 
-    /// Takes in balls that hold items, by centre and radius, and whether the item is the ball: that helps bundles of rays.
-    /// `ball` gives that of each of the tree's items, of which there are `count`.
+    /// Sets the bounding spheres of items, which bundles of rays are tested against. `sphere` gives the centre and the
+    /// radius for each of the `count` items of the tree, and whether the item is that sphere itself.
     pub fn set_bounding_spheres(
         &mut self,
         count: usize,
-        ball: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
+        sphere: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
     ) {
-        if !self.has_only_spheres() && (0..count).any(|item| ball(item).is_some()) {
+        if !self.has_only_spheres() && (0..count).any(|item| sphere(item).is_some()) {
             let frame = &self.frame;
-            let known = |item| ball(item).map(|ball| BoundingSphere::new(frame, ball));
-            self.balls = (0..count).into_par_iter().map(known).collect();
+            let bounding_sphere = |item| {
+                sphere(item).map(|(centre, radius, is_filled)| {
+                    BoundingSphere::new(frame, centre, radius, is_filled)
+                })
+            };
+            self.bounding_spheres = (0..count).into_par_iter().map(bounding_sphere).collect();
         }
     }
 
-    /// Whether blocks hold all items: those that nodes hold come first.
+    /// True if sphere leaves hold all items: those in nodes are numbered first.
     pub fn has_only_spheres(&self) -> bool {
-        self.firsts.first() == Some(&0)
+        self.first_items.first() == Some(&0)
     }
 
-    /// Visits, roughly front to back, the items whose boxes the ray may meet from `from` to `to`, both included.
+    /// Visits, roughly front to back, the items whose boxes the ray may hit from `from` to `to`, both included.
     ///
-    /// `visit` gets an item and the end of the search so far, and gives the new end: the same, or the parameter of a hit
-    /// before it. Boxes that begin beyond the end are passed over.
+    /// `visit` gets an item and the current end of the search, and returns the new end: the same, or the parameter of a
+    /// hit before it. Boxes that begin beyond the end are skipped.
     #[inline]
     pub fn nearest(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32, f64) -> f64) {
         with_widest(
@@ -261,7 +269,7 @@ impl Bvh {
         );
     }
 
-    /// [`Bvh::nearest`] for work that is compiled for lanes already.
+    /// [`Bvh::nearest`] inside a function that is already compiled for a SIMD level.
     #[inline(always)]
     pub(crate) fn nearest_in(
         &self,
@@ -279,19 +287,19 @@ impl Bvh {
             next = match child.kind() {
                 ChildKind::Node(node) => {
                     let node = &self.nodes[node as usize];
-                    let bottom = pending.make_room();
-                    let (enter, met) = node.meet(lanes, &ray, (from, frame_end));
-                    let name = |place: usize| node.child(place);
-                    nearest_child((&enter, met), (&mut pending, bottom), name)
+                    let bottom = pending.reserve();
+                    let (enter, hits) = node.intersect(lanes, &ray, from, frame_end);
+                    let child_at = |slot: usize| node.child(slot);
+                    nearest_child(&enter, hits, &mut pending, bottom, child_at)
                 }
-                ChildKind::Block(number) => {
-                    let block = &self.blocks[number as usize];
-                    let bottom = pending.make_room();
-                    let (enter, met) = block.meet(lanes, &ray, (from, frame_end));
-                    let first = self.firsts[number as usize];
+                ChildKind::Leaf(number) => {
+                    let leaf = &self.sphere_leaves[number as usize];
+                    let bottom = pending.reserve();
+                    let (enter, hits) = leaf.intersect(lanes, &ray, from, frame_end);
+                    let first = self.first_items[number as usize];
                     #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
-                    let name = |place: usize| Some(Child::of_item(first + place as u32));
-                    nearest_child((&enter, met), (&mut pending, bottom), name)
+                    let child_at = |slot: usize| Some(Child::of_item(first + slot as u32));
+                    nearest_child(&enter, hits, &mut pending, bottom, child_at)
                 }
                 ChildKind::Item(item) => {
                     let hit = visit(item, end);
@@ -302,15 +310,15 @@ impl Bvh {
                 }
             };
             while next.is_none()
-                && let Some(place) = pending.pop()
+                && let Some(entry) = pending.pop()
             {
-                next = (place.enter <= frame_end).then_some(place.child);
+                next = (entry.enter <= frame_end).then_some(entry.child);
             }
         }
     }
 
-    /// Visits the items whose boxes the ray may meet from `from` to `to`, in no order, until `visit` says to stop.
-    /// Says whether it did.
+    /// Visits the items whose boxes the ray may hit from `from` to `to`, in no order, until `visit` returns true.
+    /// Returns whether it did.
     #[inline]
     pub fn any(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32) -> bool) -> bool {
         with_widest(
@@ -319,7 +327,7 @@ impl Bvh {
         )
     }
 
-    /// [`Bvh::any`] for work that is compiled for lanes already.
+    /// [`Bvh::any`] inside a function that is already compiled for a SIMD level.
     #[inline(always)]
     pub(crate) fn any_in(
         &self,
@@ -329,23 +337,23 @@ impl Bvh {
         visit: impl FnMut(u32) -> bool,
     ) -> bool {
         let ray = self.frame.ray(ray);
-        let span = (ray.from(from), ray.to(to));
+        let (from, to) = (ray.from(from), ray.to(to));
         self.search(
             #[inline(always)]
-            |node| node.meet(lanes, &ray, span).1,
+            |node| node.intersect(lanes, &ray, from, to).1,
             #[inline(always)]
-            |block| block.meet(lanes, &ray, span).1,
+            |leaf| leaf.intersect(lanes, &ray, from, to).1,
             visit,
         )
     }
 
-    /// All items in the order in which [`Bvh::any`] visits those that a ray may meet, whichever these are.
+    /// All items, in the order in which [`Bvh::any`] visits any subset of them.
     #[must_use]
     pub fn order(&self) -> Vec<u32> {
         let mut order = Vec::new();
         self.search(
             |_| (1 << WIDTH) - 1,
-            |block| (1 << block.count()) - 1,
+            |leaf| (1 << leaf.count()) - 1,
             |item| {
                 order.push(item);
                 false
@@ -354,60 +362,60 @@ impl Bvh {
         order
     }
 
-    /// Visits the items whose boxes hold a point, in no order, until `visit` says to stop. Says whether it did.
-    /// Boxes are compared in single precision: some that only nearly hold the point are visited as well.
+    /// Visits the items whose boxes contain a point, in no order, until `visit` returns true. Returns whether it did.
+    /// Boxes are compared in single precision: some that only nearly contain the point are visited as well.
     pub fn around(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {
-        let cell: Aabb32 = self.frame.point(point);
+        let aabb: Aabb32 = self.frame.aabb_around(point);
         self.search(
-            |node| node.overlap(&cell),
-            |block| block.overlap(&cell),
+            |node| node.overlap(&aabb),
+            |leaf| leaf.overlap(&aabb),
             visit,
         )
     }
 
-    /// The memory the tree takes.
+    /// The memory that the tree takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.nodes.capacity() * size_of::<Node>()
-            + self.blocks.capacity() * size_of::<SphereLeaf>()
-            + self.firsts.capacity() * size_of::<u32>()
-            + self.balls.capacity() * size_of::<Option<BoundingSphere>>()
+            + self.sphere_leaves.capacity() * size_of::<SphereLeaf>()
+            + self.first_items.capacity() * size_of::<u32>()
+            + self.bounding_spheres.capacity() * size_of::<Option<BoundingSphere>>()
     }
 
     /// Calls `visit` with each item and its box.
-    fn each_item(&self, visit: impl FnMut(u32, Aabb32)) {
-        self.some_items(1, visit);
+    fn for_each_item(&self, visit: impl FnMut(u32, Aabb32)) {
+        self.for_some_items(1, visit);
     }
 
-    /// The same with the items of one in so many nodes and blocks.
-    fn some_items(&self, step: usize, mut visit: impl FnMut(u32, Aabb32)) {
+    /// [`Bvh::for_each_item`] for one in `step` nodes and sphere leaves only.
+    fn for_some_items(&self, step: usize, mut visit: impl FnMut(u32, Aabb32)) {
         for node in self.nodes.iter().step_by(step) {
-            for place in 0..WIDTH {
-                if let Some(item) = node.child(place).and_then(Child::item) {
-                    visit(item, node.cell(place));
+            for slot in 0..WIDTH {
+                if let Some(item) = node.child(slot).and_then(Child::item) {
+                    visit(item, node.aabb(slot));
                 }
             }
         }
-        self.some_balls(step, |item, ball| visit(item, ball.cell()));
+        self.for_some_spheres(step, |item, sphere| visit(item, sphere.aabb()));
     }
 
-    /// Calls `visit` with the items of one in so many blocks, and their balls.
-    fn some_balls(&self, step: usize, mut visit: impl FnMut(u32, BoundingSphere)) {
-        let blocks = self.blocks.iter().zip(&self.firsts);
-        for (block, &first) in blocks.step_by(step) {
-            for (item, place) in (first..).zip(0..block.count()) {
-                visit(item, block.ball(place));
+    /// Calls `visit` with the items of one in `step` sphere leaves, and their spheres.
+    fn for_some_spheres(&self, step: usize, mut visit: impl FnMut(u32, BoundingSphere)) {
+        let sphere_leaves = self.sphere_leaves.iter().zip(&self.first_items);
+        for (leaf, &first) in sphere_leaves.step_by(step) {
+            for (item, slot) in (first..).zip(0..leaf.count()) {
+                visit(item, leaf.sphere(slot));
             }
         }
     }
 
-    /// Visits the items in the places that `choose` and `choose_balls` mark, one bit each.
+    /// Visits the items in the slots that `choose` and `choose_spheres` mark, one bit each.
     #[inline(always)]
     fn search(
         &self,
         choose: impl Fn(&Node) -> u32,
-        choose_balls: impl Fn(&SphereLeaf) -> u32,
+        choose_spheres: impl Fn(&SphereLeaf) -> u32,
         mut visit: impl FnMut(u32) -> bool,
     ) -> bool {
         let mut pending = Stack::new();
@@ -416,7 +424,7 @@ impl Bvh {
             match child.kind() {
                 ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
-                    pending.make_room();
+                    pending.reserve();
                     let mut chosen = choose(node);
                     while chosen != 0 {
                         if let Some(child) = node.child(chosen.trailing_zeros() as usize % WIDTH) {
@@ -425,15 +433,15 @@ impl Bvh {
                                     return true;
                                 }
                             } else {
-                                pending.put(child);
+                                pending.push(child);
                             }
                         }
                         chosen &= chosen - 1;
                     }
                 }
-                ChildKind::Block(number) => {
-                    let mut chosen = choose_balls(&self.blocks[number as usize]);
-                    let first = self.firsts[number as usize];
+                ChildKind::Leaf(number) => {
+                    let mut chosen = choose_spheres(&self.sphere_leaves[number as usize]);
+                    let first = self.first_items[number as usize];
                     while chosen != 0 {
                         if visit(first + chosen.trailing_zeros()) {
                             return true;
@@ -449,33 +457,35 @@ impl Bvh {
     }
 }
 
-/// The nearest of the marked children, one bit each. The others go on the stack, down to the place `bottom` of it, the
-/// next nearest on top; there must be room. `name` gives what they are kept as, from the place of the child; nothing if
-/// that is not used.
+/// Returns the nearest of the children marked in `hits`, one bit each, and pushes the others, the next nearest on top
+/// and none of them below index `bottom` of the stack; [`Stack::reserve`] must have been called. `child_at` gives the
+/// child of a slot; `None` if the slot is not used.
 #[inline(always)]
 fn nearest_child<C: Copy + Default>(
-    (enter, mut met): (&[f32; WIDTH], u32),
-    (pending, bottom): (&mut Stack<Pending<C>>, usize),
-    name: impl Fn(usize) -> Option<C>,
+    enter: &[f32; WIDTH],
+    mut hits: u32,
+    pending: &mut Stack<Pending<C>>,
+    bottom: usize,
+    child_at: impl Fn(usize) -> Option<C>,
 ) -> Option<C> {
     let mut nearest: Option<Pending<C>> = None;
-    while met != 0 {
-        let place = met.trailing_zeros() as usize % WIDTH;
-        met &= met - 1;
-        let Some(child) = name(place) else {
+    while hits != 0 {
+        let slot = hits.trailing_zeros() as usize % WIDTH;
+        hits &= hits - 1;
+        let Some(child) = child_at(slot) else {
             continue;
         };
         let next = Pending {
-            enter: enter[place],
+            enter: enter[slot],
             child,
         };
         match &mut nearest {
             None => nearest = Some(next),
             Some(nearest) if next.enter < nearest.enter => {
-                pending.put(*nearest);
+                pending.push(*nearest);
                 *nearest = next;
             }
-            Some(_) => pending.sink(next, bottom, |above, this| above.enter < this.enter),
+            Some(_) => pending.insert(next, bottom, |above, this| above.enter < this.enter),
         }
     }
     nearest.map(|nearest| nearest.child)

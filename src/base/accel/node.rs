@@ -1,7 +1,7 @@
-//! Nodes of eight boxes in single precision, and a ray made ready for them.
+//! BVH nodes of eight boxes in single precision, and a ray prepared for them.
 //!
-//! Every rounding goes outward: boxes grow, the ray's origin becomes an interval, and the stretch in a box gets the error
-//! of three roundings at either end. Whatever a box holds in double precision is never lost.
+//! Every rounding goes outward: boxes grow, the origin of the ray becomes an interval, and the interval of `t` in a box
+//! is widened by the error of three roundings at either end. Nothing that a box holds in double precision is ever lost.
 
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
@@ -9,26 +9,26 @@ use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
-/// How many children a node has room for.
+/// Number of children of a node.
 pub(super) const WIDTH: usize = 8;
 
-/// Twice the relative error of `(plane - origin) / dir` in single precision, three roundings, and of this correction: a
-/// stretch that ends so much later is met wherever it is met exactly, for errors grow with their numbers.
+/// Twice the relative error of `(plane - origin) / dir` in single precision, three roundings, and of this correction:
+/// errors grow with the values, so an interval that ends that much later contains every exact hit.
 const ERROR: f32 = 12.0 / 16_777_216.0;
 
 /// A coordinate far outside of any tree's frame.
 const NOWHERE: f32 = 2e38;
 
-/// Directions below this, against a longest component near one, say nothing about an axis in single precision.
+/// Directions below this, against a longest component near one, carry no information about an axis in single precision.
 const FLAT: f64 = 1e-30;
 
-/// Above the relative error of a point in single precision, all its coordinates together.
-const LOOSE: f32 = 2.0 * f32::EPSILON;
+/// Above the relative error of a point in single precision, summed over its coordinates.
+const POINT_ERROR: f32 = 2.0 * f32::EPSILON;
 
-/// A point that may be so far off may be anywhere; the square of that has a number still.
-const UNKNOWN: f32 = 1e15;
+/// A point with an uncertainty beyond this may be anywhere; the square of this is still finite.
+const MAX_SLACK: f32 = 1e15;
 
-/// Eight boxes. Unused places hold a point where rays do not come.
+/// Eight boxes. Unused slots hold a point that no ray reaches.
 #[derive(Clone, Debug)]
 #[repr(C, align(32))]
 pub(super) struct Node {
@@ -37,15 +37,15 @@ pub(super) struct Node {
     children: [Child; WIDTH],
 }
 
-/// What hangs below a place in a node: a node, a block, an item, or nothing.
+/// The child in a slot of a node: a node, a sphere leaf, an item, or nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Child(u32);
 
-/// What a child is; an unused place is an item of no meaning.
+/// The decoded form of a [`Child`]; an unused slot reads as a meaningless item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ChildKind {
     Node(u32),
-    Block(u32),
+    Leaf(u32),
     Item(u32),
 }
 
@@ -66,12 +66,12 @@ pub(super) struct Frame {
 /// A ray in the frame of a tree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FrameRay {
-    /// The interval of the origin. Low planes of boxes are seen from its high end and high planes from its low one, so
-    /// that whichever comes first comes sooner, and the other later.
+    /// The interval of the origin. The distance to low planes of boxes is measured from its high end and to high planes
+    /// from its low end, so that the nearer plane comes sooner and the farther one later.
     low: [f32; 3],
     high: [f32; 3],
     inverse: [f32; 3],
-    /// For balls: a point near the origin, and how far off it may be at most.
+    /// For spheres: a point near the origin, and a bound on its distance from the origin.
     pub(super) middle: [f32; 3],
     pub(super) slack: f32,
     pub(super) dir: [f32; 3],
@@ -86,20 +86,20 @@ impl Child {
     /// Set where the child is an item.
     const ITEM: u32 = 1 << 31;
 
-    /// Set where the child is a block, which is no item.
+    /// Set where the child is a sphere leaf and not an item.
     const BLOCK: u32 = 1 << 30;
 
-    /// So many items may be told apart, and so many nodes and blocks.
-    pub(super) const MOST: usize = (1 << 30) - 1;
+    /// Maximum number of items, of nodes and of sphere leaves.
+    pub(super) const MAX_COUNT: usize = (1 << 30) - 1;
 
-    /// An unused place. It must be known as such: a ray that meets everything meets its box as well.
-    pub(super) const NOTHING: Child = Child(u32::MAX);
+    /// An unused slot. It must be recognizable: a ray that hits every box hits that of an unused slot as well.
+    pub(super) const NONE: Child = Child(u32::MAX);
 
     pub(super) fn of_node(index: u32) -> Self {
         Child(index)
     }
 
-    pub(super) fn of_block(index: u32) -> Self {
+    pub(super) fn of_leaf(index: u32) -> Self {
         Child(index | Child::BLOCK)
     }
 
@@ -113,7 +113,7 @@ impl Child {
         if self.0 & Child::ITEM != 0 {
             ChildKind::Item(self.0 & !Child::ITEM)
         } else if self.0 & Child::BLOCK != 0 {
-            ChildKind::Block(self.0 & !Child::BLOCK)
+            ChildKind::Leaf(self.0 & !Child::BLOCK)
         } else {
             ChildKind::Node(self.0)
         }
@@ -122,28 +122,28 @@ impl Child {
     /// The item, if it is one.
     #[inline(always)]
     pub(super) fn item(self) -> Option<u32> {
-        (self.0 & Child::ITEM != 0 && self != Child::NOTHING).then_some(self.0 & !Child::ITEM)
+        (self.0 & Child::ITEM != 0 && self != Child::NONE).then_some(self.0 & !Child::ITEM)
     }
 
-    /// The same with the indices of nodes and blocks moved by so much.
-    pub(super) fn shifted(self, nodes: u32, blocks: u32) -> Self {
+    /// The child with node and leaf indices moved by these offsets.
+    pub(super) fn shifted(self, nodes: u32, sphere_leaves: u32) -> Self {
         match self.kind() {
             ChildKind::Node(node) => Child::of_node(node + nodes),
-            ChildKind::Block(block) => Child::of_block(block + blocks),
+            ChildKind::Leaf(leaf) => Child::of_leaf(leaf + sphere_leaves),
             ChildKind::Item(_) => self,
         }
     }
 }
 
-/// The second where one is not a number; one instruction, unlike `f32::min`, which asks whether both are.
+/// The minimum, or `b` if either is NaN. One instruction, unlike `f32::min`, which tests both for NaN.
 #[inline(always)]
-pub(super) fn smaller(a: f32, b: f32) -> f32 {
+pub(super) fn min_f32(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// As [`smaller`].
+/// The maximum, or `b` if either is NaN; see [`min_f32`].
 #[inline(always)]
-pub(super) fn larger(a: f32, b: f32) -> f32 {
+pub(super) fn max_f32(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
@@ -173,31 +173,31 @@ impl Frame {
         }
     }
 
-    /// A point in this frame.
-    pub(super) fn place(&self, point: DVec3) -> DVec3 {
+    /// Transforms a point into this frame.
+    pub(super) fn to_frame(&self, point: DVec3) -> DVec3 {
         (point - self.centre) * self.scale
     }
 
-    /// The length in this frame of a unit of length.
+    /// Length in this frame of a world-space unit.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// A box rounded outward; unknown ends become infinite.
+    /// Transforms a box into this frame, rounded outward; NaN becomes infinite.
     #[inline]
-    pub(super) fn cell(&self, bounds: &Bounds) -> Aabb32 {
-        let low = self.place(bounds.min);
-        let high = self.place(bounds.max);
-        // Spelt out: `map` is not always inlined.
-        let below = |axis: usize| larger(loose_below(low[axis]), f32::NEG_INFINITY);
-        let above = |axis: usize| smaller(loose_above(high[axis]), f32::INFINITY);
+    pub(super) fn aabb(&self, bounds: &Bounds) -> Aabb32 {
+        let low = self.to_frame(bounds.min);
+        let high = self.to_frame(bounds.max);
+        // Not written with `map`, which is not always inlined.
+        let below = |axis: usize| max_f32(loose_below(low[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| min_f32(loose_above(high[axis]), f32::INFINITY);
         Aabb32 {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
         }
     }
 
-    /// A ray in this frame. One that cannot be brought into it meets every box.
+    /// Transforms a ray into this frame. One that cannot be represented there hits every box.
     #[inline(always)]
     pub(super) fn ray(&self, ray: &Ray) -> FrameRay {
         let length = power_of_two(ray.dir.abs().max_element());
@@ -207,7 +207,8 @@ impl Frame {
         if !(origin.is_finite() && dir.is_finite() && rate.is_normal()) {
             return FrameRay::BLIND;
         }
-        // From far away the rounding of the origin would blow up every box: start at the point nearest to the centre.
+        // From far away the rounding of the origin would widen every box: start at the point of the ray nearest to the
+        // centre.
         let size = origin.abs().max_element();
         if size < 8.0 {
             return FrameRay::new(origin, 0.0, dir, rate, 0.0);
@@ -220,12 +221,12 @@ impl Frame {
         FrameRay::new(origin + start * dir, error, dir, rate, start)
     }
 
-    /// A box that holds a point; unknown ends are infinite.
-    pub(super) fn point(&self, point: DVec3) -> Aabb32 {
-        let place = self.place(point);
+    /// The box in this frame that contains a point, rounded outward; NaN becomes infinite.
+    pub(super) fn aabb_around(&self, point: DVec3) -> Aabb32 {
+        let point_in_frame = self.to_frame(point);
         let known = |end: f32, unknown: f32| if end.is_nan() { unknown } else { end };
-        let below = |axis: usize| known(loose_below(place[axis]), f32::NEG_INFINITY);
-        let above = |axis: usize| known(loose_above(place[axis]), f32::INFINITY);
+        let below = |axis: usize| known(loose_below(point_in_frame[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| known(loose_above(point_in_frame[axis]), f32::INFINITY);
         Aabb32 {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
@@ -234,7 +235,7 @@ impl Frame {
 }
 
 impl FrameRay {
-    /// The ray that meets every box at every time.
+    /// The ray that hits every box at every parameter.
     pub(super) const BLIND: FrameRay = FrameRay {
         low: [f32::NEG_INFINITY; 3],
         high: [f32::INFINITY; 3],
@@ -267,8 +268,8 @@ impl FrameRay {
         let [u, v, w] = ray.dir;
         ray.speed_sq = u * u + v * v + w * w;
         let size = origin.abs().max_element();
-        let slack = nearest(error) + LOOSE * nearest(size);
-        if slack < UNKNOWN {
+        let slack = nearest(error) + POINT_ERROR * nearest(size);
+        if slack < MAX_SLACK {
             ray.middle = [origin.x, origin.y, origin.z].map(nearest);
             ray.slack = slack;
         }
@@ -280,7 +281,7 @@ impl FrameRay {
         4.0 * f64::EPSILON * (t.abs() + self.start.abs())
     }
 
-    /// A bound below a ray parameter in the frame.
+    /// Converts a ray parameter to the frame, rounded down.
     #[inline(always)]
     pub(super) fn from(&self, t: f64) -> f32 {
         let t = t * self.rate;
@@ -292,7 +293,7 @@ impl FrameRay {
         }
     }
 
-    /// A bound above a ray parameter in the frame.
+    /// Converts a ray parameter to the frame, rounded up.
     #[inline(always)]
     pub(super) fn to(&self, t: f64) -> f32 {
         let t = t * self.rate;
@@ -310,16 +311,16 @@ impl Node {
                 [[-NOWHERE; WIDTH]; 2],
                 [[NOWHERE; WIDTH]; 2],
             ],
-            children: [Child::NOTHING; WIDTH],
+            children: [Child::NONE; WIDTH],
         }
     }
 
-    pub(super) fn set(&mut self, place: usize, cell: &Aabb32, child: Child) {
+    pub(super) fn set(&mut self, slot: usize, aabb: &Aabb32, child: Child) {
         for axis in 0..3 {
-            self.planes[axis][0][place] = cell.low[axis];
-            self.planes[axis][1][place] = cell.high[axis];
+            self.planes[axis][0][slot] = aabb.low[axis];
+            self.planes[axis][1][slot] = aabb.high[axis];
         }
-        self.children[place] = child;
+        self.children[slot] = child;
     }
 
     /// By axis and end (low, high), the planes of the eight boxes.
@@ -330,43 +331,43 @@ impl Node {
 
     /// One of the boxes.
     #[inline(always)]
-    pub(super) fn cell(&self, place: usize) -> Aabb32 {
-        // Spelt out: `map` is not always inlined.
+    pub(super) fn aabb(&self, slot: usize) -> Aabb32 {
+        // Not written with `map`, which is not always inlined.
         let [x, y, z] = &self.planes;
         Aabb32 {
-            low: [x[0][place], y[0][place], z[0][place]],
-            high: [x[1][place], y[1][place], z[1][place]],
+            low: [x[0][slot], y[0][slot], z[0][slot]],
+            high: [x[1][slot], y[1][slot], z[1][slot]],
         }
     }
 
-    /// What hangs below a place, if it is used.
+    /// The child in a slot, if the slot is used.
     #[inline(always)]
-    pub(super) fn child(&self, place: usize) -> Option<Child> {
-        let child = self.children[place];
-        (child != Child::NOTHING).then_some(child)
+    pub(super) fn child(&self, slot: usize) -> Option<Child> {
+        let child = self.children[slot];
+        (child != Child::NONE).then_some(child)
     }
 
-    /// Which places hold items, one bit each.
+    /// Mask of the slots that hold items.
     #[inline(always)]
     pub(super) fn items(&self) -> u32 {
         let mut items = 0;
-        for (place, child) in self.children.iter().enumerate() {
-            items |= u32::from(child.item().is_some()) << place;
+        for (slot, child) in self.children.iter().enumerate() {
+            items |= u32::from(child.item().is_some()) << slot;
         }
         items
     }
 
-    /// The node with the indices of child nodes and blocks moved by so much.
-    pub(super) fn shifted(&self, nodes: u32, blocks: u32) -> Self {
+    /// The node with the indices of child nodes and sphere leaves moved by these offsets.
+    pub(super) fn shifted(&self, nodes: u32, sphere_leaves: u32) -> Self {
         let mut node = self.clone();
         for child in &mut node.children {
-            *child = child.shifted(nodes, blocks);
+            *child = child.shifted(nodes, sphere_leaves);
         }
         node
     }
 
-    /// Has children of this list in place of its items.
-    pub(super) fn hang(&mut self, list: &[Child]) {
+    /// Replaces each of its items by the child at that position of `list`.
+    pub(super) fn replace_items(&mut self, list: &[Child]) {
         for child in &mut self.children {
             if let Some(item) = child.item() {
                 *child = list[item as usize];
@@ -374,7 +375,7 @@ impl Node {
         }
     }
 
-    /// How many items it has.
+    /// Number of items.
     pub(super) fn count(&self) -> usize {
         self.children
             .iter()
@@ -382,7 +383,8 @@ impl Node {
             .count()
     }
 
-    /// Calls its items by numbers from `first` on, and puts them at the front of a list; gives their number.
+    /// Renumbers its items consecutively from `first`, and writes their old numbers to the front of `order`; returns
+    /// their count.
     pub(super) fn renumber(&mut self, first: u32, order: &mut [u32]) -> u32 {
         let mut count = 0;
         for child in &mut self.children {
@@ -395,14 +397,15 @@ impl Node {
         count
     }
 
-    /// Where the ray enters each box, at the latest so much later than in truth that [`FrameRay::to`] allows for it, and
-    /// which boxes it may meet between `from` and `to`, one bit each.
+    /// Where the ray enters each box, and a mask of the boxes that it may hit between `from` and `to`. The entry may be
+    /// too late only by an error that [`FrameRay::to`] allows for.
     #[inline(always)]
-    pub(super) fn meet(
+    pub(super) fn intersect(
         &self,
         lanes: SimdLevel,
         ray: &FrameRay,
-        (from, to): (f32, f32),
+        from: f32,
+        to: f32,
     ) -> ([f32; WIDTH], u32) {
         let node = self;
         lanes.run(RayAndNode {
@@ -413,20 +416,20 @@ impl Node {
         })
     }
 
-    /// Which boxes share a point with a box, one bit each.
+    /// Mask of the boxes that overlap a box.
     #[inline]
-    pub(super) fn overlap(&self, cell: &Aabb32) -> u32 {
+    pub(super) fn overlap(&self, aabb: &Aabb32) -> u32 {
         with_widest(
             #[inline(always)]
-            |lanes| lanes.run(NodeAndBox { node: self, cell }),
+            |lanes| lanes.run(NodeAndBox { node: self, aabb }),
         )
     }
 }
 
-/// The boxes of a node against another.
+/// Overlap test of the boxes of a node with another box.
 struct NodeAndBox<'a> {
     node: &'a Node,
-    cell: &'a Aabb32,
+    aabb: &'a Aabb32,
 }
 
 impl SimdKernel for NodeAndBox<'_> {
@@ -437,14 +440,14 @@ impl SimdKernel for NodeAndBox<'_> {
         let mut shared = (1 << WIDTH) - 1;
         for axis in 0..3 {
             let [low, high] = &self.node.planes[axis];
-            shared &= <F::F32>::from_array(low).le(<F::F32>::splat(self.cell.high[axis]));
-            shared &= <F::F32>::splat(self.cell.low[axis]).le(<F::F32>::from_array(high));
+            shared &= <F::F32>::from_array(low).le(<F::F32>::splat(self.aabb.high[axis]));
+            shared &= <F::F32>::splat(self.aabb.low[axis]).le(<F::F32>::from_array(high));
         }
         shared
     }
 }
 
-/// A ray against the boxes of a node, between two of its parameters.
+/// Intersection test of a ray, between two of its parameters, with the boxes of a node.
 struct RayAndNode<'a> {
     ray: &'a FrameRay,
     node: &'a Node,
@@ -464,7 +467,8 @@ impl SimdKernel for RayAndNode<'_> {
             let inverse = <F::F32>::splat(ray.inverse[axis]);
             let to_low = (<F::F32>::from_array(low) - <F::F32>::splat(ray.high[axis])) * inverse;
             let to_high = (<F::F32>::from_array(high) - <F::F32>::splat(ray.low[axis])) * inverse;
-            // Zero times infinity is none: it comes of a plane along the ray and beside it, so that the box is missed.
+            // Zero times infinity is NaN. It occurs for a plane parallel to the ray that does not contain it: the box
+            // is missed.
             enter = to_low.lane_min(to_high).lane_max(enter);
             leave = to_low.lane_max(to_high).lane_min(leave);
         }
@@ -502,8 +506,8 @@ mod tests {
             node.planes = [(); 3].map(|()| [(); 2].map(|()| [(); 8].map(|()| number())));
             let from = [f32::NEG_INFINITY, 0.0][usize::from(round % 3 > 0)];
             let to = [1.0, f32::INFINITY][round % 2];
-            let wide = node.meet(SimdLevel::widest(), &ray, (from, to));
-            let narrow = node.meet(SimdLevel::NARROW, &ray, (from, to));
+            let wide = node.intersect(SimdLevel::widest(), &ray, from, to);
+            let narrow = node.intersect(SimdLevel::NARROW, &ray, from, to);
             assert_eq!(wide.1, narrow.1);
             assert!((0..8).all(|i| wide.0[i].to_bits() == narrow.0[i].to_bits()
                 || wide.0[i].is_nan() && narrow.0[i].is_nan()));

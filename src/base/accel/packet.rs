@@ -1,16 +1,16 @@
-//! Eight rays from one point against a ball or a box, and eight groups of them against a ball, in single precision with
-//! every doubt in favour of being met.
+//! Packets of eight rays from one point: conservative single-precision tests of a packet against a sphere or a box, and
+//! of eight packets against a sphere.
 
-use super::node::{Aabb32, larger, smaller};
+use super::node::{Aabb32, max_f32, min_f32};
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 use glam::{DVec3, Vec3};
 
-/// How many rays are tried at once.
+/// Number of rays in a packet.
 pub(super) const LANES: usize = 8;
 
-/// Above the relative error of the single precision arithmetic here, some ten roundings.
-pub(super) const DOUBT: f32 = 1.0e-6;
+/// Above the relative error of the single-precision arithmetic here, some ten roundings.
+pub(super) const REL_ERROR: f32 = 1.0e-6;
 
 /// Eight rays: unit directions, and where each ends in the frame. A ray that is done ends before it begins.
 #[derive(Clone, Copy, Debug)]
@@ -28,17 +28,17 @@ pub(super) struct ViewBox {
 }
 
 impl ViewBox {
-    /// Of nothing.
-    pub(super) const NOTHING: ViewBox = ViewBox {
+    /// The empty box.
+    pub(super) const EMPTY: ViewBox = ViewBox {
         low: [f32::INFINITY; 3],
         high: [f32::NEG_INFINITY; 3],
     };
 
-    // Spelt out: `map` is not always inlined.
+    // Not written with `map`, which is not always inlined.
     #[inline(always)]
-    pub(super) fn new(cell: &Aabb32, origin: DVec3) -> Self {
-        let below = |axis: usize| loose_below(f64::from(cell.low[axis]) - origin[axis]);
-        let above = |axis: usize| loose_above(f64::from(cell.high[axis]) - origin[axis]);
+    pub(super) fn new(aabb: &Aabb32, origin: DVec3) -> Self {
+        let below = |axis: usize| loose_below(f64::from(aabb.low[axis]) - origin[axis]);
+        let above = |axis: usize| loose_above(f64::from(aabb.high[axis]) - origin[axis]);
         ViewBox {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
@@ -47,15 +47,15 @@ impl ViewBox {
 
     /// True if a ray from the origin in this direction may hit the box before `end`: [`PacketAndBox`] for a single ray.
     #[inline(always)]
-    pub(super) fn is_met(&self, dir: Vec3, end: f32) -> bool {
+    pub(super) fn is_hit(&self, dir: Vec3, end: f32) -> bool {
         let (mut enter, mut leave) = (0.0, end);
         for axis in 0..3 {
             let inverse = 1.0 / dir[axis];
             let (low, high) = (self.low[axis] * inverse, self.high[axis] * inverse);
-            enter = larger(smaller(low, high), enter);
-            leave = smaller(larger(high, low), leave);
+            enter = max_f32(min_f32(low, high), enter);
+            leave = min_f32(max_f32(high, low), leave);
         }
-        let slack = 4.0 * DOUBT * (enter.abs() + leave.abs());
+        let slack = 4.0 * REL_ERROR * (enter.abs() + leave.abs());
         enter - slack <= leave + f32::MIN_POSITIVE
     }
 }
@@ -66,32 +66,33 @@ impl RayPacket8 {
         end: [f32::NEG_INFINITY; LANES],
     };
 
-    /// Takes in the first or second half of its rays: unit directions, and where each ends, in a frame of this scale.
+    /// Loads the first or the second half of the rays: unit directions, and where each ends, in a frame of this scale.
     #[inline(always)]
-    pub(super) fn take(
+    pub(super) fn load_half(
         &mut self,
         half: usize,
-        (dir, end): (&[[f64; 4]; 3], &[f64; 4]),
+        dir: &[[f64; 4]; 3],
+        end: &[f64; 4],
         scale: f64,
     ) {
-        let at = 4 * half;
-        // Spelt out: `map` is not always inlined.
+        let first = 4 * half;
+        // Not written with `map`, which is not always inlined.
         for (to, from) in self.dir.iter_mut().zip(dir) {
-            for (to, from) in to[at..at + 4].iter_mut().zip(from) {
+            for (to, from) in to[first..first + 4].iter_mut().zip(from) {
                 *to = nearest(*from);
             }
         }
-        for (to, from) in self.end[at..at + 4].iter_mut().zip(end) {
+        for (to, from) in self.end[first..first + 4].iter_mut().zip(end) {
             *to = frame_end(*from, scale);
         }
     }
 
-    /// The farthest end; negative when all are done.
+    /// The farthest end; negative when all rays are done.
     #[inline(always)]
     pub(super) fn farthest(&self) -> f32 {
         let mut farthest = f32::NEG_INFINITY;
         for end in self.end {
-            farthest = larger(end, farthest);
+            farthest = max_f32(end, farthest);
         }
         farthest
     }
@@ -106,7 +107,7 @@ impl RayPacket8 {
         dot
     }
 
-    /// The middle direction, and a bound on the distance of the others from it.
+    /// The mean direction, and a bound on the distance of the other directions from it.
     #[inline(always)]
     pub(super) fn cone(&self) -> (Vec3, f32) {
         #[allow(clippy::cast_precision_loss, reason = "8 is exact")]
@@ -119,14 +120,15 @@ impl RayPacket8 {
             let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
             *off = x * x + y * y + z * z;
         }
-        let farthest = off.into_iter().fold(0.0, larger);
-        (middle, farthest.sqrt() + 4.0 * DOUBT)
+        let farthest = off.into_iter().fold(0.0, max_f32);
+        (middle, farthest.sqrt() + 4.0 * REL_ERROR)
     }
 }
 
-/// Which rays of a group may meet a ball, one bit each: its centre lies near the line, neither behind nor beyond the end.
+/// Mask of the rays of a packet that may hit a sphere: its centre is near the line, neither behind the origin nor
+/// beyond the end.
 pub(super) struct PacketAndSphere<'a> {
-    pub(super) group: &'a RayPacket8,
+    pub(super) packet: &'a RayPacket8,
     pub(super) centre: Vec3,
     pub(super) radius: f32,
 }
@@ -136,22 +138,22 @@ impl SimdKernel for PacketAndSphere<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let dir: [F::F32; 3] = load(&self.group.dir);
-        let centre = all(self.centre.to_array());
+        let dir: [F::F32; 3] = load3(&self.packet.dir);
+        let centre = splat3(self.centre.to_array());
         let radius = <F::F32>::splat(self.radius);
-        let limit = <F::F32>::splat(self.radius * self.radius * (1.0 + 4.0 * DOUBT));
+        let limit = <F::F32>::splat(self.radius * self.radius * (1.0 + 4.0 * REL_ERROR));
         let along = dot(dir, centre);
         let is_near = length_sq(cross(dir, centre)).le(limit);
         let is_ahead = <F::F32>::splat(0.0).le(along + radius);
-        let is_before = (along - radius).le(<F::F32>::from_array(&self.group.end));
+        let is_before = (along - radius).le(<F::F32>::from_array(&self.packet.end));
         is_near & is_ahead & is_before
     }
 }
 
-/// Which rays of a group may meet a box, one bit each.
+/// Mask of the rays of a packet that may hit a box.
 pub(super) struct PacketAndBox<'a> {
-    pub(super) group: &'a RayPacket8,
-    pub(super) slab: &'a ViewBox,
+    pub(super) packet: &'a RayPacket8,
+    pub(super) view_box: &'a ViewBox,
 }
 
 impl SimdKernel for PacketAndBox<'_> {
@@ -159,31 +161,35 @@ impl SimdKernel for PacketAndBox<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let dir: [F::F32; 3] = load(&self.group.dir);
+        let dir: [F::F32; 3] = load3(&self.packet.dir);
         let one = <F::F32>::splat(1.0);
         let inverse = [one / dir[0], one / dir[1], one / dir[2]];
-        meet_box(inverse, <F::F32>::from_array(&self.group.end), self.slab)
+        intersect_box(
+            inverse,
+            <F::F32>::from_array(&self.packet.end),
+            self.view_box,
+        )
     }
 }
 
-/// Which of eight rays of these inverse directions may meet a box before their ends, one bit each.
+/// Mask of eight rays, given by their inverse directions, that may hit a box before their ends.
 #[inline(always)]
-pub(super) fn meet_box<E: F32x8>(inverse: [E; 3], end: E, slab: &ViewBox) -> u32 {
-    // A ray that is done ends at minus infinity: the slack would be infinite, and it would meet every box.
+pub(super) fn intersect_box<E: F32x8>(inverse: [E; 3], end: E, view_box: &ViewBox) -> u32 {
+    // A ray that is done ends at minus infinity: the slack would be infinite, and it would hit every box.
     let end = end.lane_max(E::splat(f32::MIN));
     let (mut enter, mut leave) = (E::splat(0.0), end);
     for (axis, inverse) in inverse.into_iter().enumerate() {
-        let low = E::splat(slab.low[axis]) * inverse;
-        let high = E::splat(slab.high[axis]) * inverse;
-        // The running bound where a plane says nothing (zero times infinity).
+        let low = E::splat(view_box.low[axis]) * inverse;
+        let high = E::splat(view_box.high[axis]) * inverse;
+        // Keeps the running bound where a plane yields NaN (zero times infinity).
         enter = low.lane_min(high).lane_max(enter);
         leave = high.lane_max(low).lane_min(leave);
     }
-    let slack = E::splat(4.0 * DOUBT) * (enter.abs() + leave.abs());
+    let slack = E::splat(4.0 * REL_ERROR) * (enter.abs() + leave.abs());
     (enter - slack).le(leave + E::splat(f32::MIN_POSITIVE))
 }
 
-/// The middle directions of eight groups, and how far a direction of the group can lie from it.
+/// The mean directions of eight packets, and how far the directions of each packet can be from its mean.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub(super) struct PacketCones {
@@ -191,8 +197,8 @@ pub(super) struct PacketCones {
     pub(super) spread: [f32; LANES],
 }
 
-/// Which of eight groups may hold a ray that meets a ball, one bit each. Moving a direction by a length moves its
-/// distance from the centre by no more than that share of the distance of the centre.
+/// Mask of the packets, of eight, that may contain a ray that hits a sphere. Moving a direction by a length moves its
+/// distance from the centre by at most that length times the distance of the centre.
 pub(super) struct ConesAndSphere<'a> {
     pub(super) cones: &'a PacketCones,
     pub(super) centre: Vec3,
@@ -205,11 +211,11 @@ impl SimdKernel for ConesAndSphere<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let middle: [F::F32; 3] = load(&self.cones.middle);
-        let centre = all(self.centre.to_array());
+        let middle: [F::F32; 3] = load3(&self.cones.middle);
+        let centre = splat3(self.centre.to_array());
         let reach = <F::F32>::splat(self.distance) * <F::F32>::from_array(&self.cones.spread);
         let limit = <F::F32>::splat(self.radius) + reach;
-        let limit_sq = limit * limit * <F::F32>::splat(1.0 + 4.0 * DOUBT);
+        let limit_sq = limit * limit * <F::F32>::splat(1.0 + 4.0 * REL_ERROR);
         let is_near = length_sq(cross(middle, centre)).le(limit_sq);
         is_near & <F::F32>::splat(0.0).le(limit)
     }
@@ -229,10 +235,10 @@ pub(super) fn cross<E: F32x8>(a: [E; 3], b: [E; 3]) -> [E; 3] {
     ]
 }
 
-// A closure would not take part in the wide lanes of its caller, so these are spelt out.
+// Not written with closures, which would not be compiled for the SIMD level of the caller.
 
 #[inline(always)]
-pub(super) fn load<E: F32x8>(from: &[[f32; LANES]; 3]) -> [E; 3] {
+pub(super) fn load3<E: F32x8>(from: &[[f32; LANES]; 3]) -> [E; 3] {
     [
         E::from_array(&from[0]),
         E::from_array(&from[1]),
@@ -241,7 +247,7 @@ pub(super) fn load<E: F32x8>(from: &[[f32; LANES]; 3]) -> [E; 3] {
 }
 
 #[inline(always)]
-pub(super) fn all<E: F32x8>(of: [f32; 3]) -> [E; 3] {
+pub(super) fn splat3<E: F32x8>(of: [f32; 3]) -> [E; 3] {
     [E::splat(of[0]), E::splat(of[1]), E::splat(of[2])]
 }
 
@@ -250,13 +256,13 @@ pub(super) fn length_sq<E: F32x8>(a: [E; 3]) -> E {
     dot(a, a)
 }
 
-/// Where a ray ends in the frame, at the latest.
+/// Converts the end of a ray to the frame, rounded up.
 #[inline(always)]
 pub(super) fn frame_end(end: f64, scale: f64) -> f32 {
     let end = nearest(end * scale);
     if end.is_nan() {
         f32::INFINITY
     } else {
-        end * (1.0 + 4.0 * DOUBT)
+        end * (1.0 + 4.0 * REL_ERROR)
     }
 }

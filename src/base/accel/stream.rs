@@ -1,6 +1,6 @@
-//! A few rays of any origins at once: each node is tried against every ray that comes to it, so that an item is visited
-//! once with all rays that may meet it. Rays that share an origin and a direction are better walked as a
-//! [`super::Bundle`]; these need have nothing in common.
+//! Streams of up to eight rays with arbitrary origins and directions. Each node is tested against every ray that
+//! reaches it, so that an item is visited once with all rays that may hit it. Rays with a common origin and similar
+//! directions are better traversed as a [`super::Bundle`].
 
 use super::bundle::NewEnds;
 use super::node::{Child, ChildKind, FrameRay, WIDTH};
@@ -8,16 +8,16 @@ use super::{Bvh, Pending, Stack, nearest_child};
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
 
-/// The most rays of a stream.
+/// Maximum number of rays of a stream.
 pub(crate) const STREAM: usize = 8;
 
-/// The boxes of a node that some rays may meet.
+/// The boxes of a node that some rays may hit.
 struct NodeHits {
-    /// Where the first ray enters each.
+    /// The smallest parameter at which a ray enters each box.
     enter: [f32; WIDTH],
-    /// The rays that may meet each, one bit each.
+    /// Mask of the rays that may hit each box.
     rays: [u32; WIDTH],
-    /// Which boxes any ray may meet, one bit each.
+    /// Mask of the boxes that any ray may hit.
     boxes: u32,
 }
 
@@ -28,15 +28,15 @@ impl NodeHits {
         boxes: 0,
     };
 
-    /// Takes in where one ray enters the boxes that it may meet.
+    /// Adds the boxes that one ray may hit, and where it enters them.
     #[inline(always)]
-    fn by(&mut self, lane: usize, (enter, met): ([f32; WIDTH], u32)) {
-        self.boxes |= met;
+    fn add_ray(&mut self, lane: usize, enter: [f32; WIDTH], hits: u32) {
+        self.boxes |= hits;
         let boxes = enter.iter().zip(&mut self.enter).zip(&mut self.rays);
-        for (place, ((enter, first), rays)) in boxes.enumerate() {
-            let is_met = met >> place & 1;
-            *rays |= is_met << lane;
-            if is_met == 1 && enter < first {
+        for (slot, ((enter, first), rays)) in boxes.enumerate() {
+            let is_hit = hits >> slot & 1;
+            *rays |= is_hit << lane;
+            if is_hit == 1 && enter < first {
                 *first = *enter;
             }
         }
@@ -44,61 +44,77 @@ impl NodeHits {
 }
 
 impl Bvh {
-    /// Visits, roughly front to back, items with the rays that may meet them from their starts to their ends, both
-    /// included. `ray` gives one of up to eight rays and its end, `asked` has a bit for each ray that is to be followed.
-    /// `visit` gets the item and the rays to be asked, one bit each, and notes new ends.
+    /// Visits, roughly front to back, items with the rays that may hit them from their starts to their ends, both
+    /// included. `ray` gives one of up to eight rays and its end, `active` has a bit for each ray to be traversed.
+    /// `visit` gets the item and a mask of the rays to be intersected, and sets new ends.
     #[inline(always)]
     pub(crate) fn stream(
         &self,
         lanes: SimdLevel,
-        asked: u32,
+        active: u32,
         ray: impl Fn(usize) -> (Ray, f64),
         mut visit: impl FnMut(u32, u32, &mut NewEnds),
     ) {
         let mut rays = [FrameRay::BLIND; STREAM];
         let (mut from, mut to) = ([0.0; STREAM], [f32::NEG_INFINITY; STREAM]);
-        for lane in lanes_of(asked) {
+        for lane in set_bits(active) {
             let (ray, end) = ray(lane);
             rays[lane] = self.frame.ray(&ray);
             from[lane] = rays[lane].from(0.0);
             to[lane] = rays[lane].to(end);
         }
-        let mut alive = asked;
+        let mut alive = active;
         let mut farthest = to.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
-        let mut next = self.root.map(|root| (root, asked));
-        while let Some((child, asked)) = next {
-            let asked = asked & alive;
+        let mut next = self.root.map(|root| (root, active));
+        while let Some((child, active)) = next {
+            let active = active & alive;
             next = match child.kind() {
-                _ if asked == 0 => None,
+                _ if active == 0 => None,
                 ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
-                    let mut met = NodeHits::NONE;
-                    for lane in lanes_of(asked) {
-                        met.by(lane, node.meet(lanes, &rays[lane], (from[lane], to[lane])));
+                    let mut node_hits = NodeHits::NONE;
+                    for lane in set_bits(active) {
+                        let (enter, hits) =
+                            node.intersect(lanes, &rays[lane], from[lane], to[lane]);
+                        node_hits.add_ray(lane, enter, hits);
                     }
-                    let bottom = pending.make_room();
-                    let name = |place: usize| Some((node.child(place)?, met.rays[place]));
-                    nearest_child((&met.enter, met.boxes), (&mut pending, bottom), name)
+                    let bottom = pending.reserve();
+                    let child_at = |slot: usize| Some((node.child(slot)?, node_hits.rays[slot]));
+                    nearest_child(
+                        &node_hits.enter,
+                        node_hits.boxes,
+                        &mut pending,
+                        bottom,
+                        child_at,
+                    )
                 }
-                ChildKind::Block(number) => {
-                    let block = &self.blocks[number as usize];
-                    let mut met = NodeHits::NONE;
-                    for lane in lanes_of(asked) {
-                        met.by(lane, block.meet(lanes, &rays[lane], (from[lane], to[lane])));
+                ChildKind::Leaf(number) => {
+                    let leaf = &self.sphere_leaves[number as usize];
+                    let mut node_hits = NodeHits::NONE;
+                    for lane in set_bits(active) {
+                        let (enter, hits) =
+                            leaf.intersect(lanes, &rays[lane], from[lane], to[lane]);
+                        node_hits.add_ray(lane, enter, hits);
                     }
-                    let bottom = pending.make_room();
-                    let first = self.firsts[number as usize];
+                    let bottom = pending.reserve();
+                    let first = self.first_items[number as usize];
                     #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
-                    let name = |place: usize| {
-                        Some((Child::of_item(first + place as u32), met.rays[place]))
+                    let child_at = |slot: usize| {
+                        Some((Child::of_item(first + slot as u32), node_hits.rays[slot]))
                     };
-                    nearest_child((&met.enter, met.boxes), (&mut pending, bottom), name)
+                    nearest_child(
+                        &node_hits.enter,
+                        node_hits.boxes,
+                        &mut pending,
+                        bottom,
+                        child_at,
+                    )
                 }
                 ChildKind::Item(item) => {
-                    let mut ended = NewEnds::default();
-                    visit(item, asked, &mut ended);
-                    ended.each(|lane, end| {
+                    let mut new_ends = NewEnds::default();
+                    visit(item, active, &mut new_ends);
+                    new_ends.each(|lane, end| {
                         to[lane] = rays[lane].to(end);
                         if end < 0.0 {
                             to[lane] = f32::NEG_INFINITY;
@@ -110,16 +126,16 @@ impl Bvh {
                 }
             };
             while next.is_none()
-                && let Some(place) = pending.pop()
+                && let Some(entry) = pending.pop()
             {
-                next = (place.enter <= farthest).then_some(place.child);
+                next = (entry.enter <= farthest).then_some(entry.child);
             }
         }
     }
 }
 
-/// The numbers of the bits that are set.
+/// The indices of the bits that are set.
 #[inline(always)]
-fn lanes_of(bits: u32) -> impl Iterator<Item = usize> {
+fn set_bits(bits: u32) -> impl Iterator<Item = usize> {
     (0..STREAM).filter(move |lane| bits >> lane & 1 == 1)
 }

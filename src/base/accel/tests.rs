@@ -1,4 +1,4 @@
-//! The tree against a plain search through all boxes.
+//! Trees compared with a linear search through all boxes.
 
 use super::{Bundle, Bvh, LightBuffer};
 use crate::base::math::conditioning::RescaledRay;
@@ -19,10 +19,14 @@ impl Sphere {
     }
 
     fn hit(&self, ray: &Ray) -> Option<f64> {
-        let eased = RescaledRay::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
-        let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
+        let rescaled = RescaledRay::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
+        let (enter, leave) = ball_chord(
+            rescaled.ray.origin,
+            rescaled.ray.dir,
+            self.radius / rescaled.size,
+        )?;
         [enter, leave]
-            .map(|t| eased.t(t))
+            .map(|t| rescaled.t(t))
             .into_iter()
             .find(|t| *t > 0.0)
     }
@@ -41,12 +45,12 @@ fn bounds_of(spheres: &[Sphere]) -> Vec<Bounds> {
     spheres.iter().map(Sphere::bounds).collect()
 }
 
-/// Trees over spheres and the items in their order: of boxes, of boxes and balls, and of balls alone.
+/// Trees over spheres, and the items in their order: of boxes, of boxes and spheres, and of spheres alone.
 fn trees(spheres: &[Sphere], at: DVec3) -> [(Bvh, Vec<u32>); 3] {
     let bounds = bounds_of(spheres);
-    let build = |is_ball: fn(&Sphere, DVec3) -> bool| {
+    let build = |is_sphere: fn(&Sphere, DVec3) -> bool| {
         Bvh::build_in_order(bounds.len(), |item| {
-            (bounds[item], is_ball(&spheres[item], at))
+            (bounds[item], is_sphere(&spheres[item], at))
         })
     };
     let trees = [
@@ -54,16 +58,16 @@ fn trees(spheres: &[Sphere], at: DVec3) -> [(Bvh, Vec<u32>); 3] {
         build(|sphere, at| sphere.centre.x < at.x),
         build(|_, _| true),
     ];
-    let blocks = trees.each_ref().map(|(tree, _)| tree.blocks.len());
-    assert!(blocks[0] == 0 && 0 < blocks[1] && blocks[1] < blocks[2]);
+    let sphere_leaves = trees.each_ref().map(|(tree, _)| tree.sphere_leaves.len());
+    assert!(sphere_leaves[0] == 0 && 0 < sphere_leaves[1] && sphere_leaves[1] < sphere_leaves[2]);
     trees
 }
 
-/// The nearest hit, and of several at the same depth the one first in the list.
-fn nearest((bvh, order): &(Bvh, Vec<u32>), spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
+/// The nearest hit; of several at the same depth the one first in the list.
+fn nearest(bvh: &Bvh, order: &[u32], spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
     let mut best: Option<(u32, f64)> = None;
-    bvh.nearest(ray, 0.0, f64::INFINITY, |place, end| {
-        let item = order[place as usize];
+    bvh.nearest(ray, 0.0, f64::INFINITY, |position, end| {
+        let item = order[position as usize];
         let Some(t) = spheres[item as usize].hit(ray) else {
             return end;
         };
@@ -83,7 +87,7 @@ fn nearest_of_all(spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
 }
 
 #[test]
-fn the_nearest_hit_is_that_of_a_plain_search() {
+fn the_nearest_hit_is_that_of_a_linear_search() {
     for (size, at) in [
         (1.0, DVec3::ZERO),
         (1.0, DVec3::splat(1e8)),
@@ -104,11 +108,12 @@ fn the_nearest_hit_is_that_of_a_plain_search() {
                 let ray = Ray::new(ray.at(far), ray.dir);
                 let expected = nearest_of_all(&spheres, &ray);
                 hits += usize::from(expected.is_some());
-                for tree in &trees {
-                    assert_eq!(nearest(tree, &spheres, &ray), expected, "{ray:?}");
-                    let (tree, order) = tree;
-                    let is_any = tree.any(&ray, 0.0, f64::INFINITY, |place| {
-                        spheres[order[place as usize] as usize].hit(&ray).is_some()
+                for (tree, order) in &trees {
+                    assert_eq!(nearest(tree, order, &spheres, &ray), expected, "{ray:?}");
+                    let is_any = tree.any(&ray, 0.0, f64::INFINITY, |position| {
+                        spheres[order[position as usize] as usize]
+                            .hit(&ray)
+                            .is_some()
                     });
                     assert_eq!(is_any, expected.is_some());
                 }
@@ -118,15 +123,15 @@ fn the_nearest_hit_is_that_of_a_plain_search() {
     }
 }
 
-/// Whether an axis-parallel line meets a box, which is exact.
-fn meets(bounds: &Bounds, origin: DVec3, along: usize) -> bool {
+/// True if an axis-parallel line hits a box; the test is exact.
+fn is_hit_exactly(bounds: &Bounds, origin: DVec3, along: usize) -> bool {
     (0..3)
         .filter(|&axis| axis != along)
         .all(|axis| bounds.min[axis] <= origin[axis] && origin[axis] <= bounds.max[axis])
 }
 
 #[test]
-fn rays_in_the_faces_and_edges_of_boxes_meet_them() {
+fn rays_in_the_faces_and_edges_of_boxes_hit_them() {
     for unit in [1.0, 1e-30, 1e30, 0.1] {
         let cell = |i: i32| f64::from(i) * unit;
         let mut boxes = Vec::new();
@@ -148,7 +153,7 @@ fn rays_in_the_faces_and_edges_of_boxes_meet_them() {
                     false
                 });
                 for (other, is_seen) in seen.iter().enumerate() {
-                    assert!(*is_seen || !meets(&boxes[other], origin, along));
+                    assert!(*is_seen || !is_hit_exactly(&boxes[other], origin, along));
                 }
                 assert!(seen.iter().filter(|seen| **seen).count() < boxes.len());
             }
@@ -191,31 +196,31 @@ fn the_visits_go_from_front_to_back() {
 }
 
 #[test]
-fn a_point_is_found_in_every_box_that_holds_it() {
+fn a_point_visits_every_box_that_contains_it() {
     let spheres = spheres(500, 2.0, DVec3::new(10.0, 0.0, 0.0));
     let boxes = bounds_of(&spheres);
     let trees = trees(&spheres, DVec3::new(10.0, 0.0, 0.0));
     let mut rng = Random::new(19);
-    let mut found = 0;
+    let mut hits = 0;
     for round in 0..2000 {
         let point = DVec3::new(10.0, 0.0, 0.0) + rng.vector(2.0);
         let mut seen = vec![false; boxes.len()];
         let (tree, order) = &trees[round % 3];
-        tree.around(point, |place| {
-            seen[order[place as usize] as usize] = true;
+        tree.around(point, |position| {
+            seen[order[position as usize] as usize] = true;
             false
         });
         for (bounds, is_seen) in boxes.iter().zip(seen) {
             let holds = point.cmpge(bounds.min).all() && point.cmple(bounds.max).all();
             assert!(is_seen || !holds);
-            found += usize::from(is_seen);
+            hits += usize::from(is_seen);
         }
     }
-    assert!(found > 1000 && found < 200_000);
+    assert!(hits > 1000 && hits < 200_000);
 }
 
 #[test]
-fn few_many_alike_and_strange_boxes_build() {
+fn empty_large_degenerate_and_infinite_inputs_build() {
     let ray = Ray::new(DVec3::new(0.2, 0.3, -9.0), DVec3::Z);
     let count = |boxes: &[Bounds]| {
         let mut count = 0;
@@ -258,7 +263,7 @@ fn the_tree_is_the_same_for_any_number_of_threads() {
 }
 
 #[test]
-fn a_ray_that_is_not_a_number_finds_at_most_everything() {
+fn degenerate_rays_visit_at_most_all_items() {
     let bvh = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
     for dir in [DVec3::ZERO, DVec3::splat(f64::NAN), DVec3::splat(1e300)] {
         for origin in [DVec3::ZERO, DVec3::splat(f64::NAN), DVec3::splat(1e300)] {
@@ -273,38 +278,41 @@ fn a_ray_that_is_not_a_number_finds_at_most_everything() {
 }
 
 #[test]
-fn memory_stays_below_sixty_bytes_a_box_and_forty_a_ball() {
+fn memory_stays_below_sixty_bytes_per_box_and_forty_per_sphere() {
     let spheres = spheres(20_000, 1.0, DVec3::ZERO);
-    let [(boxes, _), _, (balls, _)] = trees(&spheres, DVec3::ZERO);
-    let (boxes, balls) = (boxes.bytes() / spheres.len(), balls.bytes() / spheres.len());
+    let [(per_box, _), _, (per_sphere, _)] = trees(&spheres, DVec3::ZERO);
+    let (per_box, per_sphere) = (
+        per_box.bytes() / spheres.len(),
+        per_sphere.bytes() / spheres.len(),
+    );
     assert!(
-        boxes < 60 && balls < 40,
-        "{boxes} and {balls} bytes an item"
+        per_box < 60 && per_sphere < 40,
+        "{per_box} and {per_sphere} bytes an item"
     );
 }
 
 #[test]
-fn balls_in_wide_and_narrow_lanes_give_the_same_bits() {
+fn sphere_leaves_give_the_same_bits_in_wide_and_narrow_lanes() {
     let spheres = spheres(2000, 1.0, DVec3::ZERO);
     let [_, _, (tree, _)] = trees(&spheres, DVec3::ZERO);
     let mut rng = Random::new(37);
-    let mut met = 0;
-    for (round, block) in tree.blocks.iter().enumerate() {
+    let mut hits = 0;
+    for (round, leaf) in tree.sphere_leaves.iter().enumerate() {
         for _ in 0..20 {
             let ray = tree.frame.ray(&rng.ray_near(&bounds_of(&spheres)[round]));
-            let ends = [(0.0, f32::INFINITY), (f32::NEG_INFINITY, 1.0)][round % 2];
-            let wide = block.meet(SimdLevel::widest(), &ray, ends);
-            let narrow = block.meet(SimdLevel::NARROW, &ray, ends);
+            let (from, to) = [(0.0, f32::INFINITY), (f32::NEG_INFINITY, 1.0)][round % 2];
+            let wide = leaf.intersect(SimdLevel::widest(), &ray, from, to);
+            let narrow = leaf.intersect(SimdLevel::NARROW, &ray, from, to);
             assert_eq!(wide.1, narrow.1);
             assert_eq!(wide.0.map(f32::to_bits), narrow.0.map(f32::to_bits));
-            met += wide.1.count_ones();
+            hits += wide.1.count_ones();
         }
     }
-    assert!(met > 100, "{met}");
+    assert!(hits > 100, "{hits}");
 }
 
 #[test]
-fn rays_from_one_point_find_together_what_they_find_alone() {
+fn a_bundle_has_the_hits_of_its_single_rays() {
     for (size, at) in [
         (1.0, DVec3::ZERO),
         (1e-20, DVec3::splat(1e-19)),
@@ -312,13 +320,13 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
     ] {
         let spheres = spheres(700, size, at);
         for (mut tree, order) in trees(&spheres, at) {
-            tree.set_bounding_spheres(order.len(), |place| {
-                let item = order[place];
+            tree.set_bounding_spheres(order.len(), |position| {
+                let item = order[position];
                 let sphere = &spheres[item as usize];
                 (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
             });
             let mut rng = Random::new(23);
-            let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
+            let (mut bundle, mut traversed, mut hits) = (Bundle::default(), 0, 0);
             for round in 0..60 {
                 let origin = at + rng.vector(if round % 2 == 0 { 4.0 } else { 1.0 }) * size;
                 let middle = at + rng.vector(1.0) * size - origin;
@@ -338,31 +346,33 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
                         f64::INFINITY
                     }
                 };
-                let four = |number: usize| {
-                    let place = |lane: usize| (4 * number + lane).min(rays.len() - 1);
-                    let axis = |axis: usize| [0, 1, 2, 3].map(|lane| rays[place(lane)].dir[axis]);
+                let packet4 = |number: usize| {
+                    let ray_index = |lane: usize| (4 * number + lane).min(rays.len() - 1);
+                    let axis =
+                        |axis: usize| [0, 1, 2, 3].map(|lane| rays[ray_index(lane)].dir[axis]);
                     (
                         [axis(0), axis(1), axis(2)],
-                        [0, 1, 2, 3].map(|lane| far(place(lane))),
+                        [0, 1, 2, 3].map(|lane| far(ray_index(lane))),
                     )
                 };
-                if !bundle.fill(&tree, origin, rays.len(), four) {
+                if !bundle.fill(&tree, origin, rays.len(), packet4) {
                     continue;
                 }
                 let mut best = vec![None; rays.len()];
                 let is_done = tree.together(
                     SimdLevel::widest(),
                     &mut bundle,
-                    |place, first, lanes, ended| {
+                    |position, first, lanes, new_ends| {
                         for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
                             let ray = first + lane;
-                            let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray])
+                            let Some(t) =
+                                spheres[order[position as usize] as usize].hit(&rays[ray])
                             else {
                                 continue;
                             };
                             let slot: &mut Option<f64> = &mut best[ray];
                             if t < far(ray) && slot.is_none_or(|least| t < least) {
-                                ended.note(lane, *slot.insert(t));
+                                new_ends.note(lane, *slot.insert(t));
                             }
                         }
                     },
@@ -370,25 +380,26 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
                 if !is_done {
                     continue;
                 }
-                together += 1;
+                traversed += 1;
                 for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
                     let alone = nearest_of_all(&spheres, ray)
                         .map(|(_, t)| t)
                         .filter(|&t| t < far(i));
                     assert_eq!(best, alone);
-                    found += u32::from(best.is_some());
+                    hits += u32::from(best.is_some());
                 }
             }
-            assert!(together > 40 && found > 1000, "{together} {found}");
+            assert!(traversed > 40 && hits > 1000, "{traversed} {hits}");
         }
     }
 }
 
-/// What eight rays that have a point in common find of spheres by looking up their cells: `towards` it, from so far
-/// away, or from it.
-fn looked_up(
-    vista: &LightBuffer,
-    (spheres, order): (&[Sphere], &[u32]),
+/// The hits of eight rays with a common point on spheres, from lookups in a light buffer: with `ends` rays towards the
+/// point, from these distances, else rays from the point.
+fn light_buffer_hits(
+    light_buffer: &LightBuffer,
+    spheres: &[Sphere],
+    order: &[u32],
     rays: &[Ray; 8],
     ends: Option<[f64; 8]>,
 ) -> [Option<f64>; 8] {
@@ -401,13 +412,13 @@ fn looked_up(
     };
     let (dirs, far) = ([dirs(0), dirs(1)], [far(0), far(1)]);
     let halves = [(&dirs[0], &far[0]), (&dirs[1], &far[1])];
-    let mut eight = match ends {
-        None => vista.rays(halves, 0xff),
-        Some(_) => vista.rays_back(halves, 0xff),
+    let mut rays8 = match ends {
+        None => light_buffer.rays(halves, 0xff),
+        Some(_) => light_buffer.rays_back(halves, 0xff),
     };
-    let beside = vista.each(SimdLevel::widest(), &mut eight, |place, lanes, eight| {
+    let beside = light_buffer.each(SimdLevel::widest(), &mut rays8, |position, lanes, rays8| {
         for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
-            let Some(t) = spheres[order[place as usize] as usize].hit(&rays[lane]) else {
+            let Some(t) = spheres[order[position as usize] as usize].hit(&rays[lane]) else {
                 continue;
             };
             let slot: &mut Option<f64> = &mut best[lane];
@@ -416,7 +427,7 @@ fn looked_up(
             {
                 *slot = Some(t);
                 if ends.is_none() {
-                    eight.end(lane, t);
+                    rays8.end(lane, t);
                 }
             }
         }
@@ -426,7 +437,7 @@ fn looked_up(
 }
 
 #[test]
-fn rays_find_by_their_cells_what_they_find_alone() {
+fn light_buffer_lookups_have_the_hits_of_single_rays() {
     for (size, at) in [
         (1.0, DVec3::ZERO),
         (1e-20, DVec3::splat(1e-19)),
@@ -434,15 +445,15 @@ fn rays_find_by_their_cells_what_they_find_alone() {
     ] {
         let spheres = spheres(700, size, at);
         for (mut tree, order) in trees(&spheres, at) {
-            tree.set_bounding_spheres(order.len(), |place| {
-                let item = order[place];
+            tree.set_bounding_spheres(order.len(), |position| {
+                let item = order[position];
                 let sphere = &spheres[item as usize];
                 (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
             });
-            // A rod around some, too.
-            let rod = |place: u32| {
-                let sphere = &spheres[order[place as usize] as usize];
-                place.is_multiple_of(4).then_some((
+            // Some have a bounding cylinder as well.
+            let cylinder = |position: u32| {
+                let sphere = &spheres[order[position as usize] as usize];
+                position.is_multiple_of(4).then_some((
                     sphere.centre + 9.0 * size * DVec3::ONE,
                     -DVec3::ONE,
                     sphere.radius,
@@ -455,19 +466,19 @@ fn rays_find_by_their_cells_what_they_find_alone() {
                 let along = (at - from).normalize();
                 let (right, up) = along.any_orthonormal_pair();
                 let axes = [right, up, along];
-                let vista =
-                    LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
+                let light_buffer =
+                    LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), cylinder).unwrap();
                 let rays = [(); 8].map(|()| {
                     let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
                     Ray::new(from, (along + x * right + y * up).normalize())
                 });
-                let best = looked_up(&vista, (&spheres, &order), &rays, None);
+                let best = light_buffer_hits(&light_buffer, &spheres, &order, &rays, None);
                 for (ray, best) in rays.iter().zip(best) {
                     assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
                     seen += u32::from(best.is_some());
                 }
-                let lamp = LightBuffer::from_outside(&tree, from, rod).unwrap();
-                // Behind something, or just beside it.
+                let light = LightBuffer::from_outside(&tree, from, cylinder).unwrap();
+                // Behind some sphere, or just beside it.
                 let points = [(); 8].map(|()| {
                     let pick = usize::try_from(rng.bits() % 700).expect("small");
                     let sphere = &spheres[pick];
@@ -476,13 +487,16 @@ fn rays_find_by_their_cells_what_they_find_alone() {
                 });
                 let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
                 let ends = points.map(|point| point.distance(from));
-                let best = looked_up(&lamp, (&spheres, &order), &rays, Some(ends));
+                let best = light_buffer_hits(&light, &spheres, &order, &rays, Some(ends));
                 for (ray, best) in rays.iter().zip(best) {
                     let alone = nearest_of_all(&spheres, ray).is_some();
                     assert_eq!(best.is_some(), alone);
-                    let hits =
-                        |place: u32| spheres[order[place as usize] as usize].hit(ray).is_some();
-                    assert_eq!(lamp.between(ray.origin, hits), alone);
+                    let hits = |position: u32| {
+                        spheres[order[position as usize] as usize]
+                            .hit(ray)
+                            .is_some()
+                    };
+                    assert_eq!(light.between(ray.origin, hits), alone);
                     blocked += u32::from(alone);
                     free += u32::from(!alone);
                 }
@@ -496,12 +510,12 @@ fn rays_find_by_their_cells_what_they_find_alone() {
 }
 
 #[test]
-fn where_a_view_is_empty_no_ray_meets_anything() {
+fn no_ray_hits_anything_where_a_view_is_empty() {
     let spheres = spheres(60, 1.0, DVec3::ZERO);
     let bounds = bounds_of(&spheres);
     let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
-    tree.set_bounding_spheres(order.len(), |place| {
-        let sphere = &spheres[order[place] as usize];
+    tree.set_bounding_spheres(order.len(), |position| {
+        let sphere = &spheres[order[position] as usize];
         Some((sphere.centre, sphere.radius, true))
     });
     let mut rng = Random::new(31);
@@ -511,11 +525,12 @@ fn where_a_view_is_empty_no_ray_meets_anything() {
         let along = -from.normalize();
         let (right, up) = along.any_orthonormal_pair();
         let axes = [right, up, along];
-        let vista = LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
+        let light_buffer =
+            LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
         for _ in 0..60 {
             let low = [(); 2].map(|()| 0.95 * rng.share() - 0.5);
             let high = low.map(|low| low + 0.05 * rng.share());
-            if !vista.is_empty(low, high) {
+            if !light_buffer.is_empty(low, high) {
                 full += 1;
                 continue;
             }
@@ -529,23 +544,23 @@ fn where_a_view_is_empty_no_ray_meets_anything() {
             }
         }
         assert!(
-            !vista.is_empty([-0.6, 0.0], [-0.55, 0.1]),
+            !light_buffer.is_empty([-0.6, 0.0], [-0.55, 0.1]),
             "beside the grid"
         );
-        assert!(!vista.is_empty([f64::NAN; 2], [f64::NAN; 2]));
+        assert!(!light_buffer.is_empty([f64::NAN; 2], [f64::NAN; 2]));
     }
     assert!(empty > 300 && full > 300, "{empty} {full}");
 }
 
 #[test]
-fn no_flat_view_is_had_from_among_the_items() {
+fn a_light_among_the_items_has_no_light_buffer() {
     let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
     assert!(LightBuffer::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
     assert!(LightBuffer::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
 }
 
 #[test]
-fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
+fn an_item_around_a_light_is_visited_by_every_ray() {
     let mut spheres = spheres(100, 1.0, DVec3::ZERO);
     spheres.push(Sphere {
         centre: DVec3::ZERO,
@@ -553,12 +568,12 @@ fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
     });
     let bounds = bounds_of(&spheres);
     let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
-    tree.set_bounding_spheres(order.len(), |place| {
-        let sphere = &spheres[order[place] as usize];
+    tree.set_bounding_spheres(order.len(), |position| {
+        let sphere = &spheres[order[position] as usize];
         Some((sphere.centre, sphere.radius, true))
     });
-    let lamp = LightBuffer::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
+    let light = LightBuffer::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
     for point in [DVec3::ZERO, 40.0 * DVec3::X, 60.0 * DVec3::Y] {
-        assert!(lamp.between(point, |place| order[place as usize] == 100));
+        assert!(light.between(point, |position| order[position as usize] == 100));
     }
 }

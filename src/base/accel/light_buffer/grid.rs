@@ -1,77 +1,80 @@
-//! The grid of a [`crate::base::accel::LightBuffer`]: which items each cell may show, in the order of their distance.
+//! The grid of a [`crate::base::accel::LightBuffer`]: for each cell the items that may be visible in it, sorted by
+//! distance.
 
-use crate::base::accel::node::{larger, smaller};
+use crate::base::accel::node::{max_f32, min_f32};
 use crate::base::math::rounding::nearest;
 
-/// Slopes, or cells, between which something lies.
+/// A rectangle of slopes or of cells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rect {
     pub(crate) low: [f64; 2],
     pub(crate) high: [f64; 2],
 }
 
-/// The slopes between which an item lies, kept until the grid is made: their rounding is nothing against [`MARGIN`].
+/// The slopes that bound an item, stored until the grid is built; their rounding is negligible against [`MARGIN`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlopeRange {
     low: [f32; 2],
     high: [f32; 2],
 }
 
-/// The cells that an item may share something with: the first and the last column, then rows.
+/// The range of cells that an item may overlap: the first and the last column, then the first and the last row.
 type CellRange = [[u16; 2]; 2];
 
-/// Of an item that is not seen.
+/// The range of an item out of view.
 const NO_CELLS: CellRange = [[u16::MAX, 0]; 2];
 
-/// Cells of a grid, and the items in each.
+/// The cells of a grid, and the items in each.
 #[derive(Clone, Debug)]
 pub(crate) struct CellGrid {
     pub(crate) grid: Grid,
-    /// Where the items of each cell begin, and at last where those of the last end.
-    begins: Vec<u32>,
+    /// Start of the items of each cell in `items`, and the end of those of the last cell.
+    cell_starts: Vec<u32>,
     items: Vec<u32>,
-    /// The nearest of all distances, and how much farther each step is.
-    least: f32,
+    /// The smallest distance, and the size of a step of distance.
+    min_distance: f32,
     step: f32,
 }
 
-/// Cells are so much of the mean width of an item: smaller ones hold fewer items that are not met, but each item is in more.
-const FINENESS: f64 = 0.7;
-/// No more cells than this for each item, and some.
-const CELLS_OF_ITEM: f64 = 4.0;
-const SOME_CELLS: f64 = 64.0;
-/// No more cells than this in a row or column.
-const LONGEST: f64 = 1024.0;
-/// No more entries than this for each item, and some.
-const ENTRIES_OF_ITEM: usize = 24;
-const SOME_ENTRIES: usize = 4096;
-/// Items count as so much of a cell larger than they are, far above the rounding of a ray's cell.
+/// Size of cells relative to the mean size of items: smaller cells hold fewer items that are not hit, but each item is
+/// in more cells.
+const CELL_SIZE: f64 = 0.7;
+/// Maximum number of cells: this number per item, and a constant.
+const CELLS_PER_ITEM: f64 = 4.0;
+const EXTRA_CELLS: f64 = 64.0;
+/// Maximum number of cells in a row or column.
+const MAX_CELLS_PER_SIDE: f64 = 1024.0;
+/// Maximum number of entries: this number per item, and a constant.
+const ENTRIES_PER_ITEM: usize = 24;
+const EXTRA_ENTRIES: usize = 4096;
+/// Items are enlarged by this part of a cell, far above the rounding error of the cell of a ray.
 const MARGIN: f64 = 1.0 / 16.0;
-/// A grid over no more than its items goes on for so much of a cell.
-const EDGE: f64 = 2.0 * MARGIN;
-/// Distances are told apart in so many steps. Items of one step come in the order of the tree, which is kind to caches.
-const STEPS: usize = 128;
+/// A grid that just covers its items is extended by this part of a cell.
+const BORDER: f64 = 2.0 * MARGIN;
+/// Number of steps of distance. Items of the same step are in the order of the tree, for the sake of caches.
+const DISTANCE_STEPS: usize = 128;
 const LAST_STEP: f32 = 127.0;
 
 impl Rect {
-    /// Nothing.
+    /// The empty rectangle.
     pub(crate) const EMPTY: Rect = Rect {
         low: [f64::INFINITY; 2],
         high: [f64::NEG_INFINITY; 2],
     };
 
-    /// What lies in both, by way of which nothing may be lost if neither is exact.
-    pub(crate) fn both(&self, other: &Rect) -> Rect {
-        let mut both = *self;
+    /// The intersection. It is never reported as empty: where rounding makes the rectangles disagree `low` may exceed
+    /// `high`.
+    pub(crate) fn intersection(&self, other: &Rect) -> Rect {
+        let mut intersection = *self;
         for side in 0..2 {
-            both.low[side] = self.low[side].max(other.low[side]);
-            both.high[side] = self.high[side].min(other.high[side]);
+            intersection.low[side] = self.low[side].max(other.low[side]);
+            intersection.high[side] = self.high[side].min(other.high[side]);
         }
-        both
+        intersection
     }
 
-    /// The part in a window; `None` beside it.
-    pub(crate) fn shared(&self, window: &Rect) -> Option<Rect> {
+    /// Clips it to a window; `None` if it is outside.
+    pub(crate) fn clipped(&self, window: &Rect) -> Option<Rect> {
         let is_beside = |side: usize| {
             let slack = 1e-3 * (window.high[side] - window.low[side]);
             self.low[side] > window.high[side] + slack || self.high[side] < window.low[side] - slack
@@ -79,35 +82,35 @@ impl Rect {
         if is_beside(0) || is_beside(1) {
             return None;
         }
-        let mut shared = *self;
+        let mut clipped = *self;
         for side in 0..2 {
-            // What is not a number reaches as far as the window.
+            // NaN extends to the edge of the window.
             let (low, high) = (window.low[side], window.high[side]);
-            shared.low[side] = self.low[side].max(low).min(high);
-            shared.high[side] = self.high[side].min(high).max(low);
+            clipped.low[side] = self.low[side].max(low).min(high);
+            clipped.high[side] = self.high[side].min(high).max(low);
         }
-        Some(shared)
+        Some(clipped)
     }
 
-    /// Whether no slope is larger than this.
+    /// True if no slope exceeds this.
     pub(crate) fn is_within(&self, slope: f64) -> bool {
         let mut slopes = self.low.iter().chain(&self.high);
         slopes.all(|one| one.abs() <= slope)
     }
 
-    /// The rectangle around both.
-    pub(crate) fn around(&self, other: &Rect) -> Rect {
-        let mut around = *self;
+    /// The bounding rectangle of both.
+    pub(crate) fn union(&self, other: &Rect) -> Rect {
+        let mut bounds = *self;
         for side in 0..2 {
-            around.low[side] = self.low[side].min(other.low[side]);
-            around.high[side] = self.high[side].max(other.high[side]);
+            bounds.low[side] = self.low[side].min(other.low[side]);
+            bounds.high[side] = self.high[side].max(other.high[side]);
         }
-        around
+        bounds
     }
 
-    /// The same in few bytes.
+    /// The same in single precision.
     #[inline(always)]
-    pub(crate) fn narrow(&self) -> SlopeRange {
+    pub(crate) fn to_f32(&self) -> SlopeRange {
         SlopeRange {
             low: self.low.map(nearest),
             high: self.high.map(nearest),
@@ -116,7 +119,7 @@ impl Rect {
 }
 
 impl SlopeRange {
-    /// Of an item that is not seen.
+    /// The range of an item out of view.
     pub(crate) const EMPTY: SlopeRange = SlopeRange {
         low: [f32::INFINITY; 2],
         high: [f32::NEG_INFINITY; 2],
@@ -139,22 +142,22 @@ impl SlopeRange {
 /// The cells of a window, row by row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
-    /// The cell of a slope: its whole part when times `rate` plus `start`.
+    /// The cell of a slope is the integer part of the slope times `rate` plus `start`.
     pub(crate) rate: [f32; 2],
     pub(crate) start: [f32; 2],
-    /// How many columns and rows there are.
+    /// Number of columns and rows.
     pub(crate) size: [u32; 2],
 }
 
 impl Grid {
-    /// Over a window, for items of such mean widths; cells are multiples of `together`, if that is given, which begin at
-    /// the middle.
+    /// The grid over a window with cells of about this size. If `pixel_block` is given cells are multiples of it and
+    /// aligned with the edge of the picture.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "the number of cells is limited"
     )]
-    fn new(window: &Rect, cell: [f64; 2], together: Option<[f64; 2]>) -> Grid {
+    fn new(window: &Rect, cell: [f64; 2], pixel_block: Option<[f64; 2]>) -> Grid {
         let mut grid = Grid {
             rate: [0.0; 2],
             start: [0.0; 2],
@@ -163,18 +166,20 @@ impl Grid {
         for side in 0..2 {
             let (mut low, mut high) = (window.low[side], window.high[side]);
             let wide = (high - low).max(f64::MIN_POSITIVE);
-            let mut cell = cell[side].max(wide / LONGEST);
-            if let Some(together) = together {
-                let together = together[side];
-                cell = together * (cell / together).round().max(1.0);
-                // The edges of cells lie where the picture begins.
+            let mut cell = cell[side].max(wide / MAX_CELLS_PER_SIDE);
+            if let Some(pixel_block) = pixel_block {
+                let pixel_block = pixel_block[side];
+                cell = pixel_block * (cell / pixel_block).round().max(1.0);
+                // Cells are aligned with the edge of the picture.
                 low = -0.5 - cell * ((-0.5 - low) / cell).ceil();
             } else {
-                // A ray past the outermost edge of an item must not be rounded out of the grid.
-                low -= EDGE * cell;
-                high += EDGE * cell;
+                // A ray just outside of the outermost edge of an item must not be rounded out of the grid.
+                low -= BORDER * cell;
+                high += BORDER * cell;
             }
-            let count = ((high - low) / cell).ceil().clamp(1.0, 2.0 * LONGEST);
+            let count = ((high - low) / cell)
+                .ceil()
+                .clamp(1.0, 2.0 * MAX_CELLS_PER_SIDE);
             grid.rate[side] = nearest(1.0 / cell);
             grid.start[side] = nearest(-low / cell);
             grid.size[side] = count as u32;
@@ -182,7 +187,7 @@ impl Grid {
         grid
     }
 
-    /// The cells that a rectangle may share something with: from the first to the last, in columns and in rows.
+    /// The range of cells that a rectangle may overlap: the first and the last column, then the first and the last row.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -199,7 +204,7 @@ impl Grid {
         })
     }
 
-    /// Calls `visit` with the number of each cell of a span.
+    /// Calls `visit` with the index of each cell of a range.
     #[inline(always)]
     fn each(&self, [columns, rows]: &CellRange, mut visit: impl FnMut(usize)) {
         for row in rows[0]..=rows[1] {
@@ -209,20 +214,20 @@ impl Grid {
         }
     }
 
-    /// Finds the cells of items that are seen; says how many they are together.
-    fn find(&self, rects: &[SlopeRange], spans: &mut [CellRange]) -> usize {
+    /// Computes the range of cells of each item in view; returns the total number of cells.
+    fn assign_cells(&self, rects: &[SlopeRange], cell_ranges: &mut [CellRange]) -> usize {
         let mut entries = 0;
-        for (rect, span) in rects.iter().zip(spans) {
+        for (rect, cell_range) in rects.iter().zip(cell_ranges) {
             if rect.is_empty() {
-                *span = NO_CELLS;
+                *cell_range = NO_CELLS;
                 continue;
             }
             #[allow(clippy::cast_possible_truncation, reason = "a row has few cells")]
-            let cells = self
+            let range = self
                 .cells(&rect.rect())
                 .map(|ends| ends.map(|end| end as u16));
-            *span = cells;
-            let [columns, rows] = cells.map(|[first, last]| usize::from(last - first) + 1);
+            *cell_range = range;
+            let [columns, rows] = range.map(|[first, last]| usize::from(last - first) + 1);
             entries += columns * rows;
         }
         entries
@@ -234,17 +239,17 @@ impl Grid {
 }
 
 impl CellGrid {
-    /// The grid over a window that items are seen in, each in a rectangle, an empty one if it is not seen, and at a
-    /// distance. Cells are multiples of `together` if that is given. `None` if none is seen.
+    /// Builds the grid over a window from the slopes of each item, empty if it is out of view, and its distance. Cells
+    /// are multiples of `pixel_block` if that is given. `None` if no item is in view.
     pub(crate) fn new(
         rects: Vec<SlopeRange>,
         near: impl Fn(usize) -> f32,
         window: Rect,
-        together: Option<[f64; 2]>,
+        pixel_block: Option<[f64; 2]>,
     ) -> Option<CellGrid> {
         let mut sum = [0.0; 2];
         let mut seen = 0usize;
-        let (mut least, mut most) = (f32::INFINITY, f32::NEG_INFINITY);
+        let (mut min_distance, mut max_distance) = (f32::INFINITY, f32::NEG_INFINITY);
         for (item, rect) in rects.iter().enumerate() {
             if rect.is_empty() {
                 continue;
@@ -253,25 +258,25 @@ impl CellGrid {
             for (side, sum) in sum.iter_mut().enumerate() {
                 *sum += f64::from(rect.high[side] - rect.low[side]);
             }
-            least = smaller(near(item), least);
-            most = larger(near(item), most);
+            min_distance = min_f32(near(item), min_distance);
+            max_distance = max_f32(near(item), max_distance);
         }
-        if seen == 0 || !least.is_finite() || !most.is_finite() {
+        if seen == 0 || !min_distance.is_finite() || !max_distance.is_finite() {
             return None;
         }
         #[allow(clippy::cast_precision_loss, reason = "a mean has few digits")]
-        let number = seen as f64;
-        let mut cell = sum.map(|sum| FINENESS * sum / number);
-        let mut grid = Grid::new(&window, cell, together);
-        let mut spans = vec![NO_CELLS; rects.len()];
+        let count_f64 = seen as f64;
+        let mut cell = sum.map(|sum| CELL_SIZE * sum / count_f64);
+        let mut grid = Grid::new(&window, cell, pixel_block);
+        let mut cell_ranges = vec![NO_CELLS; rects.len()];
         loop {
             #[allow(clippy::cast_precision_loss, reason = "a ratio has few digits")]
-            let excess = grid.count() as f64 / (CELLS_OF_ITEM * number + SOME_CELLS);
+            let excess = grid.count() as f64 / (CELLS_PER_ITEM * count_f64 + EXTRA_CELLS);
             let is_dense = excess > 1.0;
             let is_single = grid.count() == 1;
             let is_sparse = (is_single || !is_dense) && {
-                let entries = grid.find(&rects, &mut spans);
-                entries <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES
+                let entries = grid.assign_cells(&rects, &mut cell_ranges);
+                entries <= ENTRIES_PER_ITEM * seen + EXTRA_ENTRIES
             };
             if is_sparse || is_single {
                 break;
@@ -283,64 +288,67 @@ impl CellGrid {
             };
             for (side, cell) in cell.iter_mut().enumerate() {
                 let wide = window.high[side] - window.low[side];
-                *cell = (cell.max(wide / LONGEST) * factor).min(2.0 * wide);
+                *cell = (cell.max(wide / MAX_CELLS_PER_SIDE) * factor).min(2.0 * wide);
             }
-            grid = Grid::new(&window, cell, together);
+            grid = Grid::new(&window, cell, pixel_block);
         }
         drop(rects);
-        let mut raster = CellGrid {
+        let mut cell_grid = CellGrid {
             grid,
-            begins: Vec::new(),
+            cell_starts: Vec::new(),
             items: Vec::new(),
-            least,
-            step: (most - least) / LAST_STEP,
+            min_distance,
+            step: (max_distance - min_distance) / LAST_STEP,
         };
-        raster.fill(&spans, near);
-        Some(raster)
+        cell_grid.fill(&cell_ranges, near);
+        Some(cell_grid)
     }
 
     #[allow(
         clippy::cast_possible_truncation,
         reason = "items and entries are counted in 31 bits"
     )]
-    fn fill(&mut self, spans: &[CellRange], near: impl Fn(usize) -> f32) {
+    fn fill(&mut self, cell_ranges: &[CellRange], near: impl Fn(usize) -> f32) {
         let grid = self.grid;
-        // By distance, coarsely: counting sort.
-        let steps: Vec<u8> = (0..spans.len())
+        // Counting sort by step of distance.
+        let steps: Vec<u8> = (0..cell_ranges.len())
             .map(|item| self.step_of(near(item)) as u8)
             .collect();
-        let is_seen = |item: &usize| spans[*item] != NO_CELLS;
-        let mut places = vec![0u32; STEPS + 1];
-        for item in (0..spans.len()).filter(is_seen) {
-            places[usize::from(steps[item]) + 1] += 1;
+        let is_seen = |item: &usize| cell_ranges[*item] != NO_CELLS;
+        let mut step_starts = vec![0u32; DISTANCE_STEPS + 1];
+        for item in (0..cell_ranges.len()).filter(is_seen) {
+            step_starts[usize::from(steps[item]) + 1] += 1;
         }
-        for step in 0..STEPS {
-            places[step + 1] += places[step];
+        for step in 0..DISTANCE_STEPS {
+            step_starts[step + 1] += step_starts[step];
         }
-        let mut order = vec![0u32; places[STEPS] as usize];
-        for item in (0..spans.len()).filter(is_seen) {
-            let place = &mut places[usize::from(steps[item])];
-            order[*place as usize] = item as u32;
-            *place += 1;
+        let mut order = vec![0u32; step_starts[DISTANCE_STEPS] as usize];
+        for item in (0..cell_ranges.len()).filter(is_seen) {
+            let position = &mut step_starts[usize::from(steps[item])];
+            order[*position as usize] = item as u32;
+            *position += 1;
         }
-        // Then into the cells, in that order.
-        let mut begins = vec![0u32; grid.count() + 2];
-        for span in spans.iter().filter(|span| **span != NO_CELLS) {
-            grid.each(span, |cell| begins[cell + 2] += 1);
+        // Then the items of each cell, in that order.
+        let mut cell_starts = vec![0u32; grid.count() + 2];
+        for cell_range in cell_ranges
+            .iter()
+            .filter(|cell_range| **cell_range != NO_CELLS)
+        {
+            grid.each(cell_range, |cell| cell_starts[cell + 2] += 1);
         }
-        for cell in 1..begins.len() {
-            begins[cell] += begins[cell - 1];
+        for cell in 1..cell_starts.len() {
+            cell_starts[cell] += cell_starts[cell - 1];
         }
-        let mut items = vec![0u32; begins[begins.len() - 1] as usize];
+        let mut items = vec![0u32; cell_starts[cell_starts.len() - 1] as usize];
         for &item in &order {
-            grid.each(&spans[item as usize], |cell| {
-                let at = &mut begins[cell + 1];
+            grid.each(&cell_ranges[item as usize], |cell| {
+                let at = &mut cell_starts[cell + 1];
                 items[*at as usize] = item;
                 *at += 1;
             });
         }
-        begins.pop();
-        self.begins = begins;
+        cell_starts.pop();
+        self.cell_starts = cell_starts;
         self.items = items;
     }
 
@@ -350,29 +358,29 @@ impl CellGrid {
         reason = "cast to the nearest number of a step"
     )]
     fn step_of(&self, near: f32) -> usize {
-        (((near - self.least) / self.step) as usize).min(STEPS - 1)
+        (((near - self.min_distance) / self.step) as usize).min(DISTANCE_STEPS - 1)
     }
 
-    /// A distance rounded down so that in each cell the items stand in its order.
+    /// Rounds a distance down so that it never decreases along the items of a cell.
     #[allow(clippy::cast_precision_loss, reason = "steps are few")]
     pub(crate) fn rounded(&self, near: f32) -> f32 {
-        near.min(self.least + self.step_of(near) as f32 * self.step)
+        near.min(self.min_distance + self.step_of(near) as f32 * self.step)
     }
 
     /// The items in a cell, the nearest first.
     #[inline(always)]
     pub(crate) fn items(&self, cell: usize) -> &[u32] {
-        let (begin, end) = (self.begins[cell], self.begins[cell + 1]);
+        let (begin, end) = (self.cell_starts[cell], self.cell_starts[cell + 1]);
         &self.items[begin as usize..end as usize]
     }
 
-    /// Whether there are no items in any of the cells of a rectangle, all of which are there.
+    /// True if a rectangle is inside of the grid and no cell in it has items.
     pub(crate) fn is_empty(&self, rect: &Rect) -> bool {
         let grid = &self.grid;
         let is_within = |side: usize| {
             let cell =
                 |slope: f64| slope * f64::from(grid.rate[side]) + f64::from(grid.start[side]);
-            // Not a number is not within.
+            // NaN is not within.
             cell(rect.low[side]) >= MARGIN
                 && cell(rect.high[side]) <= f64::from(grid.size[side]) - MARGIN
         };
@@ -382,12 +390,12 @@ impl CellGrid {
         let [columns, rows] = grid.cells(rect);
         (rows[0]..=rows[1]).all(|row| {
             let first = |column: u32| row as usize * grid.size[0] as usize + column as usize;
-            self.begins[first(columns[0])] == self.begins[first(columns[1]) + 1]
+            self.cell_starts[first(columns[0])] == self.cell_starts[first(columns[1]) + 1]
         })
     }
 
-    /// The memory it takes beyond itself.
+    /// The memory that it takes on the heap, in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        (self.begins.capacity() + self.items.capacity()) * size_of::<u32>()
+        (self.cell_starts.capacity() + self.items.capacity()) * size_of::<u32>()
     }
 }

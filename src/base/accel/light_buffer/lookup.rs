@@ -1,68 +1,69 @@
-//! Rays that have the point of a [`LightBuffer`] in common look up what they may meet.
+//! Lookups in a [`LightBuffer`] for rays from or to its point.
 
 use super::grid::Grid;
 use super::{LightBuffer, NONE};
 use crate::base::accel::bounding_cylinder::PacketAndCylinder;
 use crate::base::accel::packet::{
-    DOUBT, LANES, PacketAndBox, PacketAndSphere, RayPacket8, all, dot, frame_end, load,
+    LANES, PacketAndBox, PacketAndSphere, REL_ERROR, RayPacket8, dot, frame_end, load3, splat3,
 };
 use crate::base::math::rounding::nearest;
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use glam::{DVec3, Vec3};
 
-/// Adding and subtracting this rounds a small number, negative or not, to a whole one: 1.5 times 2 to the 23.
-const WHOLE: f32 = 12_582_912.0;
+/// 1.5 · 2²³: adding and subtracting it rounds a small number, negative or not, to an integer.
+const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
-/// Eight rays from the point of a vista, or to it.
+/// Eight rays from the point of a light buffer, or to it.
 #[derive(Debug)]
 pub(crate) struct Rays8 {
-    group: RayPacket8,
+    packet: RayPacket8,
     scale: f64,
-    /// Where the last of them ends, as far as that is known.
+    /// The farthest end of the rays, unless [`Rays8::is_stale`] is set.
     farthest: f32,
-    /// Whether that is to be found anew.
-    have_new_ends: bool,
-    /// Which of them are there, one bit each.
-    there: u32,
+    /// True if ends changed since `farthest` was computed.
+    is_stale: bool,
+    /// Mask of the lanes that hold rays.
+    active: u32,
 }
 
 impl Rays8 {
-    /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
+    /// Shortens a ray: to this distance, or to nothing if that is negative.
     #[inline(always)]
     pub(crate) fn end(&mut self, ray: usize, end: f64) {
-        self.group.end[ray % LANES] = frame_end(end, self.scale);
-        self.have_new_ends = true;
+        self.packet.end[ray % LANES] = frame_end(end, self.scale);
+        self.is_stale = true;
     }
 }
 
 impl LightBuffer {
-    /// Rays from here of these unit directions, which end at such distances, four and four, of which those marked in `there`
-    /// are there.
+    /// Loads rays that start at the point, with these unit directions and ends, as two halves of four; `active` masks
+    /// the lanes that hold rays.
     #[inline(always)]
-    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> Rays8 {
+    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], active: u32) -> Rays8 {
         let mut rays = Rays8 {
-            group: RayPacket8::EMPTY,
+            packet: RayPacket8::EMPTY,
             scale: self.frame.scale(),
             farthest: 0.0,
-            have_new_ends: false,
-            there,
+            is_stale: false,
+            active,
         };
-        rays.group.take(0, halves[0], rays.scale);
-        rays.group.take(1, halves[1], rays.scale);
-        for (ray, end) in rays.group.end.iter_mut().enumerate() {
-            if there >> ray & 1 == 0 {
+        let [(dir, end), (second_dir, second_end)] = halves;
+        rays.packet.load_half(0, dir, end, rays.scale);
+        rays.packet.load_half(1, second_dir, second_end, rays.scale);
+        for (ray, end) in rays.packet.end.iter_mut().enumerate() {
+            if active >> ray & 1 == 0 {
                 *end = f32::NEG_INFINITY;
             }
         }
-        rays.farthest = rays.group.farthest();
+        rays.farthest = rays.packet.farthest();
         rays
     }
 
-    /// The same for rays to here, of which the distances tell where they begin.
+    /// Loads rays that end at the point; the distances are those of their origins.
     #[inline(always)]
-    pub(crate) fn rays_back(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> Rays8 {
-        let mut rays = self.rays(halves, there);
-        for dir in &mut rays.group.dir {
+    pub(crate) fn rays_back(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], active: u32) -> Rays8 {
+        let mut rays = self.rays(halves, active);
+        for dir in &mut rays.packet.dir {
             for dir in dir {
                 *dir = -*dir;
             }
@@ -70,8 +71,8 @@ impl LightBuffer {
         rays
     }
 
-    /// Visits, the nearest first, items with those of eight rays that may meet them before they end, one bit each; `visit`
-    /// notes new ends. Gives the rays that leave the view.
+    /// Visits, the nearest first, items with a mask of those of eight rays that may hit them before they end; `visit`
+    /// sets new ends. Returns a mask of the rays that leave the view.
     #[inline(always)]
     pub(crate) fn each(
         &self,
@@ -79,81 +80,84 @@ impl LightBuffer {
         rays: &mut Rays8,
         mut visit: impl FnMut(u32, u32, &mut Rays8),
     ) -> u32 {
-        let vista = self;
-        let group = &rays.group;
-        let (cells, inside) = lanes.run(CellsOfRays { vista, group });
-        let there = rays.there;
-        let mut left = inside & there;
-        // One place that visits: what it does is compiled into it.
-        let (mut items, mut asked) = (&self.around[..], there);
+        let light_buffer = self;
+        let packet = &rays.packet;
+        let (cells, inside) = lanes.run(CellsOfRays {
+            light_buffer,
+            packet,
+        });
+        let active = rays.active;
+        let mut remaining = inside & active;
+        // A single call of `visit`, so that it is inlined only once.
+        let (mut items, mut tested) = (&self.always_tested[..], active);
         loop {
             for &item in items {
-                if self.known[item as usize].near > rays.farthest {
+                if self.proxies[item as usize].near > rays.farthest {
                     break;
                 }
-                let may_meet = asked & self.may_meet(lanes, item, &rays.group);
-                if may_meet != 0 {
-                    visit(item, may_meet, rays);
-                    if rays.have_new_ends {
-                        rays.farthest = rays.group.farthest();
-                        rays.have_new_ends = false;
+                let may_hit = tested & self.may_hit(lanes, item, &rays.packet);
+                if may_hit != 0 {
+                    visit(item, may_hit, rays);
+                    if rays.is_stale {
+                        rays.farthest = rays.packet.farthest();
+                        rays.is_stale = false;
                     }
                 }
             }
-            if left == 0 {
+            if remaining == 0 {
                 break;
             }
-            let cell = cells[left.trailing_zeros() as usize % LANES];
+            let cell = cells[remaining.trailing_zeros() as usize % LANES];
             let cells = &cells;
-            asked = left & lanes.run(EqualCells { cells, cell });
-            left &= !asked;
-            items = self.raster.items(number_of(cell));
+            tested = remaining & lanes.run(EqualCells { cells, cell });
+            remaining &= !tested;
+            items = self.cell_grid.items(cell_index(cell));
         }
-        there & !inside
+        active & !inside
     }
 
-    /// Which rays of a group may meet an item, one bit each.
+    /// Mask of the rays of a packet that may hit an item.
     #[inline(always)]
-    fn may_meet(&self, lanes: SimdLevel, item: u32, group: &RayPacket8) -> u32 {
-        let known = &self.known[item as usize];
-        let ball = PacketAndSphere {
-            group,
-            centre: Vec3::from_array(known.centre),
-            radius: known.radius,
+    fn may_hit(&self, lanes: SimdLevel, item: u32, packet: &RayPacket8) -> u32 {
+        let proxy = &self.proxies[item as usize];
+        let sphere = PacketAndSphere {
+            packet,
+            centre: Vec3::from_array(proxy.centre),
+            radius: proxy.radius,
         };
-        let mut may_meet = lanes.run(ball);
-        if may_meet == 0 {
+        let mut may_hit = lanes.run(sphere);
+        if may_hit == 0 {
             return 0;
         }
-        let form = self.form(item);
-        if form.slab != NONE {
-            let slab = &self.slabs[form.slab as usize];
-            may_meet &= lanes.run(PacketAndBox { group, slab });
+        let bounds = self.bounds_of(item);
+        if bounds.view_box != NONE {
+            let view_box = &self.view_boxes[bounds.view_box as usize];
+            may_hit &= lanes.run(PacketAndBox { packet, view_box });
         }
-        if may_meet != 0 && form.rod != NONE {
-            let rod = &self.rods[form.rod as usize];
-            may_meet &= lanes.run(PacketAndCylinder { group, rod });
+        if may_hit != 0 && bounds.cylinder != NONE {
+            let cylinder = &self.cylinders[bounds.cylinder as usize];
+            may_hit &= lanes.run(PacketAndCylinder { packet, cylinder });
         }
-        may_meet
+        may_hit
     }
 
-    /// Visits the items that may lie between here and a point, until `visit` says to stop. Says
-    /// whether it did.
+    /// Visits the items that may be between the point of the light buffer and another point, until `visit` returns
+    /// true. Returns whether it did.
     #[inline(always)]
     pub(crate) fn between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
-        let way = self.frame.place(point) - self.origin;
-        let distance = way.length();
-        let dir = (way / distance).as_vec3();
+        let to_point = self.frame.to_frame(point) - self.origin;
+        let distance = to_point.length();
+        let dir = (to_point / distance).as_vec3();
         let [across, up, along] = self.axes.map(Vec3::from_array);
-        let end = nearest(distance) * (1.0 + 4.0 * DOUBT);
-        // One place that visits: what it does is compiled into it.
-        let (mut items, mut is_last) = (&self.around[..], false);
+        let end = nearest(distance) * (1.0 + 4.0 * REL_ERROR);
+        // A single call of `visit`, so that it is inlined only once.
+        let (mut items, mut is_last) = (&self.always_tested[..], false);
         loop {
             for &item in items {
-                if self.known[item as usize].near > end {
+                if self.proxies[item as usize].near > end {
                     break;
                 }
-                if self.may_lie_on(dir, end, item) && visit(item) {
+                if self.may_hit_ray(dir, end, item) && visit(item) {
                     return true;
                 }
             }
@@ -161,59 +165,59 @@ impl LightBuffer {
                 return false;
             }
             let depth = along.dot(dir);
-            let grid = &self.raster.grid;
+            let grid = &self.cell_grid.grid;
             let mut cell = 0;
             for (side, axis) in [(1, up), (0, across)] {
                 let at = axis.dot(dir) / depth * grid.rate[side] + grid.start[side];
                 let size = grid.size[side];
-                if !(depth > 0.0 && at >= 0.0 && at < as_number(size)) {
+                if !(depth > 0.0 && at >= 0.0 && at < to_f32(size)) {
                     return false;
                 }
-                cell = cell * size as usize + number_of(at);
+                cell = cell * size as usize + cell_index(at);
             }
-            (items, is_last) = (self.raster.items(cell), true);
+            (items, is_last) = (self.cell_grid.items(cell), true);
         }
     }
 
-    /// Whether an item may lie on a ray from here in this direction before it ends.
+    /// True if a ray that starts at the point may hit an item before its end.
     #[inline(always)]
-    fn may_lie_on(&self, dir: Vec3, end: f32, item: u32) -> bool {
-        let known = &self.known[item as usize];
-        let centre = Vec3::from_array(known.centre);
-        let limit = known.radius * known.radius * (1.0 + 4.0 * DOUBT);
+    fn may_hit_ray(&self, dir: Vec3, end: f32, item: u32) -> bool {
+        let proxy = &self.proxies[item as usize];
+        let centre = Vec3::from_array(proxy.centre);
+        let limit = proxy.radius * proxy.radius * (1.0 + 4.0 * REL_ERROR);
         let along = dir.dot(centre);
-        // As eight rays are tried: what is not a number misses.
+        // As with packets, NaN is a miss.
         dir.cross(centre).length_squared() <= limit
-            && along - known.radius <= end
-            && along + known.radius >= 0.0
-            && match self.form(item).slab {
+            && along - proxy.radius <= end
+            && along + proxy.radius >= 0.0
+            && match self.bounds_of(item).view_box {
                 NONE => true,
-                slab => self.slabs[slab as usize].is_met(dir, end),
+                view_box => self.view_boxes[view_box as usize].is_hit(dir, end),
             }
     }
 }
 
-/// The number of a cell that is there.
+/// The index of a cell of the grid.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "a small whole number"
 )]
-fn number_of(cell: f32) -> usize {
+fn cell_index(cell: f32) -> usize {
     cell as u32 as usize
 }
 
 #[inline(always)]
 #[allow(clippy::cast_precision_loss, reason = "a grid has few rows")]
-fn as_number(size: u32) -> f32 {
+fn to_f32(size: u32) -> f32 {
     size as f32
 }
 
-/// In which cells eight rays are, and which of them are in any, one bit each.
+/// The cells of eight rays, and a mask of the rays that are in any.
 struct CellsOfRays<'a> {
-    vista: &'a LightBuffer,
-    group: &'a RayPacket8,
+    light_buffer: &'a LightBuffer,
+    packet: &'a RayPacket8,
 }
 
 impl SimdKernel for CellsOfRays<'_> {
@@ -221,17 +225,18 @@ impl SimdKernel for CellsOfRays<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> ([f32; LANES], u32) {
-        let Grid { rate, start, size } = self.vista.raster.grid;
-        let dir: [F::F32; 3] = load(&self.group.dir);
-        let depth = dot(all(self.vista.axes[2]), dir);
+        let Grid { rate, start, size } = self.light_buffer.cell_grid.grid;
+        let dir: [F::F32; 3] = load3(&self.packet.dir);
+        let depth = dot(splat3(self.light_buffer.axes[2]), dir);
         let mut inside = <F::F32>::splat(f32::MIN_POSITIVE).le(depth);
         let mut cells = <F::F32>::splat(0.0);
         for side in [1, 0] {
-            let slope = dot(all(self.vista.axes[side]), dir) / depth;
+            let slope = dot(splat3(self.light_buffer.axes[side]), dir) / depth;
             let at = slope * <F::F32>::splat(rate[side]) + <F::F32>::splat(start[side]);
-            // Rounded to the nearest of the middles of cells; which of two at their edge does not matter.
-            let whole = at - <F::F32>::splat(0.5) + <F::F32>::splat(WHOLE) - <F::F32>::splat(WHOLE);
-            let size = as_number(size[side]);
+            // Rounded to the nearest cell centre; at an edge either cell will do.
+            let whole = at - <F::F32>::splat(0.5) + <F::F32>::splat(ROUND_TO_INTEGER)
+                - <F::F32>::splat(ROUND_TO_INTEGER);
+            let size = to_f32(size[side]);
             inside &= <F::F32>::splat(0.0).le(whole) & whole.le(<F::F32>::splat(size - 1.0));
             cells = cells * <F::F32>::splat(size) + whole;
         }
@@ -239,7 +244,7 @@ impl SimdKernel for CellsOfRays<'_> {
     }
 }
 
-/// Which of eight cells are this one, one bit each.
+/// Mask of the cells, of eight, that equal a given one.
 struct EqualCells<'a> {
     cells: &'a [f32; LANES],
     cell: f32,

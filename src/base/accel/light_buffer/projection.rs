@@ -1,48 +1,52 @@
-//! Where in the view from a point things lie: by the slopes of the ways there.
+//! Projections from a point: the slopes that bound spheres and boxes.
 
 use super::grid::{Grid, Rect};
+use crate::base::accel::bounding_sphere::ViewedSphere;
 use crate::base::accel::node::Aabb32;
-use crate::base::accel::packet::DOUBT;
-use glam::{DMat3, DVec3, Vec3};
+use crate::base::accel::packet::REL_ERROR;
+use glam::{DMat3, DVec3};
 
-/// The centre of a ball as seen from a point, its radius, and its distance.
-type ViewedSphere = (Vec3, f32, f32);
+/// Maximum rounding error of a ray, as a part of a cell.
+const MAX_CELL_ERROR: f64 = 1.0 / 32.0;
 
-/// No rounding of a ray may move it by more than this share of a cell.
-const SHARP: f64 = 1.0 / 32.0;
-
-/// How a point looks at a tree.
+/// A perspective projection of a tree from a point.
 #[derive(Clone, Copy)]
 pub(crate) struct Projection {
     /// In the frame of the tree.
     pub(crate) origin: DVec3,
-    /// By which slopes are measured.
+    /// The axes by which slopes are measured: across, up and along.
     pub(crate) axes: [DVec3; 3],
 }
 
 impl Projection {
-    /// The slopes between which lies what is in a box, and in a ball if one is given, as seen from here, and whether all of
-    /// that is.
+    /// The slopes that bound the contents of a box and of a sphere, if one is given; the box is ignored if the item
+    /// fills the sphere.
     pub(crate) fn rect(
         &self,
-        (ball, is_filled): (Option<ViewedSphere>, bool),
-        cell: &Aabb32,
+        sphere: Option<ViewedSphere>,
+        is_filled: bool,
+        aabb: &Aabb32,
     ) -> ViewExtent {
-        let of_ball = ball.map_or(ViewExtent::Everywhere, |ball| self.rect_of_ball(&ball));
+        let sphere_rect = sphere.map_or(ViewExtent::Everywhere, |sphere| {
+            self.rect_of_sphere(&sphere)
+        });
         if is_filled {
-            return of_ball;
+            return sphere_rect;
         }
-        match (of_ball, self.rect_of_cell(cell)) {
+        match (sphere_rect, self.rect_of_box(aabb)) {
             (ViewExtent::Nowhere, _) | (_, ViewExtent::Nowhere) => ViewExtent::Nowhere,
             (ViewExtent::Everywhere, one) | (one, ViewExtent::Everywhere) => one,
-            (ViewExtent::Within(a), ViewExtent::Within(b)) => ViewExtent::Within(a.both(&b)),
+            (ViewExtent::Within(a), ViewExtent::Within(b)) => {
+                ViewExtent::Within(a.intersection(&b))
+            }
         }
     }
 
-    /// Tangent planes of a ball: those of slope `s` have the normal `n = axis - s · axes[2]`, and `n · centre = ± radius · |n|`.
+    /// The slopes that bound a sphere. Its tangent plane of slope `s` has the normal
+    /// `n = axis - s · axes[2]`, and `n · centre = ± radius · |n|`.
     #[inline(always)]
-    pub(crate) fn rect_of_ball(&self, &(centre, radius, _): &ViewedSphere) -> ViewExtent {
-        let (centre, radius) = (centre.as_dvec3(), f64::from(radius));
+    pub(crate) fn rect_of_sphere(&self, sphere: &ViewedSphere) -> ViewExtent {
+        let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius));
         let along = self.axes[2];
         let depth = along.dot(centre);
         let a = depth * depth - radius * radius * along.length_squared();
@@ -53,19 +57,19 @@ impl Projection {
             return ViewExtent::Everywhere;
         }
         let mut rect = Rect::EMPTY;
-        let share = 1.0 / a;
+        let inverse_a = 1.0 / a;
         for (side, axis) in self.axes[..2].iter().enumerate() {
-            let place = axis.dot(centre);
-            let b = place * depth - radius * radius * axis.dot(along);
-            let c = place * place - radius * radius * axis.length_squared();
+            let offset = axis.dot(centre);
+            let b = offset * depth - radius * radius * axis.dot(along);
+            let c = offset * offset - radius * radius * axis.length_squared();
             let spread = (b * b - a * c).max(0.0).sqrt();
-            rect.low[side] = (b - spread) * share;
-            rect.high[side] = (b + spread) * share;
+            rect.low[side] = (b - spread) * inverse_a;
+            rect.high[side] = (b + spread) * inverse_a;
         }
         ViewExtent::Within(rect)
     }
 
-    /// Whether single precision tells the cells of a grid over a window apart.
+    /// True if single precision separates the cells of a grid over a window.
     pub(crate) fn is_sharp(&self, window: &Rect, grid: &Grid) -> bool {
         let [across, up, along] = self.axes;
         let dirs = DMat3::from_cols(across, up, along).transpose().inverse();
@@ -79,17 +83,17 @@ impl Projection {
         let is_sharp = |side: usize| {
             let farthest = window.low[side].abs().max(window.high[side].abs());
             let size = self.axes[side].length() / along.length() + farthest;
-            let error = 2.0 * f64::from(DOUBT) * size / least * f64::from(grid.rate[side])
-                + f64::from(DOUBT * grid.start[side].abs());
-            error < SHARP
+            let error = 2.0 * f64::from(REL_ERROR) * size / least * f64::from(grid.rate[side])
+                + f64::from(REL_ERROR * grid.start[side].abs());
+            error < MAX_CELL_ERROR
         };
-        // Not a number is not enough.
+        // NaN fails.
         least > 0.0 && is_sharp(0) && is_sharp(1)
     }
 
-    /// The slopes between which a box lies.
-    fn rect_of_cell(&self, cell: &Aabb32) -> ViewExtent {
-        let (low, high) = cell.ends();
+    /// The slopes that bound a box.
+    fn rect_of_box(&self, aabb: &Aabb32) -> ViewExtent {
+        let (low, high) = aabb.ends();
         let (low, high) = (low - self.origin, high - self.origin);
         let size = low.abs().max(high.abs()).max_element() * self.axes[2].length();
         let mut rect = Rect::EMPTY;
@@ -106,7 +110,7 @@ impl Projection {
                 rect.high[side] = rect.high[side].max(slope);
             }
         }
-        // NaN is everywhere.
+        // NaN gives the whole view.
         if nearest > 1e-6 * size {
             ViewExtent::Within(rect)
         } else if farthest < -1e-6 * size {
@@ -117,7 +121,7 @@ impl Projection {
     }
 }
 
-/// Where something is seen.
+/// The extent of something in the view.
 pub(crate) enum ViewExtent {
     Nowhere,
     Within(Rect),
