@@ -1,45 +1,44 @@
-//! What moves a point on its way to a pattern: transforms and warps in the order of the scene.
+//! The mapping from a shading point to pattern space: transforms and warps in the order of the scene.
 //!
-//! The list is walked from its end: what is written last acts first on the point. `turbulence` of the old form is not
-//! in the list; it acts last of all, wherever it stands.
+//! The list is applied from its end: the item written last acts first on the point. `turbulence` outside of a `warp`
+//! block is not in the list; it acts after all others, wherever it is written.
 
 use super::Settings;
-use super::warp::{self, Warp, Warping};
+use super::warp::{self, Turbulence, Warp, WarpEval};
 use crate::base::args::{Args, Parse, Word, transform_step};
-use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::base::math::{Step, Transform, shorten};
 use glam::{DAffine3, DMat3, DVec3};
 
-/// Beyond this no coordinate goes, so that sums and products of a few stay finite; POV-Ray's value.
-const FARTHEST: f64 = 1e17;
+/// Coordinates are clamped to this size, so that sums and products of several stay finite; POV-Ray's value.
+const MAX_COORDINATE: f64 = 1e17;
 
 /// Transforms and warps of a pattern in the order in which they are written.
 #[derive(Clone, Debug, Default)]
 pub struct WarpChain {
     links: Vec<Link>,
-    /// The steps behind the last warp.
+    /// The transforms after the last warp.
     steps: Vec<Step>,
 }
 
-/// A warp with the transforms before it.
+/// A warp with the transforms written before it.
 #[derive(Clone, Debug)]
 struct Link {
     before: Vec<Step>,
     warp: Box<dyn Warp>,
 }
 
-/// A chain ready to move points.
+/// A chain prepared for evaluation.
 #[derive(Debug, Default)]
 pub struct PreparedWarpChain {
     /// In the order in which they act on a point.
-    movements: Vec<WarpStep>,
-    turbulence: Option<(DVec3, Octaves)>,
+    steps: Vec<WarpStep>,
+    turbulence: Option<Turbulence>,
 }
 
 #[derive(Debug)]
 enum WarpStep {
     Transform(DAffine3),
-    Warp(Box<dyn Warping>),
+    Warp(Box<dyn WarpEval>),
 }
 
 impl WarpChain {
@@ -49,13 +48,13 @@ impl WarpChain {
         shorten(&mut self.steps, 0);
     }
 
-    /// The steps behind the last warp.
+    /// The transforms after the last warp.
     #[must_use]
     pub fn steps(&self) -> &[Step] {
         &self.steps
     }
 
-    /// Reads `word`, the next token, with its value if it is `warp` or a transform, and says whether it was.
+    /// Reads `word`, the next token, with its value if it is `warp` or a transform. Returns whether it was.
     ///
     /// # Errors
     /// A malformed value.
@@ -73,23 +72,23 @@ impl WarpChain {
         Ok(true)
     }
 
-    /// The form for drawing: `after` are the transforms of what carries the pattern.
+    /// The chain prepared for evaluation. `after` holds the transforms of the object or texture with the pattern.
     #[must_use]
-    pub fn prepare(
+    pub(super) fn prepare(
         &self,
         after: &[Step],
-        turbulence: Option<(DVec3, Octaves)>,
+        turbulence: Option<Turbulence>,
         settings: &Settings,
     ) -> PreparedWarpChain {
         let mut chain = PreparedWarpChain {
-            movements: Vec::new(),
+            steps: Vec::new(),
             turbulence,
         };
         let all: Vec<Step> = self.steps.iter().chain(after).cloned().collect();
         chain.push(&all);
         for link in self.links.iter().rev() {
             let warp = WarpStep::Warp(link.warp.prepare(settings));
-            chain.movements.push(warp);
+            chain.steps.push(warp);
             chain.push(&link.before);
         }
         chain
@@ -100,91 +99,91 @@ impl PreparedWarpChain {
     fn push(&mut self, steps: &[Step]) {
         let inverse = Transform::from_steps(steps).object_from_world;
         if inverse != DAffine3::IDENTITY {
-            self.movements.push(WarpStep::Transform(inverse));
+            self.steps.push(WarpStep::Transform(inverse));
         }
     }
 
-    /// The point of the pattern for a point outside.
+    /// The point in pattern space for a shading point.
     #[must_use]
     #[inline]
     pub fn moved(&self, point: DVec3) -> DVec3 {
         let mut point = point;
-        for movement in &self.movements {
-            point = match movement {
+        for step in &self.steps {
+            point = match step {
                 WarpStep::Transform(inverse) => inverse.transform_point3(point),
                 WarpStep::Warp(warp) => warp.moved(point),
             };
         }
-        if let Some((amount, octaves)) = &self.turbulence {
-            point += *amount * vector_turbulence(point, octaves);
+        if let Some(turbulence) = &self.turbulence {
+            point = turbulence.moved(point);
         }
-        point.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST))
+        point.clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE))
     }
 }
 
 impl PreparedWarpChain {
-    /// How normals turn on their way to the pattern and back, made one long after each transform if `is_unit`. Warps leave
-    /// them as they are.
+    /// The transforms of normals to and from pattern space, with normalization after each if `is_unit`. Warps do not
+    /// change normals.
     #[must_use]
     pub fn turns(&self, is_unit: bool) -> Turns {
-        let transforms = self.movements.iter().filter_map(|movement| match movement {
+        let transforms = self.steps.iter().filter_map(|step| match step {
             WarpStep::Transform(inverse) => Some(inverse.matrix3),
             WarpStep::Warp(_) => None,
         });
-        let turn = |inverse: DMat3| Turn {
+        let of_normals = |inverse: DMat3| NormalTransform {
             to_pattern: inverse.inverse().transpose(),
-            back: inverse.transpose(),
+            from_pattern: inverse.transpose(),
             is_unit,
         };
-        Turns(transforms.map(turn).collect())
+        Turns(transforms.map(of_normals).collect())
     }
 }
 
-/// How normals turn on their way to a pattern, in the order in which the transforms act on points.
+/// Transforms of normals to and from pattern space, in the order in which the transforms act on points.
 #[derive(Clone, Debug, Default)]
-pub struct Turns(Vec<Turn>);
+pub struct Turns(Vec<NormalTransform>);
 
-/// What one transform does to normals.
+/// The action of one transform on normals.
 #[derive(Clone, Copy, Debug)]
-struct Turn {
+struct NormalTransform {
     to_pattern: DMat3,
-    back: DMat3,
-    /// True if the normal is made one long behind it; otherwise bumps keep their slope when they are scaled.
+    from_pattern: DMat3,
+    /// True if the normal is normalized afterwards; otherwise bumps keep their slope when they are scaled.
     is_unit: bool,
 }
 
 impl Turns {
-    /// These turns and then others.
+    /// These transforms, then others.
     #[must_use]
     pub fn then(&self, others: &Turns) -> Turns {
         Turns(self.0.iter().chain(&others.0).copied().collect())
     }
 
-    /// Tells whether unit normals are one long in pattern space too.
+    /// True if unit normals stay unit vectors in pattern space.
     #[must_use]
     pub fn is_unit(&self) -> bool {
-        self.0.iter().all(|turn| turn.is_unit)
+        self.0.iter().all(|transform| transform.is_unit)
     }
 
-    /// A normal in pattern space.
+    /// Takes a normal to pattern space.
     #[must_use]
     pub fn to_pattern(&self, normal: DVec3) -> DVec3 {
-        self.0.iter().fold(normal, |normal, turn| {
-            sized(turn.to_pattern * normal, turn.is_unit)
+        self.0.iter().fold(normal, |normal, transform| {
+            normalized_if(transform.to_pattern * normal, transform.is_unit)
         })
     }
 
-    /// The way back.
+    /// Takes a normal back from pattern space.
     #[must_use]
     pub fn back(&self, normal: DVec3) -> DVec3 {
-        let turns = self.0.iter().rev();
-        turns.fold(normal, |normal, turn| {
-            sized(turn.back * normal, turn.is_unit)
+        let transforms = self.0.iter().rev();
+        transforms.fold(normal, |normal, transform| {
+            normalized_if(transform.from_pattern * normal, transform.is_unit)
         })
     }
 }
 
-fn sized(normal: DVec3, is_unit: bool) -> DVec3 {
+fn normalized_if(normal: DVec3, is_unit: bool) -> DVec3 {
     if is_unit {
         normal.normalize_or_zero()
     } else {
@@ -208,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_last_acts_first_on_a_point() {
+    fn the_last_written_transform_acts_first_on_a_point() {
         let point = moved("scale 2 translate 1", &[], DVec3::splat(5.0));
         assert_eq!(point, DVec3::splat(2.0));
         let after = [Step::Translate(DVec3::X)];
@@ -216,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_warp_stands_in_the_order_of_the_transforms() {
+    fn warps_and_transforms_act_in_their_order() {
         let point = DVec3::new(3.5, 0.0, 0.0);
         let repeated = moved("scale 2 warp { repeat <1, 0, 0> }", &[], point);
         assert_eq!(repeated.x, 0.25);
@@ -227,6 +226,6 @@ mod tests {
     #[test]
     fn points_stay_finite() {
         let far = moved("", &[], DVec3::splat(f64::MAX));
-        assert_eq!(far, DVec3::splat(FARTHEST));
+        assert_eq!(far, DVec3::splat(MAX_COORDINATE));
     }
 }

@@ -1,14 +1,14 @@
-//! `pattern { ... }`: a pattern with all that is written beside it, as a number for each point.
+//! `pattern { ... }` in functions: a pattern with its modifiers as a scalar field.
 
 use super::{Modifiers, Pattern, PreparedPattern, Settings, SurfacePoint};
 use crate::base::args::{Args, Parse, Word};
 use crate::scene::function::Field;
 use glam::DVec3;
 
-/// Reads the pattern of a word, if it is that of one.
+/// Reads the pattern of a keyword; `None` if the keyword names no implemented pattern.
 pub type ReadPattern = fn(Word, &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>>;
 
-/// Reads the block behind the word `pattern`, in which `named` reads the pattern.
+/// Reads the block after the keyword `pattern`; `named` reads the pattern itself.
 ///
 /// # Errors
 /// A malformed value, or a block that names no pattern.
@@ -17,16 +17,16 @@ pub fn read_field(
     settings: &Settings,
     named: ReadPattern,
 ) -> Parse<PreparedPattern> {
-    const WHAT: &str = "a pattern in `pattern`";
+    const EXPECTED: &str = "a pattern in `pattern`";
     args.open()?;
     let Some(word) = args.word()? else {
-        return Err(args.expected(WHAT));
+        return Err(args.expected(EXPECTED));
     };
     let Some(mut pattern) = named(word, args)? else {
         return Err(if super::is_pattern(word) {
             crate::base::args::not_built(args, word)
         } else {
-            args.expected(WHAT)
+            args.expected(EXPECTED)
         });
     };
     if pattern.has_open_block() {

@@ -1,4 +1,4 @@
-//! What the escape-time fractals share: complex numbers, and the values of points that escape and that stay.
+//! Parts shared by the escape-time fractals: complex numbers, iteration, and the `exterior` and `interior` values.
 
 pub(super) mod julia;
 pub(super) mod magnet;
@@ -15,41 +15,41 @@ pub(super) struct Complex {
     pub(super) im: f64,
 }
 
-/// Most iterations: each costs time at each point.
-const MOST_ITERATIONS: f64 = 1e9;
-/// The exponents that POV-Ray knows.
+/// Largest number of iterations, to bound the time per point.
+const MAX_ITERATIONS: f64 = 1e9;
+/// The exponents that POV-Ray accepts.
 const EXPONENTS: std::ops::RangeInclusive<f64> = 2.0..=33.0;
 
-/// What is told of a point: `exterior` and `interior`, each a type and a factor.
+/// The value of a point: `exterior` for points that escape and `interior` for others, each a type and a factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Telling {
+pub(super) struct Coloring {
     exterior: (u8, f64),
     interior: (u8, f64),
     iterations: u32,
 }
 
-/// How the iteration of a point ended.
+/// Outcome of the iteration of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Fate {
-    /// It escaped in the iteration of this number, from 0, to this place.
+pub(super) enum Outcome {
+    /// Escaped in this iteration, counted from 0, with this last value.
     Escaped(u32, Complex),
-    /// It did not escape: where it is, and the least square of its distance from the origin.
-    Stayed(Complex, f64),
+    /// Did not escape: the last value, and the smallest `|z|²` of the orbit.
+    Bounded(Complex, f64),
 }
 
-impl Telling {
-    /// What POV-Ray tells where the scene says nothing.
+impl Coloring {
+    /// POV-Ray's defaults.
     pub(super) fn new(iterations: u32) -> Self {
-        Telling {
+        Coloring {
             exterior: (1, 1.0),
             interior: (0, 1.0),
             iterations,
         }
     }
 
-    /// Reads `exterior` or `interior` with its numbers, and says whether it was one of them.
+    /// Reads `exterior` or `interior` with its numbers. Returns whether `word` was one of them.
     pub(super) fn read(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
-        let (slot, most) = match word {
+        let (slot, max) = match word {
             Word::Exterior => (&mut self.exterior, 8),
             Word::Interior => (&mut self.interior, 6),
             _ => return Ok(false),
@@ -57,20 +57,20 @@ impl Telling {
         args.accept(word)?;
         let start = args.span();
         let number = args.float()?.trunc();
-        let Some(kind) = (0..=most).find(|&kind| f64::from(kind) == number) else {
-            let place = start.to(args.last_span());
-            let message = format!("the types of `{word}` run from 0 to {most}, found {number}");
-            return Err(Box::new(Diagnostic::error(place, message)));
+        let Some(kind) = (0..=max).find(|&kind| f64::from(kind) == number) else {
+            let span = start.to(args.last_span());
+            let message = format!("the types of `{word}` run from 0 to {max}, found {number}");
+            return Err(Box::new(Diagnostic::error(span, message)));
         };
         args.comma()?;
         *slot = (kind, args.float()?);
         Ok(true)
     }
 
-    /// The value of a point.
-    pub(super) fn value(&self, fate: Fate) -> f64 {
-        match fate {
-            Fate::Escaped(number, z) => {
+    /// The value for an outcome.
+    pub(super) fn value(&self, outcome: Outcome) -> f64 {
+        match outcome {
+            Outcome::Escaped(number, z) => {
                 let (kind, factor) = self.exterior;
                 let number = f64::from(number);
                 match kind {
@@ -82,12 +82,12 @@ impl Telling {
                     _ => part(kind, z) * factor,
                 }
             }
-            Fate::Stayed(z, least_sq) => {
+            Outcome::Bounded(z, least_sq) => {
                 let (kind, factor) = self.interior;
                 match kind {
                     0 => factor,
                     1 => least_sq.sqrt() * factor,
-                    // The factor on the second square alone is POV-Ray's.
+                    // As in POV-Ray, the factor applies to the second square alone.
                     6 => z.re * z.re + z.im * z.im * factor,
                     _ => part(kind, z) * factor,
                 }
@@ -96,7 +96,7 @@ impl Telling {
     }
 }
 
-/// The part of a number that the types 2 to 5 tell.
+/// The part of a complex number for the types 2 to 5.
 fn part(kind: u8, z: Complex) -> f64 {
     match kind {
         2 => z.re,
@@ -106,7 +106,7 @@ fn part(kind: u8, z: Complex) -> f64 {
     }
 }
 
-/// The number of iterations behind the word of a fractal.
+/// Reads the number of iterations after the keyword of a fractal.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -114,7 +114,7 @@ fn part(kind: u8, z: Complex) -> f64 {
 )]
 pub(super) fn read_iterations(args: &mut dyn Args) -> Parse<u32> {
     let number = args.float()?.abs();
-    Ok(number.clamp(1.0, MOST_ITERATIONS) as u32)
+    Ok(number.clamp(1.0, MAX_ITERATIONS) as u32)
 }
 
 /// Reads `exponent` and its number.
@@ -129,15 +129,15 @@ pub(super) fn read_exponent(args: &mut dyn Args) -> Parse<i32> {
     if EXPONENTS.contains(&number) {
         return Ok(number as i32);
     }
-    let place = start.to(args.last_span());
+    let span = start.to(args.last_span());
     let message = format!("`exponent` runs from 2 to 33, found {number}");
-    Err(Box::new(Diagnostic::error(place, message)))
+    Err(Box::new(Diagnostic::error(span, message)))
 }
 
-/// Iterates `z → z^exponent + c` until `|z|² > 4`, or until a number comes again that was there before: what follows is
-/// known then (Brent 1980, "An improved Monte Carlo factorization algorithm", section 3). Points well within a set come to
-/// that after some hundreds of iterations.
-pub(super) fn iterate_power(z: Complex, c: Complex, exponent: i32, iterations: u32) -> Fate {
+/// Iterates `z → z^exponent + c` until `|z|² > 4`, or until a value repeats exactly: whole periods of the cycle are
+/// then skipped (Brent 1980, "An Improved Monte Carlo Factorization Algorithm", section 3). Points well inside a set
+/// reach a cycle after some hundreds of iterations.
+pub(super) fn iterate_power(z: Complex, c: Complex, exponent: i32, iterations: u32) -> Outcome {
     if exponent == 2 {
         return iterate(z, iterations, |z| z.square() + c);
     }
@@ -145,27 +145,27 @@ pub(super) fn iterate_power(z: Complex, c: Complex, exponent: i32, iterations: u
 }
 
 #[inline]
-fn iterate(start: Complex, iterations: u32, next: impl Fn(Complex) -> Complex) -> Fate {
+fn iterate(start: Complex, iterations: u32, next: impl Fn(Complex) -> Complex) -> Outcome {
     let mut z = start;
     let mut least_sq = z.length_sq();
-    let (mut earlier, mut earlier_number) = (z, 0);
+    let (mut saved, mut saved_number) = (z, 0);
     let mut number = 0;
     while number < iterations {
         z = next(z);
         let size_sq = z.length_sq();
         least_sq = least_sq.min(size_sq);
         if size_sq > 4.0 {
-            return Fate::Escaped(number, z);
+            return Outcome::Escaped(number, z);
         }
         number += 1;
-        if z == earlier {
-            let period = number - earlier_number;
+        if z == saved {
+            let period = number - saved_number;
             number = iterations - (iterations - number) % period;
         } else if number.is_power_of_two() {
-            (earlier, earlier_number) = (z, number);
+            (saved, saved_number) = (z, number);
         }
     }
-    Fate::Stayed(z, least_sq)
+    Outcome::Bounded(z, least_sq)
 }
 
 impl Complex {
@@ -242,7 +242,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cycle_is_gone_through_in_part_as_often_as_asked() {
+    fn skipping_whole_cycles_equals_plain_iteration() {
         for re in [0.0, -0.5, -1.1, -1.3, 0.25, -1.75, 0.3] {
             let c = Complex::new(re, 0.1 * re);
             for iterations in [0, 1, 2, 3, 700, 5000, 5001, 5002] {
@@ -254,8 +254,8 @@ mod tests {
                     z.length_sq() > 4.0
                 });
                 match iterate_power(c, c, 2, iterations) {
-                    Fate::Escaped(number, at) => assert_eq!((escaped, at), (Some(number), z)),
-                    Fate::Stayed(at, least) => {
+                    Outcome::Escaped(number, at) => assert_eq!((escaped, at), (Some(number), z)),
+                    Outcome::Bounded(at, least) => {
                         assert_eq!((escaped, at, least), (None, z, least_sq));
                     }
                 }

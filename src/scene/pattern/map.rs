@@ -1,4 +1,4 @@
-//! The blend map: entries of any kind at positions, between which values are blended.
+//! The blend map: entries of any kind at positions, interpolated between neighbours.
 //!
 //! Colour maps, pigment maps, normal maps, slope maps, texture maps and density maps are all of this form.
 
@@ -8,34 +8,34 @@ use crate::base::color::Color;
 use crate::base::word::Class;
 use std::sync::Arc;
 
-/// Most entries of a map, as in POV-Ray.
-pub const MOST_ENTRIES: usize = 256;
+/// Largest number of entries of a map, as in POV-Ray.
+pub const MAX_ENTRIES: usize = 256;
 
-/// A map with at most this many entries is searched one by one.
-const FEW: usize = 8;
+/// Maps of at most this many entries are searched linearly.
+const MAX_LINEAR_SEARCH: usize = 8;
 
-/// Entries at positions in the order of the scene, never none.
+/// Entries at positions, in the order of the scene; never empty.
 #[derive(Debug)]
 pub struct Map<T> {
     entries: Arc<[(f32, T)]>,
     is_sorted: bool,
 }
 
-/// The entries that a value lies between.
+/// The entries next to a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Between<'a, T> {
-    /// At one entry, or beyond the ends.
+    /// At one entry, or outside of the range of positions.
     One(&'a T),
-    /// Between two; the share of the second.
+    /// Between two; with the weight of the second.
     Two(&'a T, &'a T, f64),
 }
 
-/// The numbers before the entries of a map.
+/// The meaning of the numbers before the entries of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keys {
-    /// At which value of the pattern each entry stands.
+    /// Pattern value at which the entry applies.
     Positions,
-    /// How much each entry weighs in the mean of `average`; 1 where the scene does not say it.
+    /// Weight of the entry in the mean of `average`; 1 by default.
     Weights,
 }
 
@@ -44,7 +44,7 @@ impl Keys {
         if self == Keys::Positions {
             return args.single();
         }
-        // POV-Ray takes a colour for the beginning of a weight.
+        // POV-Ray parses a colour here as the beginning of a weight.
         let word = args.word()?;
         if word.is_some_and(|word| word.class() == Class::Color) {
             return Err(args.expected("a weight before the colour of an entry"));
@@ -61,7 +61,7 @@ impl Keys {
 /// Reads one entry of a map and appends it.
 type ReadEntry<'a, T> = dyn FnMut(&mut dyn Args, &mut Vec<(f32, T)>) -> Parse<()> + 'a;
 
-/// Maps share their entries.
+/// Copies share the entries.
 impl<T> Clone for Map<T> {
     fn clone(&self) -> Self {
         Map {
@@ -82,8 +82,8 @@ impl<T> Map<T> {
         })
     }
 
-    /// Reads `{ [position entry] ... }` or `{ Name }`; `entry` reads up to the `]`, which it leaves, and `what` is the
-    /// word of the map for messages.
+    /// Reads `{ [position entry] ... }` or `{ Name }`. `entry` reads up to the `]`, which it leaves; `what` is the
+    /// keyword of the map, for messages.
     ///
     /// # Errors
     /// A malformed entry, none, or too many.
@@ -119,9 +119,9 @@ impl<T> Map<T> {
             if !args.accept_mark(']')? {
                 return Err(args.expected(&format!("`]` after an entry of `{what}`")));
             }
-            if entries.len() > MOST_ENTRIES {
-                let most = format!("at most {MOST_ENTRIES} entries in `{what}`");
-                return Err(args.expected(&most));
+            if entries.len() > MAX_ENTRIES {
+                let limit = format!("at most {MAX_ENTRIES} entries in `{what}`");
+                return Err(args.expected(&limit));
             }
         }
         match Map::new(entries) {
@@ -149,23 +149,23 @@ impl<T> Map<T> {
         }
     }
 
-    /// The entries about a value. Before the first and from the last on there is one; at the value of several entries it
-    /// is the first of them.
+    /// The entries next to a value. Before the first position and from the last one on this is one entry. Where several
+    /// entries share the position `value`, it is the first of them.
     #[must_use]
     pub fn between(&self, value: f64) -> Between<'_, T> {
         let entries = &*self.entries;
         let last = &entries[entries.len() - 1];
-        // Asked in the positive: NaN goes to the last entry.
+        // Compared by `<` and negated below, so that NaN takes the last entry.
         let is_before_last = value < f64::from(last.0);
         if !is_before_last {
             return Between::One(&last.1);
         }
         let is_below = |entry: &(f32, T)| f64::from(entry.0) < value;
-        let next = if self.is_sorted && entries.len() > FEW {
+        let next = if self.is_sorted && entries.len() > MAX_LINEAR_SEARCH {
             entries.partition_point(is_below)
         } else {
-            let found = entries.iter().position(|entry| !is_below(entry));
-            found.unwrap_or(entries.len() - 1)
+            let at_or_above = entries.iter().position(|entry| !is_below(entry));
+            at_or_above.unwrap_or(entries.len() - 1)
         };
         let to = &entries[next];
         if next == 0 || f64::from(to.0) == value {
@@ -178,7 +178,7 @@ impl<T> Map<T> {
 }
 
 impl Map<Color> {
-    /// A map of these colours, which must not be none.
+    /// A map of these colours, which must not be empty.
     #[must_use]
     pub fn of_stops(stops: &[Stop]) -> Self {
         Map {
@@ -197,7 +197,7 @@ impl Map<Color> {
         }
     }
 
-    /// Reads `color_map { ... }` behind its word. An entry may give two positions and two colours, the old form.
+    /// Reads `color_map { ... }` after its keyword. In the old form an entry has two positions and two colours.
     ///
     /// # Errors
     /// A malformed entry, none, or too many.
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn values_beyond_the_ends_take_the_last_entry() {
+    fn values_outside_the_positions_take_the_entry_at_that_end() {
         let map = map(&[0.25, 0.75]);
         assert_eq!(map.between(0.0), Between::One(&0.25));
         assert_eq!(map.between(0.75), Between::One(&0.75));
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn of_equal_entries_the_first_stands_at_the_value_and_the_last_above() {
+    fn equal_positions_take_the_first_entry_at_and_the_last_above() {
         let entries = vec![(0.0, 'a'), (0.5, 'b'), (0.5, 'c'), (1.0, 'd')];
         let map = Map::new(entries).expect("there are entries");
         assert_eq!(map.between(0.5), Between::One(&'b'));
@@ -287,7 +287,7 @@ mod tests {
     fn a_map_has_entries() {
         let error = colors("{ }").expect_err("it is empty").message;
         assert_eq!(error, "expected `[` and an entry of `color_map`, found `}`");
-        let many = format!("{{ {} }}", "[0 rgb 1]".repeat(MOST_ENTRIES + 1));
+        let many = format!("{{ {} }}", "[0 rgb 1]".repeat(MAX_ENTRIES + 1));
         let error = colors(&many).expect_err("it is too long").message;
         assert!(error.starts_with("expected at most 256 entries"), "{error}");
     }

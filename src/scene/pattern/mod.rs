@@ -1,11 +1,11 @@
-//! The patterns: one file each, with its mathematics and what it reads.
+//! The patterns: one file each, with its mathematics and its parameters.
 //!
-//! A pattern gives a value at a point of pattern space, to which the [`WarpChain`] moves the point: transforms,
-//! warps, turbulence. Behind it the [`Wave`] shapes the value. A [`Map`] then turns the value into entries of any kind:
-//! colours, pigments, normals, textures. All that a scene writes beside the pattern's own word is in [`Modifiers`],
-//! which pigments, normals, densities and textures share.
+//! A [`WarpChain`] (transforms, warps, turbulence) takes a shading point to pattern space. The pattern gives the value
+//! there, and a [`Wave`] shapes it. A [`Map`] then turns the value into entries of any kind: colours, pigments,
+//! normals, textures. The modifiers that any pattern may have are in [`Modifiers`], which pigments, normals, densities
+//! and textures share.
 
-/// Patterns that tile space with blocks of one value each.
+/// Patterns that divide space into regions of constant value.
 mod block {
     pub(super) mod brick;
     pub(super) mod cells;
@@ -18,7 +18,7 @@ mod block {
 mod chain;
 mod field;
 mod fractal;
-/// Patterns that are a formula of the coordinates.
+/// Patterns given by a formula of the coordinates.
 mod geometric {
     pub(super) mod boxed;
     pub(super) mod cubic;
@@ -33,7 +33,7 @@ mod geometric {
     pub(super) mod spherical;
     pub(super) mod spiral;
 }
-/// Patterns whose values come from files, functions, objects or the surface.
+/// Patterns whose values come from files, functions, objects or the surface normal.
 mod lookup {
     pub(super) mod aoi;
     pub(super) mod density_file;
@@ -44,7 +44,7 @@ mod lookup {
 }
 mod map;
 mod modifiers;
-/// Patterns made of noise.
+/// Patterns based on noise.
 mod noise {
     pub(super) mod agate;
     pub(super) mod bozo;
@@ -64,7 +64,7 @@ mod wave;
 
 pub use chain::{PreparedWarpChain, Turns, WarpChain};
 pub use field::{ReadPattern, read_field};
-pub use map::{Between, Keys, MOST_ENTRIES, Map};
+pub use map::{Between, Keys, MAX_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use noise::crackle::nearest_feature;
 pub use prepared::PreparedPattern;
@@ -80,16 +80,16 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What POV-Ray adds to coordinates, so that a face that lies in a cell boundary does not show rounding noise.
+/// Offset that POV-Ray adds to coordinates, so that a face lying in a cell boundary shows no rounding noise.
 pub const NUDGE: f64 = 1e-10;
 
-/// Reads what stands behind the word of a pattern and belongs to it, and makes the pattern.
+/// Reads the parameters after the keyword of a pattern and makes the pattern.
 type New = fn(&mut dyn Args) -> Parse<Box<dyn Pattern>>;
 
-/// An entry of a map of colours.
+/// An entry of a colour map: position and colour.
 pub type Stop = (f32, Color);
 
-/// The patterns by their words.
+/// The patterns by keyword.
 static PATTERNS: &[(Word, New)] = &[
     (Word::Agate, noise::agate::new),
     (Word::Aoi, lookup::aoi::new),
@@ -133,7 +133,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Wrinkles, noise::wrinkles::new),
 ];
 
-/// The map of colours of patterns that have none of their own.
+/// Default colour map of most patterns.
 const GREY: [Stop; 2] = [
     (0.0, Color::opaque(Rgb::BLACK)),
     (1.0, Color::opaque(Rgb::WHITE)),
@@ -141,35 +141,35 @@ const GREY: [Stop; 2] = [
 
 /// A pattern as a scene describes it.
 pub trait Pattern: Debug + Send + Sync + ClonePattern {
-    /// The form for drawing.
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval>;
+    /// The pattern prepared for evaluation.
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval>;
 
-    /// The colours where the scene gives none. For a pattern with a list, entry `i` is at the value `i`.
+    /// The default colour map. For a pattern with a list, entry `i` is at the value `i`.
     fn default_map(&self) -> &'static [Stop] {
         &GREY
     }
 
-    /// How the value is shaped where the scene does not say it.
+    /// The default wave.
     fn default_wave(&self) -> Wave {
         Wave::default()
     }
 
-    /// Whether the pattern selects from a list that stands behind its word, as `checker` does.
+    /// True if the pattern selects from a list after its keyword, as `checker` does.
     fn has_list(&self) -> bool {
         false
     }
 
-    /// Whether the list stands in a block of the pattern that is still open, as that of `object` does.
+    /// True if `new` leaves a block of the pattern open, in which the list follows, as for `object`.
     fn has_open_block(&self) -> bool {
         false
     }
 
-    /// Whether `turbulence` displaces the point; otherwise it has its place in the formula of the pattern.
+    /// True if `turbulence` displaces the point; otherwise the formula of the pattern uses it.
     fn is_displaced(&self) -> bool {
         true
     }
 
-    /// Takes and reads `word` and its value if the pattern has such a parameter, and says whether it has.
+    /// Reads `word`, the next token, and its value if the pattern has such a parameter. Returns whether it has.
     ///
     /// # Errors
     /// A malformed value.
@@ -178,44 +178,44 @@ pub trait Pattern: Debug + Send + Sync + ClonePattern {
     }
 }
 
-/// What draws a pattern.
+/// Evaluates a pattern.
 pub trait PatternEval: Debug + Send + Sync {
     /// The value at a point of pattern space, before waves. For a pattern with a list, the index of an entry.
     fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64;
 
-    /// How a `normal` of height 1 tilts a surface at a point of pattern space: what is added to the unit normal; `None`
-    /// for the patterns whose values are the heights.
+    /// Vector that a `normal` of height 1 adds to the unit normal at a point of pattern space; `None` for patterns
+    /// whose values serve as a height field for bump mapping.
     fn tilt(&self, _point: DVec3) -> Option<DVec3> {
         None
     }
 
-    /// Whether the value hangs on the normal of the surface.
-    fn minds_normal(&self) -> bool {
+    /// True if the value depends on the surface normal.
+    fn needs_normal(&self) -> bool {
         false
     }
 }
 
-/// The place that is coloured, for the patterns that ask for more than a point of their own space.
+/// The shading point, for patterns that need more than a point in pattern space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
-    /// The point of the world.
+    /// The point in world space.
     pub point: DVec3,
-    /// The unit normal of the surface on the side that is seen; zero where there is no surface.
+    /// The unit surface normal on the side of the viewer; zero where there is no surface.
     pub normal: DVec3,
-    /// The direction of the ray that sees it; zero where there is none.
+    /// The direction of the ray that hits the surface; zero where there is none.
     pub dir: DVec3,
-    /// The texture coordinates for `uv_mapping`; zero where nothing asks for them.
+    /// The texture coordinates for `uv_mapping`; zero where nothing needs them.
     pub uv: DVec2,
 }
 
 impl SurfacePoint {
-    /// The point of pattern space for what is mapped by texture coordinates.
+    /// The point in pattern space under `uv_mapping`: (u, v, 0).
     #[must_use]
     pub fn on_the_map(&self) -> DVec3 {
         self.uv.extend(0.0)
     }
 
-    /// A point in no surface, seen by nobody in particular.
+    /// A point on no surface, without a viewing ray.
     #[must_use]
     pub fn at(point: DVec3) -> Self {
         SurfacePoint {
@@ -227,23 +227,23 @@ impl SurfacePoint {
     }
 }
 
-/// What a whole scene says about its patterns.
+/// Global settings for the patterns of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
-    /// The noise of patterns that choose none.
+    /// The noise generator of patterns that set none.
     pub noise_generator: NoiseGenerator,
-    /// How many sources `waves` and `ripples` have.
+    /// Number of wave sources of `waves` and `ripples`.
     pub number_of_waves: u32,
-    /// What makes an object of the scene ready for points; without it nothing is inside of anything.
+    /// Prepares an object for inside tests; without it every point is outside of all objects.
     pub solid_of: Option<SolidOf>,
 }
 
-/// Makes an object, as `Args` reads it, ready for points; `None` if it is none.
+/// Prepares an object, as [`Args`] reads it, for inside tests; `None` if the value is no object.
 pub type SolidOf = fn(&Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>>;
 
-/// An object that points may lie in.
+/// An object with an inside test.
 pub trait Solid: Debug + Send + Sync {
-    /// Whether a point of the object's space lies inside.
+    /// Inside test for a point in the object's space.
     fn holds(&self, point: DVec3) -> bool;
 }
 
@@ -257,43 +257,43 @@ impl Default for Settings {
     }
 }
 
-/// What a pattern may take into its form for drawing.
+/// Modifiers and settings that a pattern may use in [`Pattern::prepare`].
 #[derive(Debug)]
 pub struct Preparing<'a> {
-    /// The noise that the pattern uses.
+    /// The noise generator of the pattern.
     pub noise: NoiseGenerator,
-    /// The amounts of `turbulence`, zero where the scene gives none.
+    /// The amounts of `turbulence` along the axes; zero without it.
     pub turbulence: DVec3,
-    /// How the octaves of `turbulence` are summed.
+    /// The octaves of `turbulence`.
     pub octaves: Octaves,
-    /// How the value will be shaped.
+    /// The wave that will shape the value.
     pub wave: Wave,
-    /// What the scene says.
+    /// The global settings.
     pub settings: &'a Settings,
 }
 
-/// Copying behind a `Box`; every type that can be cloned has it.
+/// Cloning of a boxed pattern; implemented for every pattern that is `Clone`.
 pub trait ClonePattern {
-    /// A copy that can be modified by itself.
-    fn copied(&self) -> Box<dyn Pattern>;
+    /// A boxed copy.
+    fn clone_box(&self) -> Box<dyn Pattern>;
 }
 
 impl<T: Pattern + Clone + 'static> ClonePattern for T {
-    fn copied(&self) -> Box<dyn Pattern> {
+    fn clone_box(&self) -> Box<dyn Pattern> {
         Box::new(self.clone())
     }
 }
 
 impl Clone for Box<dyn Pattern> {
     fn clone(&self) -> Self {
-        (**self).copied()
+        (**self).clone_box()
     }
 }
 
-/// The pattern of this word, if there is one and it is built. Takes the word and what belongs to it.
+/// Reads the pattern of this keyword with its parameters; `None`, with nothing read, if it is not implemented.
 ///
 /// # Errors
-/// A malformed value behind the word.
+/// A malformed parameter.
 pub fn read_named(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>> {
     let Some((_, new)) = PATTERNS.iter().find(|entry| entry.0 == word) else {
         return Ok(None);
@@ -302,21 +302,21 @@ pub fn read_named(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Patte
     new(args).map(Some)
 }
 
-/// Whether the language has a pattern of this word, built or not.
+/// True for keywords of patterns of the language, implemented or not.
 #[must_use]
 pub fn is_pattern(word: Word) -> bool {
-    // These words have a second meaning, under which the grammar lists them.
+    // These keywords have a second meaning, under which the grammar lists them.
     const ELSEWHERE: [Word; 4] = [Word::Cubic, Word::Function, Word::Object, Word::Spherical];
     let is_parameter = matches!(word, Word::BumpMap | Word::Pattern | Word::Solid);
     ELSEWHERE.contains(&word) || (word.class() == Class::Pattern && !is_parameter)
 }
 
-/// The part of `x` above the next lower integer, in `[0, 1)`.
+/// The fractional part of `x`, in `[0, 1)`.
 fn fraction(x: f64) -> f64 {
     x - floor(x)
 }
 
-/// The unit cube that a point lies in; the numbers saturate far out.
+/// The unit cell that contains a point; far out the indices saturate.
 #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
 #[inline]
 fn cell(point: DVec3) -> [i64; 3] {

@@ -1,5 +1,6 @@
-//! What a scene may write beside any pattern: turbulence, waves, the noise, transforms and warps.
+//! The modifiers that any pattern may have: turbulence, waves, noise generator, transforms and warps.
 
+use super::warp::Turbulence;
 use super::{
     Pattern, PreparedPattern, PreparedWarpChain, Preparing, Settings, Shape, WarpChain, Wave,
 };
@@ -9,10 +10,10 @@ use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::base::source::Diagnostic;
 use glam::DVec3;
 
-/// The numbers that `noise_generator` takes; 0 leaves the choice to the scene.
+/// Valid values of `noise_generator`; 0 selects that of the global settings.
 const GENERATORS: std::ops::RangeInclusive<f64> = 0.0..=3.0;
 
-/// Everything that a scene writes beside a pattern. Pigments, normals, densities and textures share it.
+/// The modifiers of a pattern, shared by pigments, normals, densities and textures.
 #[derive(Clone, Debug, Default)]
 pub struct Modifiers {
     /// Transforms and warps.
@@ -27,7 +28,7 @@ pub struct Modifiers {
 }
 
 impl Modifiers {
-    /// Reads `word`, the next token, with its value if it may stand beside any pattern, and says whether it may.
+    /// Reads `word`, the next token, with its value if it is a modifier of any pattern. Returns whether it is.
     ///
     /// # Errors
     /// A malformed value.
@@ -35,7 +36,7 @@ impl Modifiers {
         if self.chain.read(word, args)? {
             return Ok(true);
         }
-        // Taken, and of no meaning but beside bumps, which read it themselves.
+        // Accepted without effect: normals, for which it matters, read it themselves.
         if word == Word::NoBumpScale {
             return args.accept(word);
         }
@@ -52,7 +53,7 @@ impl Modifiers {
         Ok(read_octaves(&mut self.octaves, word, args)? || self.read_wave(word, args)?)
     }
 
-    /// Shapes the value as if the scene said so.
+    /// Sets the waveform as if the scene had.
     pub fn set_shape(&mut self, shape: Shape) {
         self.shape = Some(shape);
     }
@@ -69,7 +70,7 @@ impl Modifiers {
         Ok(is_known)
     }
 
-    /// The form for drawing; `after` are the transforms of what carries the pattern.
+    /// The pattern prepared for evaluation. `after` holds the transforms of the object or texture with the pattern.
     #[must_use]
     pub fn prepare(
         &self,
@@ -95,19 +96,22 @@ impl Modifiers {
         PreparedPattern::new(chain, value, wave)
     }
 
-    /// The way to the point alone, where no pattern of its own is looked up there.
+    /// The warp chain alone, for uses without a pattern.
     #[must_use]
     pub fn prepare_chain(&self, after: &[Step], settings: &Settings) -> PreparedWarpChain {
         self.chain.prepare(after, self.displacement(), settings)
     }
 
-    fn displacement(&self) -> Option<(DVec3, Octaves)> {
+    fn displacement(&self) -> Option<Turbulence> {
         let amount = self.turbulence.filter(|&amount| amount != DVec3::ZERO)?;
-        Some((amount, self.octaves))
+        Some(Turbulence {
+            amount,
+            octaves: self.octaves,
+        })
     }
 }
 
-/// Reads `octaves`, `omega` or `lambda` with its number, and says whether it was one of them.
+/// Reads `octaves`, `omega` or `lambda` with its number. Returns whether `word` was one of them.
 pub(super) fn read_octaves(octaves: &mut Octaves, word: Word, args: &mut dyn Args) -> Parse<bool> {
     if !matches!(word, Word::Octaves | Word::Omega | Word::Lambda) {
         return Ok(false);
@@ -121,7 +125,7 @@ pub(super) fn read_octaves(octaves: &mut Octaves, word: Word, args: &mut dyn Arg
     Ok(true)
 }
 
-/// Reads the number behind `noise_generator`; `None` for 0, which leaves the choice to the scene.
+/// Reads the number after `noise_generator`; `None` for 0, which selects that of the global settings.
 ///
 /// # Errors
 /// A number that names no generator.
@@ -129,9 +133,9 @@ pub fn read_noise_generator(args: &mut dyn Args) -> Parse<Option<NoiseGenerator>
     let start = args.span();
     let number = args.float()?.trunc();
     if !GENERATORS.contains(&number) {
-        let place = start.to(args.last_span());
+        let span = start.to(args.last_span());
         let message = format!("`noise_generator` is 1, 2 or 3, found {number}");
-        return Err(Box::new(Diagnostic::error(place, message)));
+        return Err(Box::new(Diagnostic::error(span, message)));
     }
     Ok((number > 0.0).then(|| NoiseGenerator::of_number(number)))
 }

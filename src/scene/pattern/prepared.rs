@@ -1,9 +1,9 @@
-//! A pattern ready for drawing: the way to it, its value, and its wave.
+//! A pattern prepared for evaluation: its warp chain, its value, and its wave.
 
 use super::{PatternEval, PreparedWarpChain, SurfacePoint, Turns, Wave};
 use glam::DVec3;
 
-/// A pattern ready for drawing.
+/// A pattern prepared for evaluation.
 #[derive(Debug)]
 pub struct PreparedPattern {
     chain: PreparedWarpChain,
@@ -16,33 +16,34 @@ impl PreparedPattern {
         PreparedPattern { chain, value, wave }
     }
 
-    /// The point of pattern space for a point outside.
+    /// The point in pattern space for a shading point.
     #[must_use]
     #[inline]
     pub fn moved(&self, point: DVec3) -> DVec3 {
         self.chain.moved(point)
     }
 
-    /// The value at a point of pattern space, waves included: the position in a map.
+    /// The value at a point of pattern space, with the wave applied: the position in a map.
     #[must_use]
     #[inline]
-    pub fn value(&self, moved: DVec3, spot: &SurfacePoint) -> f64 {
-        self.wave.of(self.value.value(moved, spot))
+    pub fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
+        self.wave.of(self.value.value(point, spot))
     }
 
-    /// How a `normal` of height 1 tilts a surface at a point of pattern space; `None` where the values are the heights.
+    /// Vector that a `normal` of height 1 adds to the unit normal at a point of pattern space; `None` for patterns
+    /// whose values serve as a height field for bump mapping.
     #[must_use]
-    pub fn tilt(&self, moved: DVec3) -> Option<DVec3> {
-        self.value.tilt(moved)
+    pub fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        self.value.tilt(point)
     }
 
-    /// Whether the value hangs on the normal of the surface.
+    /// True if the value depends on the surface normal.
     #[must_use]
     pub fn minds_normal(&self) -> bool {
-        self.value.minds_normal()
+        self.value.needs_normal()
     }
 
-    /// How normals turn on their way to the pattern and back, made one long after each transform if `is_unit`.
+    /// The transforms of normals to and from pattern space, with normalization after each if `is_unit`.
     #[must_use]
     pub fn turns(&self, is_unit: bool) -> Turns {
         self.chain.turns(is_unit)

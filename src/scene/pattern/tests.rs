@@ -1,9 +1,9 @@
-//! The values of patterns, as POV-Ray 3.7 prints them.
+//! Pattern values, compared with those that POV-Ray 3.7 prints.
 
 use super::*;
 use crate::base::args::text::TextArgs;
 
-/// The value of a pattern with its modifiers, waves included.
+/// The value of a pattern with its modifiers, with the wave applied.
 pub(super) fn value(text: &str, point: DVec3) -> f64 {
     let mut args = TextArgs::new(text);
     let word = args
@@ -22,7 +22,7 @@ pub(super) fn value(text: &str, point: DVec3) -> f64 {
 }
 
 #[test]
-fn the_words_of_the_list_are_patterns() {
+fn all_keywords_in_the_table_are_patterns() {
     for (word, _) in PATTERNS {
         assert!(is_pattern(*word), "{word}");
     }
@@ -31,7 +31,7 @@ fn the_words_of_the_list_are_patterns() {
 }
 
 #[test]
-fn values_are_those_of_pov_ray() {
+fn values_match_pov_ray() {
     // Facts, appendix A: `function { pattern { ... } }` at three points.
     let points = [
         DVec3::new(0.3, 0.2, 0.1),
@@ -86,14 +86,17 @@ fn values_are_those_of_pov_ray() {
     ];
     for (text, expected) in expected {
         for (point, expected) in points.into_iter().zip(expected) {
-            let found = value(text, point);
-            assert!((found - expected).abs() < 1e-10, "{text} {point}: {found}");
+            let actual = value(text, point);
+            assert!(
+                (actual - expected).abs() < 1e-10,
+                "{text} {point}: {actual}"
+            );
         }
     }
 }
 
 #[test]
-fn turbulence_acts_before_transforms_wherever_it_stands() {
+fn turbulence_acts_before_transforms_wherever_it_is_written() {
     let point = DVec3::new(0.3, 1.2, -0.7);
     let first = value("bozo turbulence 0.5 scale 2", point);
     assert_eq!(first, value("bozo scale 2 turbulence 0.5", point));
@@ -102,7 +105,7 @@ fn turbulence_acts_before_transforms_wherever_it_stands() {
     assert!(warped != value("bozo scale 2 warp { turbulence 0.5 }", point));
 }
 
-/// The patterns that are made of a file or an object.
+/// Patterns that need a file, a function or an object.
 const NEEDS_MORE: [Word; 4] = [
     Word::DensityFile,
     Word::Function,

@@ -1,4 +1,4 @@
-//! The wave forms: how the value of a pattern runs into the positions of a map.
+//! The waveforms, which turn the value of a pattern into a position in a map.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::noise::smooth;
@@ -6,35 +6,35 @@ use crate::base::math::powers::exact_power;
 use crate::base::math::rounding::floor;
 use std::f64::consts::TAU;
 
-/// Values wrap here rather than at 1, so that 1 itself stays what it is.
+/// Values wrap here rather than at 1, so that 1 itself does not become 0.
 const WRAP: f64 = 1.00001;
 
-/// How the value of a pattern is repeated and shaped. The numbers are single precision, as in POV-Ray.
+/// Repeats and shapes the value of a pattern. The numbers are single precision, as in POV-Ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// `frequency`: how often the map is run through for one unit of the value; 0 leaves the value as it is.
+    /// `frequency`: periods per unit of the value; 0 leaves the value unchanged.
     pub frequency: f32,
-    /// `phase`: where in the map the value 0 begins.
+    /// `phase`: the position in the period at the value 0.
     pub phase: f32,
-    /// The form of one run.
+    /// The waveform of one period.
     pub shape: Shape,
 }
 
-/// The form of one run through a map.
+/// The waveform of one period.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Shape {
-    /// `ramp_wave`: straight up, then down at once.
+    /// `ramp_wave`: rises linearly, then drops.
     #[default]
     Ramp,
-    /// `sine_wave`: from the middle.
+    /// `sine_wave`: a sine about 0.5, starting there.
     Sine,
-    /// `triangle_wave`: straight up and down.
+    /// `triangle_wave`: rises and falls linearly.
     Triangle,
-    /// `scallop_wave`: half a sine.
+    /// `scallop_wave`: half a sine period.
     Scallop,
-    /// `cubic_wave`: up, flat at both ends.
+    /// `cubic_wave`: rises smoothly, flat at both ends.
     Cubic,
-    /// `poly_wave`: a power.
+    /// `poly_wave`: the power with this exponent.
     Poly(f32),
 }
 
@@ -49,20 +49,20 @@ impl Default for Wave {
 }
 
 impl Wave {
-    /// One run up and one down.
+    /// A triangle wave of frequency 1.
     pub const TRIANGLE: Wave = Wave {
         frequency: 1.0,
         phase: 0.0,
         shape: Shape::Triangle,
     };
-    /// The value as it is: an index into a list.
+    /// The unchanged value, for indices into a list.
     pub const NONE: Wave = Wave {
         frequency: 0.0,
         phase: 0.0,
         shape: Shape::Ramp,
     };
 
-    /// Where in a map a value lies.
+    /// The position in a map of a pattern value.
     #[must_use]
     pub fn of(&self, value: f64) -> f64 {
         let mut value = value;
@@ -82,7 +82,7 @@ impl Wave {
         }
     }
 
-    /// Reads `word`, the next token, with its value if it is one of a wave, and says whether it was.
+    /// Reads `word`, the next token, with its value if it is a wave modifier. Returns whether it was.
     ///
     /// # Errors
     /// A malformed number.
@@ -115,39 +115,39 @@ impl Wave {
     }
 }
 
-/// What is left after whole multiples of [`WRAP`], with the sign of `value`.
+/// The remainder of `value` by [`WRAP`], with the sign of `value`; the same bits as `%`.
 fn wrapped(value: f64) -> f64 {
-    /// Values are seldom above so many multiples: `%` takes a loop over bits.
-    const MOST: f64 = 1024.0 * WRAP;
-    let mut left = value.abs();
-    if left < WRAP {
+    /// Values are seldom larger. For those that are, `%` is used, which is slow: it loops over bits.
+    const LIMIT: f64 = 1024.0 * WRAP;
+    let mut rest = value.abs();
+    if rest < WRAP {
         return value;
     }
-    if left.is_nan() || left >= MOST {
+    if rest.is_nan() || rest >= LIMIT {
         return value % WRAP;
     }
-    // Each of these is exact: nothing is taken from numbers of twice its size.
-    if left >= 16.0 * WRAP {
+    // Each subtraction is exact: the number is less than twice the multiple.
+    if rest >= 16.0 * WRAP {
         for multiple in [512.0, 256.0, 128.0, 64.0, 32.0, 16.0] {
-            left = without(left, multiple * WRAP);
+            rest = reduced(rest, multiple * WRAP);
         }
     }
     for multiple in [8.0, 4.0, 2.0, 1.0] {
-        left = without(left, multiple * WRAP);
+        rest = reduced(rest, multiple * WRAP);
     }
-    left.copysign(value)
+    rest.copysign(value)
 }
 
-/// What is left of a number after another, if that is not larger.
-fn without(left: f64, multiple: f64) -> f64 {
-    if left >= multiple {
-        left - multiple
+/// `rest` less `multiple` if that is not negative, otherwise `rest`.
+fn reduced(rest: f64, multiple: f64) -> f64 {
+    if rest >= multiple {
+        rest - multiple
     } else {
-        left
+        rest
     }
 }
 
-/// The sine of a number of turns, exactly odd.
+/// The sine of an angle in turns; exactly odd.
 #[must_use]
 pub(super) fn cycloidal(turns: f64) -> f64 {
     if turns >= 0.0 {
@@ -157,7 +157,7 @@ pub(super) fn cycloidal(turns: f64) -> f64 {
     }
 }
 
-/// Up from 0 at whole numbers to 1 half way between them, and down again.
+/// Triangle wave of period 1: 0 at integers, 1 halfway between them.
 #[must_use]
 pub(super) fn triangle(value: f64) -> f64 {
     let above = if value >= 0.0 {
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn values_wrap_as_the_remainder_of_the_language_does() {
+    fn wrapping_equals_the_remainder_operator() {
         for number in -40_000..40_000 {
             let value = f64::from(number) * 0.031_234_5;
             for value in [value, value.next_up(), f64::from(number) * WRAP] {

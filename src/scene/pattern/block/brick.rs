@@ -1,7 +1,7 @@
-//! `brick`: bricks in a running bond, rows along y, with mortar between them on all sides.
+//! `brick`: bricks in a running bond, stacked in rows along y, with mortar between them on all sides.
 //!
-//! A brick with its mortar takes `brick_size`; the mortar of thickness `m` lies before the brick, at coordinates
-//! `-m .. 0`. Odd rows are shifted by half a brick in x and lie straight in z; even rows the other way round.
+//! A brick with its mortar has the size `brick_size`; the mortar of thickness `m` is on the lower sides, at coordinates
+//! `-m .. 0`. Odd rows are shifted by half a brick in x, even rows in z.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
@@ -10,7 +10,7 @@ use crate::scene::pattern::{
 };
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 2] = [
     (0.0, Color::opaque(Rgb::splat(0.5))),
     (1.0, Color::opaque(Rgb::new(0.6, 0.15, 0.15))),
@@ -19,13 +19,13 @@ const COLORS: [Stop; 2] = [
 /// 0 in the mortar, 1 in a brick.
 #[derive(Clone, Copy, Debug)]
 struct Brick {
-    /// One brick with its mortar.
+    /// The size of a brick with its mortar.
     size: DVec3,
     /// The thickness of the mortar.
     mortar: f64,
 }
 
-/// The brick that POV-Ray gives where the scene does not.
+/// The default sizes, as in POV-Ray.
 const DEFAULT: Brick = Brick {
     size: DVec3::new(8.0, 3.0, 4.5),
     mortar: 0.5,
@@ -36,7 +36,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Brick {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn mortar_lies_before_the_brick() {
+    fn mortar_is_on_the_lower_sides_of_the_brick() {
         assert_eq!(value(&DEFAULT, 1.0, -0.25, 1.0), 0.0);
         assert_eq!(value(&DEFAULT, 1.0, 0.25, 1.0), 1.0);
         assert_eq!(value(&DEFAULT, -0.25, 0.25, 1.0), 0.0);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_size_of_zero_gives_a_value_of_the_list() {
+    fn a_size_of_zero_gives_a_valid_index() {
         let flat = Brick {
             size: DVec3::ZERO,
             mortar: 0.0,

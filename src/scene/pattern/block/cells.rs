@@ -1,4 +1,4 @@
-//! `cells`: unit cubes, each of a random value.
+//! `cells`: unit cubes, each with a random value.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::sampling::hash::hashed_cell;

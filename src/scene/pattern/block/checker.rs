@@ -1,4 +1,4 @@
-//! `checker`: unit cubes of two colours by turns.
+//! `checker`: unit cubes in two alternating colours.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -7,7 +7,7 @@ use crate::scene::pattern::geometric::formula::Formula;
 use crate::scene::pattern::{NUDGE, Pattern, Stop};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 2] = [
     (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
@@ -17,7 +17,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     Formula::list(value, &COLORS).boxed()
 }
 
-/// 0 where the sum of the whole parts of the coordinates is even, otherwise 1.
+/// 0 where the sum of the floors of the coordinates is even, otherwise 1.
 fn value(point: DVec3) -> f64 {
     let [x, y, z] = (point + NUDGE).to_array().map(floor);
     remainder(x + y + z, 2.0)

@@ -1,7 +1,7 @@
-//! `hexagon`: prisms of side 1 along y, in three colours.
+//! `hexagon`: hexagonal prisms of side 1 along y, in three colours.
 //!
-//! The xz plane is cut into cells of half a side by half the height of a hexagon; six by six of them repeat. Cells
-//! on a slanted edge are cut by their diagonal.
+//! The xz plane is divided into cells of half a side by half the height of a hexagon; a block of six by six of them
+//! repeats. Cells on a slanted edge are split by a diagonal.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -10,14 +10,15 @@ use crate::scene::pattern::geometric::formula::Formula;
 use crate::scene::pattern::{Pattern, Stop};
 use glam::DVec3;
 
-/// Three times the height of a hexagon of side 1; the plane `z < 0` is unfolded by it. The digits are POV-Ray's.
-const UNFOLD: f64 = 5.196_152_424;
+/// Three times the height of a hexagon of side 1, which is the period in z; added to negative z. The digits are
+/// POV-Ray's.
+const PERIOD_Z: f64 = 5.196_152_424;
 /// Half the height of a hexagon of side 1, with POV-Ray's digits.
 const HALF_HEIGHT: f64 = 0.866_025_404;
-/// Below this a diagonal cell is taken to start, to keep the slope finite; POV-Ray's value.
-const THINNEST: f64 = 1e-4;
+/// Replaces a position of 0 in a diagonal cell, to keep the slope finite; POV-Ray's value.
+const MIN_FRACTION: f64 = 1e-4;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 3] = [
     (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
@@ -33,7 +34,7 @@ fn value(point: DVec3) -> f64 {
     let z = if point.z >= 0.0 {
         point.z
     } else {
-        UNFOLD - point.z.abs()
+        PERIOD_Z - point.z.abs()
     };
     let column = remainder(x / 0.5, 6.0);
     let row = remainder(z / HALF_HEIGHT, 6.0);
@@ -44,7 +45,7 @@ fn value(point: DVec3) -> f64 {
         a => {
             let f = fraction(column);
             let f = if (a + b) % 2 == 1 { 1.0 - f } else { f };
-            let f = if f == 0.0 { THINNEST } else { f };
+            let f = if f == 0.0 { MIN_FRACTION } else { f };
             if g / f < 1.0 {
                 [0.0, 2.0, 1.0, 0.0, 2.0, 1.0][b]
             } else {
@@ -54,7 +55,7 @@ fn value(point: DVec3) -> f64 {
     }
 }
 
-/// The cell, 0 to 5, of a position in `[0, 6]`; the upper end, which rounding can reach, belongs to the last.
+/// The cell, 0 to 5, of a position in `[0, 6]`; the upper end, which rounding can reach, belongs to the last cell.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -64,7 +65,7 @@ fn cell(position: f64) -> usize {
     position.clamp(0.0, 5.0) as usize
 }
 
-/// The part of a position above its cell.
+/// The fractional position within the cell.
 fn fraction(position: f64) -> f64 {
     position - floor(position)
 }
@@ -74,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_hexagon_about_the_origin_is_of_the_first_colour() {
+    fn the_hexagon_around_the_origin_has_the_first_colour() {
         for (x, z) in [
             (0.0, 0.1),
             (0.4, 0.8),

@@ -1,4 +1,4 @@
-//! `square`: unit squares in the xz plane, in four colours about each corner.
+//! `square`: unit squares in the xz plane, in four colours around each corner.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -7,7 +7,7 @@ use crate::scene::pattern::geometric::formula::Formula;
 use crate::scene::pattern::{Pattern, Stop};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 4] = [
     (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),

@@ -1,9 +1,9 @@
 //! `tiling`: 23 periodic tilings of the xz plane by convex tiles, most with sides of length 1.
 //!
-//! Tiles are of some kinds, in an order. With kind `k` of `n` the value is `(k + s) / n`, where `s` is 1 on the sides of a
-//! tile and falls to 0 at a depth that is the same for all kinds of a tiling. The tiles, in `tiling.txt`, were worked out
-//! from pictures of POV-Ray 3.7. Missing: number 22, and the three after
-//! Penrose, which do not repeat.
+//! A tiling has `n` kinds of tiles. In a tile of kind `k` the value is `(k + s) / n`, where `s` is 1 on the sides of
+//! the tile and falls to 0 at a depth that is the same for all kinds of the tiling. The tiles, in `tiling.txt`, were
+//! derived from images rendered by POV-Ray 3.7. Missing: number 22, and the three Penrose tilings, which are not
+//! periodic.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
@@ -12,26 +12,29 @@ use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::{DMat2, DVec2, DVec3};
 use std::sync::Arc;
 
-/// Numbers in the file count quarters.
+/// The unit of numbers in the file.
 const QUARTER: f64 = 0.25;
-/// How many tilings POV-Ray has.
-const MOST: u32 = 27;
-/// Copies of a tile that are looked at, in both directions of the lattice, to find those that reach into the cell.
-const REACH: i32 = 3;
+/// Number of tilings in POV-Ray.
+const COUNT: u32 = 27;
+/// Largest number of lattice steps to copies of a tile that may overlap the cell.
+const MAX_STEPS: i32 = 3;
 
-/// The tilings. A block of lines each:
-/// * `tiling number, root, kinds, depth`: the root that its coordinates are made of, and twelve times the depth;
-/// * `cell` and the two vectors of its lattice;
-/// * for each tile of the cell its kind, and its corners anticlockwise.
+/// The tilings, each a block of lines:
+/// * `tiling number, root, kinds, depth`: the radicand of the square root in its coordinates, the number of kinds, and
+///   twelve times the depth;
+/// * `cell` and the two lattice vectors;
+/// * for each tile of the cell its kind and its corners, anticlockwise.
 ///
-/// A number is two: quarters of one, and quarters of the root. A point or vector is two numbers.
+/// A coordinate is a pair: quarters of one and quarters of the root. A point or vector is two coordinates; the depth is
+/// a pair of its own, in whole numbers.
 const TABLE: &str = include_str!("../tiling.txt");
 
-/// The tiles that reach into the cell of a tiling.
+/// A tiling: all tiles that overlap the lattice cell.
 #[derive(Debug)]
 struct Tiling {
-    /// From the plane to shares of the vectors of the lattice, and back.
+    /// Transform from the plane to lattice coordinates.
     cell_from_plane: DMat2,
+    /// The inverse.
     plane_from_cell: DMat2,
     tiles: Vec<Tile>,
     kinds: f64,
@@ -44,7 +47,7 @@ struct Tile {
     sides: Vec<Side>,
 }
 
-/// A side: points at `normal . p = edge` are on it, those below inside.
+/// A side of a tile: the line `normal . p = edge`. The inside is at lower values.
 #[derive(Debug)]
 struct Side {
     normal: DVec2,
@@ -58,9 +61,9 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     let at = args.span();
     let given = args.float()?.trunc();
     let at = at.to(args.last_span());
-    let number = (1..=MOST).find(|number| f64::from(*number) == given);
+    let number = (1..=COUNT).find(|number| f64::from(*number) == given);
     let Some(number) = number else {
-        let message = format!("the tilings have the numbers 1 to {MOST}, not {given}");
+        let message = format!("the tilings have the numbers 1 to {COUNT}, not {given}");
         return Err(Box::new(Diagnostic::error(at, message)));
     };
     match Tiling::numbered(number) {
@@ -101,20 +104,22 @@ impl Tiling {
         Some(tiling)
     }
 
-    /// Adds the copies of a tile that reach into the cell.
+    /// Adds the copies of a tile that overlap the cell.
     fn add(&mut self, line: &str, root: f64) {
         let Some((kind, corners)) = line.split_once(": ") else {
             return;
         };
         let kind = kind.parse().unwrap_or(0.0);
         let corners = points(corners, root);
-        for (i, j) in (-REACH..=REACH).flat_map(|i| (-REACH..=REACH).map(move |j| (i, j))) {
+        for (i, j) in
+            (-MAX_STEPS..=MAX_STEPS).flat_map(|i| (-MAX_STEPS..=MAX_STEPS).map(move |j| (i, j)))
+        {
             let shift = DVec2::new(f64::from(i), f64::from(j));
             let in_cell = corners
                 .iter()
                 .map(|corner| self.cell_from_plane * *corner + shift);
-            let (low, high) = in_cell.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |box_of, at| {
-                (box_of.0.min(at), box_of.1.max(at))
+            let (low, high) = in_cell.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |bounds, at| {
+                (bounds.0.min(at), bounds.1.max(at))
             });
             if low.max_element() > 1.0 || high.min_element() < 0.0 {
                 continue;
@@ -150,15 +155,18 @@ fn points(line: &str, root: f64) -> Vec<DVec2> {
 }
 
 impl Tile {
-    /// How far inside a point lies; below 0 outside.
-    fn inside(&self, point: DVec2) -> f64 {
-        let far = |side: &Side| side.edge - side.normal.dot(point);
-        self.sides.iter().map(far).fold(f64::INFINITY, f64::min)
+    /// Distance of an inner point from the nearest side; negative outside.
+    fn depth_at(&self, point: DVec2) -> f64 {
+        let distance = |side: &Side| side.edge - side.normal.dot(point);
+        self.sides
+            .iter()
+            .map(distance)
+            .fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Pattern for Prepared {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 }
@@ -171,16 +179,16 @@ impl PatternEval for Prepared {
         // Rounding may leave a point in no tile, or in two.
         let mut best: Option<(f64, &Tile)> = None;
         for tile in &tiling.tiles {
-            let inside = tile.inside(point);
-            if best.is_none_or(|(most, _)| inside > most) {
-                best = Some((inside, tile));
+            let depth = tile.depth_at(point);
+            if best.is_none_or(|(deepest, _)| depth > deepest) {
+                best = Some((depth, tile));
             }
         }
-        let Some((inside, tile)) = best else {
+        let Some((depth, tile)) = best else {
             return 0.0;
         };
-        let share = (inside / tiling.depth).clamp(0.0, 1.0);
-        (tile.kind + 1.0 - share) / tiling.kinds
+        let fraction = (depth / tiling.depth).clamp(0.0, 1.0);
+        (tile.kind + 1.0 - fraction) / tiling.kinds
     }
 }
 
@@ -196,14 +204,14 @@ mod tests {
     }
 
     #[test]
-    fn tiles_fill_the_plane_once() {
+    fn tiles_cover_the_plane_without_overlap() {
         let mut rng = Random::new(3);
         for (number, tiling) in all() {
             for _ in 0..500 {
                 let at = tiling.plane_from_cell * DVec2::new(rng.share(), rng.share());
                 let inside = |slack: f64| {
                     let tiles = tiling.tiles.iter();
-                    tiles.filter(|tile| tile.inside(at) > slack).count()
+                    tiles.filter(|tile| tile.depth_at(at) > slack).count()
                 };
                 assert!(inside(-1e-9) >= 1, "{number}: a hole at {at}");
                 assert!(inside(1e-9) <= 1, "{number}: two tiles at {at}");
@@ -212,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn all_kinds_are_there() {
+    fn all_kinds_are_in_the_table() {
         for (number, tiling) in all() {
             let mut kinds: Vec<f64> = tiling.tiles.iter().map(|tile| tile.kind).collect();
             kinds.sort_by(f64::total_cmp);
@@ -226,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn squares_rise_from_the_middle_to_their_sides() {
+    fn squares_rise_from_the_centre_to_their_sides() {
         let squares = Prepared(Arc::new(Tiling::numbered(1).expect("it is in the file")));
         let spot = SurfacePoint::at(DVec3::ZERO);
         let value = |x, z| squares.value(DVec3::new(x, 7.0, z), &spot);

@@ -1,4 +1,4 @@
-//! `triangular`: triangles of side 1 in the xz plane, in six colours about each corner.
+//! `triangular`: equilateral triangles of side 1 in the xz plane, in six colours around each corner.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -10,7 +10,7 @@ use glam::DVec3;
 /// The square root of 3.
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
@@ -42,10 +42,10 @@ fn value(p: DVec3) -> f64 {
             (false, false) => 1.0,
         }
     };
-    let turned = if remainder(value, 2.0) == 1.0 {
+    let rotated = if remainder(value, 2.0) == 1.0 {
         remainder(value + 2.0 * column, 6.0)
     } else {
         remainder(6.0 + value - 2.0 * column, 6.0)
     };
-    if is_upper { 5.0 - turned } else { turned }
+    if is_upper { 5.0 - rotated } else { rotated }
 }

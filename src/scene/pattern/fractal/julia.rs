@@ -1,6 +1,6 @@
-//! `julia`: the Julia set of a complex number in the xy plane, and its kin of higher powers.
+//! `julia`: the Julia set of a complex number in the xy plane, also with higher exponents.
 
-use super::{Complex, Telling, iterate_power, read_exponent, read_iterations};
+use super::{Coloring, Complex, iterate_power, read_exponent, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
@@ -10,7 +10,7 @@ struct Julia {
     c: Complex,
     iterations: u32,
     exponent: i32,
-    telling: Telling,
+    coloring: Coloring,
 }
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
@@ -21,12 +21,12 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         c: Complex::new(c.x, c.y),
         iterations,
         exponent: 2,
-        telling: Telling::new(iterations),
+        coloring: Coloring::new(iterations),
     }))
 }
 
 impl Pattern for Julia {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -35,14 +35,14 @@ impl Pattern for Julia {
             self.exponent = read_exponent(args)?;
             return Ok(true);
         }
-        self.telling.read(word, args)
+        self.coloring.read(word, args)
     }
 }
 
 impl PatternEval for Julia {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let z = Complex::new(point.x, point.y);
-        self.telling
+        self.coloring
             .value(iterate_power(z, self.c, self.exponent, self.iterations))
     }
 }

@@ -1,18 +1,18 @@
 //! `magnet`: the fractals of two models of magnetic phase transitions (Peitgen and Richter 1986, "The Beauty of
 //! Fractals"), as Mandelbrot or Julia sets in the xy plane.
 
-use super::{Complex, Fate, Telling, read_iterations};
+use super::{Coloring, Complex, Outcome, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 
-/// Farther than this, squared, a point has escaped to infinity.
+/// Beyond this squared distance from the origin a point has escaped to infinity.
 const FAR_SQ: f64 = 1e4;
-/// Nearer than this to 1, squared, a point has escaped to 1.
+/// Within this squared distance from 1 a point has converged to 1, which counts as escaping.
 const NEAR_SQ: f64 = 1e-4;
-/// What POV-Ray takes for the least distance before the first iteration of a Mandelbrot set, squared.
-const LEAST_SQ: f64 = 1e4;
+/// Initial value of the smallest `|z|²` for Mandelbrot sets, as in POV-Ray.
+const INITIAL_LEAST_SQ: f64 = 1e4;
 
 #[derive(Clone, Copy, Debug)]
 enum Model {
@@ -26,7 +26,7 @@ struct Magnet {
     /// The parameter of a Julia set; a Mandelbrot set has none.
     c: Option<Complex>,
     iterations: u32,
-    telling: Telling,
+    coloring: Coloring,
 }
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
@@ -35,9 +35,9 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         1.0 => Model::First,
         2.0 => Model::Second,
         other => {
-            let place = start.to(args.last_span());
+            let span = start.to(args.last_span());
             let message = format!("the types of `magnet` are 1 and 2, found {other}");
-            return Err(Box::new(Diagnostic::error(place, message)));
+            return Err(Box::new(Diagnostic::error(span, message)));
         }
     };
     let c = if args.accept(Word::Julia)? {
@@ -54,17 +54,17 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         model,
         c,
         iterations,
-        telling: Telling::new(iterations),
+        coloring: Coloring::new(iterations),
     }))
 }
 
 impl Pattern for Magnet {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
     fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
-        self.telling.read(word, args)
+        self.coloring.read(word, args)
     }
 }
 
@@ -77,17 +77,17 @@ impl PatternEval for Magnet {
         };
         let mut least_sq = match self.c {
             Some(_) => z.length_sq(),
-            None => LEAST_SQ,
+            None => INITIAL_LEAST_SQ,
         };
         for number in 0..self.iterations {
             z = self.model.next(z, c);
             let size_sq = z.length_sq();
             least_sq = least_sq.min(size_sq);
             if size_sq > FAR_SQ || (z - Complex::ONE).length_sq() < NEAR_SQ {
-                return self.telling.value(Fate::Escaped(number, z));
+                return self.coloring.value(Outcome::Escaped(number, z));
             }
         }
-        self.telling.value(Fate::Stayed(z, least_sq))
+        self.coloring.value(Outcome::Bounded(z, least_sq))
     }
 }
 

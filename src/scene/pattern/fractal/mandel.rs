@@ -1,12 +1,12 @@
-//! `mandel`: the Mandelbrot set in the xy plane, and its kin of higher powers.
+//! `mandel`: the Mandelbrot set in the xy plane, also with higher exponents.
 
-use super::{Complex, Telling, iterate_power, read_exponent, read_iterations};
+use super::{Coloring, Complex, iterate_power, read_exponent, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not (measured).
+/// The default colours, as in POV-Ray (measured).
 const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::BLACK)),
     (0.001, Color::opaque(Rgb::BLACK)),
@@ -20,7 +20,7 @@ const COLORS: [Stop; 6] = [
 struct Mandel {
     iterations: u32,
     exponent: i32,
-    telling: Telling,
+    coloring: Coloring,
 }
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
@@ -28,12 +28,12 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     Ok(Box::new(Mandel {
         iterations,
         exponent: 2,
-        telling: Telling::new(iterations),
+        coloring: Coloring::new(iterations),
     }))
 }
 
 impl Pattern for Mandel {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -46,14 +46,14 @@ impl Pattern for Mandel {
             self.exponent = read_exponent(args)?;
             return Ok(true);
         }
-        self.telling.read(word, args)
+        self.coloring.read(word, args)
     }
 }
 
 impl PatternEval for Mandel {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let c = Complex::new(point.x, point.y);
-        self.telling
+        self.coloring
             .value(iterate_power(c, c, self.exponent, self.iterations))
     }
 }

@@ -1,4 +1,4 @@
-//! `boxed`: 1 at the origin, falling to 0 at the faces of the cube from -1 to 1 and beyond.
+//! `boxed`: 1 at the origin, falling to 0 at the faces of the cube from -1 to 1; 0 outside.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};

@@ -1,4 +1,4 @@
-//! `cubic`: the six pyramids over the faces of a cube, whose tops meet at the origin.
+//! `cubic`: six pyramids from the origin over the faces of a cube, in six colours.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};
@@ -6,7 +6,7 @@ use crate::base::color::{Color, Rgb};
 use crate::scene::pattern::{Pattern, Stop};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),

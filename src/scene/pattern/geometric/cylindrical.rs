@@ -1,4 +1,4 @@
-//! `cylindrical`: 1 at the y axis, falling to 0 at distance 1 and beyond.
+//! `cylindrical`: 1 on the y axis, falling to 0 at distance 1; 0 beyond.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};

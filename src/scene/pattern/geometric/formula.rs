@@ -1,4 +1,4 @@
-//! Patterns that are nothing but a formula of the point, or of the point and the noise.
+//! Patterns given by a formula of the point alone, or of the point and the noise generator.
 
 use crate::base::args::Parse;
 use crate::base::math::noise::NoiseGenerator;
@@ -14,7 +14,7 @@ pub(crate) struct Formula {
     has_list: bool,
 }
 
-/// A pattern whose value is a formula of the point and the noise.
+/// A pattern whose value is a formula of the point and the noise generator.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NoiseFormula {
     value: fn(NoiseGenerator, DVec3) -> f64,
@@ -22,7 +22,7 @@ pub(crate) struct NoiseFormula {
     tilt: Option<Tilt>,
 }
 
-/// How a formula of noise tilts a normal.
+/// Formula for [`PatternEval::tilt`] with a noise generator.
 type Tilt = fn(NoiseGenerator, DVec3) -> DVec3;
 
 impl Formula {
@@ -46,12 +46,12 @@ impl Formula {
         }
     }
 
-    /// The same with colours of its own.
+    /// The same pattern with its own default colours.
     pub(crate) fn with_map(self, map: &'static [Stop]) -> Self {
         Formula { map, ..self }
     }
 
-    /// The result of a reader.
+    /// The pattern as the result of a reader.
     #[allow(clippy::unnecessary_wraps, reason = "readers of other patterns fail")]
     pub(crate) fn boxed(self) -> Parse<Box<dyn Pattern>> {
         Ok(Box::new(self))
@@ -68,7 +68,7 @@ impl NoiseFormula {
         }
     }
 
-    /// The same that tilts normals by a formula of its own.
+    /// The same pattern with its own formula for normals.
     pub(crate) fn with_tilt(self, tilt: Tilt) -> Self {
         NoiseFormula {
             tilt: Some(tilt),
@@ -76,12 +76,12 @@ impl NoiseFormula {
         }
     }
 
-    /// The same with colours of its own.
+    /// The same pattern with its own default colours.
     pub(crate) fn with_map(self, map: &'static [Stop]) -> Self {
         NoiseFormula { map, ..self }
     }
 
-    /// The result of a reader.
+    /// The pattern as the result of a reader.
     #[allow(clippy::unnecessary_wraps, reason = "readers of other patterns fail")]
     pub(crate) fn boxed(self) -> Parse<Box<dyn Pattern>> {
         Ok(Box::new(self))
@@ -89,7 +89,7 @@ impl NoiseFormula {
 }
 
 impl Pattern for Formula {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -113,11 +113,11 @@ impl PatternEval for Formula {
 }
 
 impl Pattern for NoiseFormula {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(PreparedNoise {
             value: self.value,
             tilt: self.tilt,
-            noise: with.noise,
+            noise: context.noise,
         })
     }
 
@@ -126,7 +126,7 @@ impl Pattern for NoiseFormula {
     }
 }
 
-/// A formula of noise with the noise that it uses.
+/// A formula with its noise generator.
 #[derive(Debug)]
 struct PreparedNoise {
     value: fn(NoiseGenerator, DVec3) -> f64,

@@ -1,4 +1,4 @@
-//! `gradient`: straight through the map along a direction, once for each unit of length.
+//! `gradient`: linear along a direction, with period 1.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
@@ -17,7 +17,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Gradient {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
@@ -25,7 +25,7 @@ impl Pattern for Gradient {
 impl PatternEval for Gradient {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let along = point.dot(self.dir);
-        // The wave takes the remainder again, of a little more than 1; below zero it alone does.
+        // The wave wraps the value again, at slightly more than 1. Negative values are wrapped by the wave alone.
         if along > 1.0 {
             along - floor(along)
         } else {

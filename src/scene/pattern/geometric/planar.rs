@@ -1,4 +1,4 @@
-//! `planar`: 1 in the xz plane, falling to 0 at distance 1 and beyond.
+//! `planar`: 1 in the xz plane, falling to 0 at distance 1; 0 beyond.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};

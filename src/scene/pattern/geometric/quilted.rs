@@ -1,11 +1,11 @@
-//! `quilted`: cushions in unit cubes, flat where `control0` and `control1` say.
+//! `quilted`: cushions in unit cubes, with a profile set by `control0` and `control1`.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::rounding::floor;
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
 use glam::DVec3;
 
-/// `2 / sqrt 3`, which takes the corner of a cube to 1.
+/// `2 / √3`, which scales the distance from the centre to a corner of the cube to 1.
 const SCALE: f64 = 1.154_700_538;
 
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +18,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Quilted {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -50,7 +50,7 @@ impl PatternEval for Quilted {
 }
 
 impl Quilted {
-    /// The way from the middle of the cube, longer the steeper the cushion is there.
+    /// Vector from the centre of the cube, scaled by the profile of the cushion.
     fn cushion(&self, point: DVec3) -> DVec3 {
         let from_centre = point - point.map(floor) - 0.5;
         let t = from_centre.length();

@@ -1,4 +1,4 @@
-//! `radial`: once through the map around the y axis.
+//! `radial`: the angle around the y axis, one turn for the whole map.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};
@@ -7,10 +7,10 @@ use crate::scene::pattern::{Pattern, Stop};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// This near to the axis the value is that of the axis.
-const AXIS: f64 = 0.001;
+/// Size of x and z below which a point counts as on the axis.
+const AXIS_TOLERANCE: f64 = 0.001;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 4] = [
     (0.0, Color::opaque(Rgb::new(0.0, 1.0, 1.0))),
     (0.333, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
@@ -23,7 +23,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(p: DVec3) -> f64 {
-    if p.x.abs() < AXIS && p.z.abs() < AXIS {
+    if p.x.abs() < AXIS_TOLERANCE && p.z.abs() < AXIS_TOLERANCE {
         0.25
     } else {
         0.25 + (p.x.atan2(p.z) + PI) / TAU

@@ -1,4 +1,4 @@
-//! `spherical`: 1 at the origin, falling to 0 at distance 1 and beyond.
+//! `spherical`: 1 at the origin, falling to 0 at distance 1; 0 beyond.
 
 use super::formula::Formula;
 use crate::base::args::{Args, Parse};

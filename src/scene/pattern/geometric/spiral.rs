@@ -1,4 +1,4 @@
-//! `spiral1` and `spiral2`: arms about the z axis that also wind along it.
+//! `spiral1` and `spiral2`: spiral arms around the z axis, which also wind along it.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{NoiseGenerator, Octaves};
@@ -21,7 +21,7 @@ struct Prepared {
     noise: NoiseGenerator,
 }
 
-/// `spiral1`: arms one beside the other.
+/// `spiral1`: arms side by side.
 pub(crate) fn spiral1(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     read(args, false)
 }
@@ -37,12 +37,12 @@ fn read(args: &mut dyn Args, is_crossed: bool) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Spiral {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             spiral: *self,
-            amount: with.turbulence.x,
-            octaves: with.octaves,
-            noise: with.noise,
+            amount: context.turbulence.x,
+            octaves: context.octaves,
+            noise: context.noise,
         })
     }
 

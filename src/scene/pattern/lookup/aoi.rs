@@ -1,4 +1,5 @@
-//! `aoi`: the angle of incidence, from 0.5 where the ray grazes the surface to 1 where it meets it straight.
+//! `aoi`: the angle of incidence, from 0.5 where the ray grazes the surface to 1 at
+//! normal incidence.
 
 use crate::base::args::{Args, Parse};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
@@ -13,7 +14,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for AngleOfIncidence {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
@@ -23,7 +24,7 @@ impl PatternEval for AngleOfIncidence {
         spot.normal.dot(spot.dir).clamp(-1.0, 1.0).acos() / PI
     }
 
-    fn minds_normal(&self) -> bool {
+    fn needs_normal(&self) -> bool {
         true
     }
 }

@@ -1,7 +1,8 @@
-//! `density_file df3`: a grid of numbers in the unit cube.
+//! `density_file df3`: a grid of samples in the unit cube.
 //!
-//! The file holds three sizes of two bytes and then the numbers, x running fastest, of one, two or four bytes by its
-//! length; all with the highest byte first. The numbers stand at the lower corners of their cells.
+//! The file holds the three sizes, two bytes each, and then the samples, x running fastest. Samples have one, two or
+//! four bytes, which follows from the length of the file. All numbers are big-endian. Samples are at the lower corners
+//! of their cells.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
@@ -9,13 +10,13 @@ use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Bytes of the three sizes.
+/// Bytes of the header, which holds the three sizes.
 const HEADER: usize = 6;
 
-/// `interpolate`: what is between the numbers.
+/// `interpolate`: the interpolation between samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Interpolation {
-    /// 0: the number of the cell.
+    /// 0: the sample of the cell.
     None,
     /// 1: linear along each axis.
     Trilinear,
@@ -29,7 +30,7 @@ struct DensityFile {
     interpolation: Interpolation,
 }
 
-/// The numbers of a file.
+/// The samples of a file.
 #[derive(Debug)]
 struct Grid {
     size: [usize; 3],
@@ -59,7 +60,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for DensityFile {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 
@@ -74,10 +75,10 @@ impl Pattern for DensityFile {
             1.0 => Interpolation::Trilinear,
             2.0 => Interpolation::Tricubic,
             other => {
-                let place = start.to(args.last_span());
+                let span = start.to(args.last_span());
                 let message =
                     format!("`interpolate` of a density file is 0, 1 or 2, found {other}");
-                return Err(Box::new(Diagnostic::error(place, message)));
+                return Err(Box::new(Diagnostic::error(span, message)));
             }
         };
         Ok(true)
@@ -93,7 +94,7 @@ impl PatternEval for DensityFile {
         match self.interpolation {
             Interpolation::None => {
                 let [x, y, z] = [0, 1, 2].map(|axis| split(point[axis], self.grid.size[axis]).0);
-                self.grid.number(x, y, z)
+                self.grid.sample(x, y, z)
             }
             Interpolation::Trilinear => self.grid.trilinear(point),
             Interpolation::Tricubic => self.grid.tricubic(point),
@@ -103,26 +104,26 @@ impl PatternEval for DensityFile {
 
 impl Grid {
     fn new(bytes: &[u8]) -> Option<Self> {
-        let (header, numbers) = bytes.split_at_checked(HEADER)?;
+        let (header, samples) = bytes.split_at_checked(HEADER)?;
         let size =
             [0, 2, 4].map(|at| usize::from(u16::from_be_bytes([header[at], header[at + 1]])));
         let count = size.iter().product::<usize>();
         if count == 0 {
             return None;
         }
-        let words = |two: &[u8]| u16::from_be_bytes([two[0], two[1]]);
-        let longs = |four: &[u8]| u32::from_be_bytes([four[0], four[1], four[2], four[3]]);
-        let cells = match numbers.len() / count {
+        let words = |b: &[u8]| u16::from_be_bytes([b[0], b[1]]);
+        let longs = |b: &[u8]| u32::from_be_bytes([b[0], b[1], b[2], b[3]]);
+        let cells = match samples.len() / count {
             0 => return None,
-            1 => Cells::Bytes(numbers[..count].to_vec()),
-            2 | 3 => Cells::Words(numbers.chunks_exact(2).take(count).map(words).collect()),
-            _ => Cells::Longs(numbers.chunks_exact(4).take(count).map(longs).collect()),
+            1 => Cells::Bytes(samples[..count].to_vec()),
+            2 | 3 => Cells::Words(samples.chunks_exact(2).take(count).map(words).collect()),
+            _ => Cells::Longs(samples.chunks_exact(4).take(count).map(longs).collect()),
         };
         Some(Grid { size, cells })
     }
 
-    /// The number of a cell, from 0 to 1; indices wrap.
-    fn number(&self, x: usize, y: usize, z: usize) -> f64 {
+    /// The sample of a cell, from 0 to 1; indices wrap around.
+    fn sample(&self, x: usize, y: usize, z: usize) -> f64 {
         let [nx, ny, nz] = self.size;
         let at = ((z % nz) * ny + y % ny) * nx + x % nx;
         match &self.cells {
@@ -134,12 +135,12 @@ impl Grid {
 
     fn trilinear(&self, point: DVec3) -> f64 {
         let [(x, fx), (y, fy), (z, fz)] = [0, 1, 2].map(|axis| split(point[axis], self.size[axis]));
-        let along_x = |y, z| mix(fx, self.number(x, y, z), self.number(x + 1, y, z));
+        let along_x = |y, z| mix(fx, self.sample(x, y, z), self.sample(x + 1, y, z));
         let along_y = |z| mix(fy, along_x(y, z), along_x(y + 1, z));
         mix(fz, along_y(z), along_y(z + 1))
     }
 
-    /// In single precision, as POV-Ray does it; what the splines bring below 0 is 0.
+    /// Interpolates in single precision, as POV-Ray does; negative results of the splines become 0.
     #[allow(
         clippy::cast_possible_truncation,
         reason = "single precision is wanted here"
@@ -150,7 +151,7 @@ impl Grid {
         let ys = neighbours(y, self.size[1]);
         let zs = neighbours(z, self.size[2]);
         let along_z = |x, y| {
-            let of_cell = |z| self.number(x, y, z) as f32;
+            let of_cell = |z| self.sample(x, y, z) as f32;
             catmull_rom(zs.map(of_cell), fz as f32)
         };
         let along_y = |x| catmull_rom(ys.map(|y| along_z(x, y)), fy as f32);
@@ -158,7 +159,7 @@ impl Grid {
     }
 }
 
-/// The cell that a coordinate from 0 to 1 lies in, and how far it is into the cell.
+/// The cell that contains a coordinate from 0 to 1, and the fractional position in the cell.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -170,8 +171,8 @@ fn split(coordinate: f64, size: usize) -> (usize, f64) {
     (cell as usize, at - cell)
 }
 
-/// A cell with the one before and the two behind it. The one before the first is what POV-Ray gets by wrapping an
-/// unsigned number of 64 bits: the last one only where the size is a power of two.
+/// Indices of a cell, the one before and the two after it. For the cell before the first, POV-Ray wraps around an
+/// unsigned 64-bit number, which gives the last cell only if the size is a power of two.
 fn neighbours(cell: usize, size: usize) -> [usize; 4] {
     let before = match cell.checked_sub(1) {
         Some(before) => before,
@@ -180,11 +181,11 @@ fn neighbours(cell: usize, size: usize) -> [usize; 4] {
     [before, cell, cell + 1, cell + 2]
 }
 
-fn mix(share: f64, from: f64, to: f64) -> f64 {
-    from * (1.0 - share) + to * share
+fn mix(t: f64, from: f64, to: f64) -> f64 {
+    from * (1.0 - t) + to * t
 }
 
-/// The spline through the middle two of four numbers.
+/// The Catmull-Rom spline between the middle two of four values.
 fn catmull_rom(v: [f32; 4], t: f32) -> f32 {
     let [a, b, c, d] = v;
     0.5 * (2.0 * b
@@ -197,30 +198,30 @@ fn catmull_rom(v: [f32; 4], t: f32) -> f32 {
 mod tests {
     use super::*;
 
-    fn grid(numbers: &[u8]) -> Option<Grid> {
+    fn grid(samples: &[u8]) -> Option<Grid> {
         let mut bytes = vec![0, 2, 0, 1, 0, 1];
-        bytes.extend(numbers);
+        bytes.extend(samples);
         Grid::new(&bytes)
     }
 
     #[test]
-    fn the_length_of_the_file_tells_how_long_its_numbers_are() {
-        assert_eq!(grid(&[0, 255]).unwrap().number(1, 0, 0), 1.0);
-        assert_eq!(grid(&[0, 0, 255, 255]).unwrap().number(1, 0, 0), 1.0);
+    fn the_file_length_determines_the_sample_size() {
+        assert_eq!(grid(&[0, 255]).unwrap().sample(1, 0, 0), 1.0);
+        assert_eq!(grid(&[0, 0, 255, 255]).unwrap().sample(1, 0, 0), 1.0);
         let longs = grid(&[0, 0, 0, 0, 255, 255, 255, 255]).unwrap();
-        assert_eq!(longs.number(1, 0, 0), 1.0);
+        assert_eq!(longs.sample(1, 0, 0), 1.0);
         assert!(grid(&[0]).is_none() && Grid::new(&[0; 6]).is_none() && Grid::new(&[1]).is_none());
     }
 
     #[test]
-    fn numbers_stand_at_the_lower_corners_and_wrap() {
+    fn samples_are_at_the_lower_corners_and_wrap() {
         let grid = grid(&[0, 255]).unwrap();
         let at = |x| grid.trilinear(DVec3::new(x, 0.0, 0.0));
         assert_eq!((at(0.0), at(0.25), at(0.5), at(0.75)), (0.0, 0.5, 1.0, 0.5));
     }
 
     #[test]
-    fn splines_go_through_their_numbers() {
+    fn splines_interpolate_their_samples() {
         assert_eq!(catmull_rom([0.0, 1.0, 2.0, 3.0], 0.0), 1.0);
         assert_eq!(catmull_rom([0.0, 1.0, 2.0, 3.0], 1.0), 2.0);
         assert_eq!(neighbours(0, 4)[0], 3);

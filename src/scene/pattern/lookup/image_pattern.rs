@@ -1,4 +1,4 @@
-//! `image_pattern`: the grey of a picture, or with `use_alpha` how clear it is.
+//! `image_pattern`: the grey value of an image, or with `use_alpha` its transparency.
 
 use crate::base::args::{Args, Parse};
 use crate::base::bitmap::{self, Alpha, Purpose, Source};
@@ -16,7 +16,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for ImagePattern {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 

@@ -1,4 +1,4 @@
-//! `object`: the first entry outside of an object, the second inside.
+//! `object`: the first entry outside an object, the second inside.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -7,16 +7,16 @@ use glam::DVec3;
 use std::any::Any;
 use std::sync::{Arc, OnceLock};
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 2] = [
     (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
 ];
 
 #[derive(Clone, Debug)]
-struct Inside {
+struct ObjectPattern {
     object: Arc<dyn Any + Send + Sync>,
-    /// The object ready for points, made once for all copies of the pattern.
+    /// The object prepared for inside tests, once for all copies of the pattern.
     solid: Arc<OnceLock<Option<Arc<dyn Solid>>>>,
 }
 
@@ -26,16 +26,16 @@ struct Prepared(Option<Arc<dyn Solid>>);
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     args.open()?;
     let object = args.moved_object_any()?;
-    Ok(Box::new(Inside {
+    Ok(Box::new(ObjectPattern {
         object,
         solid: Arc::default(),
     }))
 }
 
-impl Pattern for Inside {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+impl Pattern for ObjectPattern {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         let solid = self.solid.get_or_init(|| {
-            let prepare = with.settings.solid_of?;
+            let prepare = context.settings.solid_of?;
             prepare(&self.object)
         });
         Box::new(Prepared(solid.clone()))

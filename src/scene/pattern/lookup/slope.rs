@@ -1,14 +1,14 @@
-//! `slope`: how far the surface turns away from a direction, and how high the point lies.
+//! `slope`: the angle between the surface normal and a direction, optionally blended with the altitude of the point.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Taken from 1, so that full slope stays at the end of the map.
+/// Subtracted from a value of 1, so that full slope stays at the end of the map.
 const NUDGE: f64 = 1e-10;
 
-/// A direction with the range that the map is spread over.
+/// A direction, with the range of values that is mapped to 0..1.
 #[derive(Clone, Copy, Debug)]
 struct Range {
     dir: DVec3,
@@ -18,7 +18,7 @@ struct Range {
 
 #[derive(Clone, Copy, Debug)]
 struct Slope {
-    /// The direction, or the point towards which it leads.
+    /// The direction, or for `point_at` the target point.
     slope: Range,
     is_towards_point: bool,
     altitude: Option<Range>,
@@ -62,8 +62,9 @@ impl Range {
         Ok(())
     }
 
-    /// Where in the range a number lies; a range up to 0 is none.
-    fn share(&self, number: f64) -> f64 {
+    /// Position of a number within the range, 0 at `from` and 1 at `to`. The number itself if `to` is 0, which stands
+    /// for no range.
+    fn relative(&self, number: f64) -> f64 {
         if self.to == 0.0 {
             number
         } else {
@@ -73,7 +74,7 @@ impl Range {
 }
 
 impl Pattern for Slope {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
@@ -89,10 +90,10 @@ impl PatternEval for Slope {
             .normal
             .dot(towards.normalize_or_zero())
             .clamp(-1.0, 1.0);
-        let mut value = self.slope.share((cosine.asin() / PI * 2.0 + 1.0) * 0.5);
+        let mut value = self.slope.relative((cosine.asin() / PI * 2.0 + 1.0) * 0.5);
         if let Some(altitude) = &self.altitude {
             let (slope_size, size) = (towards.length(), altitude.dir.length());
-            let height = altitude.share(point.dot(altitude.dir.normalize_or_zero()));
+            let height = altitude.relative(point.dot(altitude.dir.normalize_or_zero()));
             let total = slope_size + size;
             value = value * slope_size / total + height * size / total;
         }
@@ -105,7 +106,7 @@ impl PatternEval for Slope {
         }
     }
 
-    fn minds_normal(&self) -> bool {
+    fn needs_normal(&self) -> bool {
         true
     }
 }

@@ -1,4 +1,4 @@
-//! `agate`: bands across z, bent by turbulence of their own.
+//! `agate`: bands perpendicular to z, bent by turbulence of their own.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
@@ -7,7 +7,7 @@ use crate::scene::pattern::wave::cycloidal;
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::WHITE)),
     (0.5, Color::opaque(Rgb::new(0.95, 0.75, 0.5))),
@@ -19,7 +19,8 @@ const COLORS: [Stop; 6] = [
 
 #[derive(Clone, Copy, Debug)]
 struct Agate {
-    /// `agate_turb`: how far the bands are bent. `turbulence` displaces the whole pattern besides.
+    /// `agate_turb`: amount by which the bands are bent, in addition to `turbulence`, which displaces the whole
+    /// pattern.
     turbulence: f32,
 }
 
@@ -35,11 +36,11 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Agate {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: f64::from(self.turbulence),
-            octaves: with.octaves,
-            noise: with.noise,
+            octaves: context.octaves,
+            noise: context.noise,
         })
     }
 

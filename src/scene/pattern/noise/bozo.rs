@@ -6,7 +6,7 @@ use crate::base::math::noise::{NoiseGenerator, vector_noise};
 use crate::scene::pattern::geometric::formula::NoiseFormula;
 use crate::scene::pattern::{Pattern, Stop};
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 8] = [
     (0.0, Color::opaque(Rgb::WHITE)),
     (0.4, Color::opaque(Rgb::WHITE)),
@@ -18,14 +18,14 @@ const COLORS: [Stop; 8] = [
     (1.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
 ];
 
-/// `bozo`, which has colours of its own.
+/// `bozo`, with default colours of its own.
 pub(crate) fn bozo(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     NoiseFormula::new(NoiseGenerator::noise)
         .with_map(&COLORS)
         .boxed()
 }
 
-/// `bumps`, from black to white; as a normal it is noise in three components.
+/// `bumps`, from black to white; as a normal it adds vector noise.
 pub(crate) fn bumps(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     NoiseFormula::new(NoiseGenerator::noise)
         .with_tilt(|_, point| vector_noise(point))

@@ -1,5 +1,5 @@
-//! `crackle`: distances to points scattered one in each unit cube (Worley, "A Cellular Texture Basis Function",
-//! SIGGRAPH 1996).
+//! `crackle`: distances to feature points, one at random in each unit cell (Worley, "A Cellular Texture Basis
+//! Function", SIGGRAPH 1996).
 
 mod metric;
 
@@ -14,18 +14,18 @@ use glam::DVec3;
 use metric::Metric;
 use std::cell::RefCell;
 
-/// What is taken from coordinates before their cell is looked for.
+/// Subtracted from coordinates before their cell is determined.
 const NUDGE: f64 = 1e-10;
 
 #[derive(Clone, Copy, Debug)]
 struct Crackle {
-    /// The factors on the distances to the nearest, second and third point.
+    /// The weights of the distances to the nearest, second and third feature point.
     form: DVec3,
-    /// The exponent of the distance: 2 is Euclid's, 1 goes along the axes.
+    /// The exponent of the metric: 2 is Euclidean, 1 is Manhattan.
     metric: f64,
-    /// Lifts the distances, as if the points stood beside the pattern.
+    /// Distance of the feature points from the space of the pattern, along a fourth axis.
     offset: f64,
-    /// Whether cells are of one colour each.
+    /// True if each cell has one value.
     is_solid: bool,
 }
 
@@ -47,7 +47,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Crackle {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         let Crackle {
             form,
             metric,
@@ -55,17 +55,17 @@ impl Pattern for Crackle {
             is_solid,
         } = *self;
         let metric = if metric == 2.0 {
-            Metric::Squares(offset * offset)
+            Metric::Euclidean(offset * offset)
         } else if metric == 1.0 {
-            Metric::Sizes(offset)
+            Metric::Manhattan(offset)
         } else {
-            Metric::Powers(metric, offset.powf(metric))
+            Metric::Minkowski(metric, offset.powf(metric))
         };
         Box::new(Prepared {
             form,
             metric,
             is_solid,
-            noise: with.noise,
+            noise: context.noise,
         })
     }
 
@@ -96,51 +96,51 @@ impl PatternEval for Prepared {
         if self.is_solid {
             return self.noise.noise(nearest_point(point, metric));
         }
-        let counted = metric.counted(self.form);
-        let [d1, d2, d3] = metric.distances(nearest(point, metric, counted), counted);
+        let needed = metric.needed(self.form);
+        let [d1, d2, d3] = metric.distances(nearest(point, metric, needed), needed);
         (self.form.x * d1 + self.form.y * d2 + self.form.z * d3).clamp(0.0, 1.0)
     }
 }
 
-/// More than an estimate may be above the least lengths that are to be found, as a share of them and at all: one is too
-/// large and another too small.
-const ESTIMATE_CARE: [f64; 2] = [4.0 * POWER_ERROR, 1e-90];
-/// The cells within one step along each axis.
+/// Margins on estimates of the smallest lengths, relative and absolute. They cover the errors of two estimates, one too
+/// large and one too small.
+const ESTIMATE_MARGIN: [f64; 2] = [4.0 * POWER_ERROR, 1e-90];
+/// Number of cells within one step along each axis.
 const CELLS: usize = 27;
-/// For so many cells a thread keeps the points about them: neighbouring places are asked about one after the other.
-const KEPT: usize = 64;
+/// Number of cells whose neighbourhoods a thread caches: successive queries tend to be close together.
+const CACHED_CELLS: usize = 64;
 
-/// The points about a cell, the last of them nowhere.
+/// The feature points of a cell and its neighbours, padded by one at infinity.
 #[derive(Clone, Copy)]
-struct About {
-    home: [i64; 3],
+struct Neighbourhood {
+    cell: [i64; 3],
     points: [[f64; CELLS + 1]; 3],
 }
 
 thread_local! {
-    static ABOUT: RefCell<Vec<About>> = const { RefCell::new(Vec::new()) };
+    static CACHE: RefCell<Vec<Neighbourhood>> = const { RefCell::new(Vec::new()) };
 }
 
-impl About {
-    /// No cell that is asked for: it has no points.
-    const NOTHING: About = About {
-        home: [i64::MIN; 3],
+impl Neighbourhood {
+    /// An unused entry, without points.
+    const UNUSED: Neighbourhood = Neighbourhood {
+        cell: [i64::MIN; 3],
         points: [[f64::INFINITY; CELLS + 1]; 3],
     };
 
-    fn new(home: [i64; 3]) -> About {
-        let mut about = About {
-            home,
-            ..About::NOTHING
+    fn new(cell: [i64; 3]) -> Neighbourhood {
+        let mut neighbourhood = Neighbourhood {
+            cell,
+            ..Neighbourhood::UNUSED
         };
         for number in 0..CELLS {
             let step = [number / 9, number / 3 % 3, number % 3].map(|step| step as i64 - 1);
-            let point = point_of(stepped(home, step));
+            let point = point_of(offset_cell(cell, step));
             for axis in 0..3 {
-                about.points[axis][number] = point[axis];
+                neighbourhood.points[axis][number] = point[axis];
             }
         }
-        about
+        neighbourhood
     }
 
     fn point(&self, number: usize) -> DVec3 {
@@ -148,68 +148,73 @@ impl About {
         DVec3::new(x[number], y[number], z[number])
     }
 
-    /// The one about this cell.
-    fn with<R>(home: [i64; 3], ask: impl FnOnce(&About) -> R) -> R {
-        ABOUT.with_borrow_mut(|kept| {
-            if kept.is_empty() {
-                kept.resize(KEPT, About::NOTHING);
+    /// Calls `visit` with the neighbourhood of a cell, from the cache of the thread.
+    fn with<R>(cell: [i64; 3], visit: impl FnOnce(&Neighbourhood) -> R) -> R {
+        CACHE.with_borrow_mut(|entries| {
+            if entries.is_empty() {
+                entries.resize(CACHED_CELLS, Neighbourhood::UNUSED);
             }
-            let about = &mut kept[hashed_cell(home) as usize % KEPT];
-            if about.home != home || home == About::NOTHING.home {
-                *about = About::new(home);
+            let neighbourhood = &mut entries[hashed_cell(cell) as usize % CACHED_CELLS];
+            if neighbourhood.cell != cell || cell == Neighbourhood::UNUSED.cell {
+                *neighbourhood = Neighbourhood::new(cell);
             }
-            ask(about)
+            visit(neighbourhood)
         })
     }
 }
 
-/// The lengths to points about a cell, four points at a time, and the three least of them. Of powers they are estimates.
+/// Kernel for the lengths to the points of a neighbourhood, four points at a time, and the three smallest of them. For
+/// [`Metric::Minkowski`] they are estimates.
 #[derive(Clone, Copy)]
-struct Least<'a> {
-    about: &'a About,
+struct LengthKernel<'a> {
+    neighbourhood: &'a Neighbourhood,
     point: DVec3,
     metric: &'a Metric,
 }
 
-impl SimdKernel for Least<'_> {
+impl SimdKernel for LengthKernel<'_> {
     type Output = ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]);
 
     #[inline(always)]
     fn run<F: F64Lanes>(self) -> Self::Output {
-        let [x, y, z] = self.about.points.each_ref().map(|axis| axis.as_chunks().0);
+        let [x, y, z] = self
+            .neighbourhood
+            .points
+            .each_ref()
+            .map(|axis| axis.as_chunks().0);
         let DVec3 {
             x: px,
             y: py,
             z: pz,
         } = self.point;
         let (px, py, pz) = (F::splat(px), F::splat(py), F::splat(pz));
-        let endless = F::splat(f64::INFINITY);
-        let mut least = [endless; 3];
+        let infinity = F::splat(f64::INFINITY);
+        let mut least = [infinity; 3];
         let mut lengths = [[0.0; 4]; (CELLS + 1) / 4];
-        for four in 0..x.len() {
-            let dx = F::from_array(&x[four]) - px;
-            let dy = F::from_array(&y[four]) - py;
-            let dz = F::from_array(&z[four]) - pz;
+        for chunk in 0..x.len() {
+            let dx = F::from_array(&x[chunk]) - px;
+            let dy = F::from_array(&y[chunk]) - py;
+            let dz = F::from_array(&z[chunk]) - pz;
             let length = match self.metric {
-                Metric::Sizes(lift) => {
+                Metric::Manhattan(offset) => {
                     let sum = dx.abs() + dy.abs() + dz.abs();
-                    sum + F::splat(*lift)
+                    sum + F::splat(*offset)
                 }
-                Metric::Squares(lift) => {
+                Metric::Euclidean(offset) => {
                     let sum = dx * dx + dy * dy + dz * dz;
-                    sum + F::splat(*lift)
+                    sum + F::splat(*offset)
                 }
-                Metric::Powers(exponent, lift) => {
+                Metric::Minkowski(exponent, offset) => {
                     let of_x = power(dx.abs(), *exponent);
                     let of_y = power(dy.abs(), *exponent);
                     let of_z = power(dz.abs(), *exponent);
-                    let sum = of_x + of_y + of_z + F::splat(*lift);
-                    // A point that is nowhere.
-                    F::select(dx.lt(endless), sum, endless)
+                    let sum = of_x + of_y + of_z + F::splat(*offset);
+                    // The padding, a point at infinity.
+                    F::select(dx.lt(infinity), sum, infinity)
                 }
-                Metric::Signed => endless,
+                Metric::SignedSum => infinity,
             };
-            lengths[four] = length.to_array();
+            lengths[chunk] = length.to_array();
             let second = length.lane_max(least[0]);
             least[0] = length.lane_min(least[0]);
             let third = second.lane_max(least[1]);
@@ -230,7 +235,7 @@ impl SimdKernel for Least<'_> {
     }
 }
 
-/// The three least of two times three, all in order.
+/// The three smallest of two sorted triples, sorted.
 #[inline(always)]
 fn merged(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     let crossed = a[0].lane_max(b[1]).lane_min(a[1].lane_max(b[0]));
@@ -241,50 +246,56 @@ fn merged(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// Takes in a length if it is among the three least.
+/// Inserts a length into the sorted three smallest.
 #[inline(always)]
-fn insert(found: &mut [f64; 3], length: f64) {
-    let [d1, d2, d3] = *found;
+fn insert(smallest: &mut [f64; 3], length: f64) {
+    let [d1, d2, d3] = *smallest;
     if length < d1 {
-        *found = [length, d1, d2];
+        *smallest = [length, d1, d2];
     } else if length < d2 {
-        *found = [d1, length, d2];
+        *smallest = [d1, length, d2];
     } else if length < d3 {
-        found[2] = length;
+        smallest[2] = length;
     }
 }
 
-/// The three least lengths from a point to those scattered over the cells about it, or the least of them that are counted
-/// and no lesser ones: all within one step along each axis, and those of the next layer along one axis.
-fn nearest(point: DVec3, metric: &Metric, counted: usize) -> [f64; 3] {
-    let home = crate::scene::pattern::cell(point - NUDGE);
-    let mut found = About::with(home, |about| {
-        let least = Least {
-            about,
+/// The three smallest lengths from a point to feature points, of which only the first `needed` are exact. Searches all
+/// cells within one step along each axis, and those two steps away along one axis.
+fn nearest(point: DVec3, metric: &Metric, needed: usize) -> [f64; 3] {
+    let cell = crate::scene::pattern::cell(point - NUDGE);
+    let mut smallest = Neighbourhood::with(cell, |neighbourhood| {
+        let least = LengthKernel {
+            neighbourhood,
             point,
             metric,
         };
         match metric {
-            Metric::Squares(_) | Metric::Sizes(_) => least.in_lanes().0,
-            Metric::Powers(..) if metric.has_estimates() => least.by_estimates(counted),
-            Metric::Powers(..) | Metric::Signed => least.exact(|_| true),
+            Metric::Euclidean(_) | Metric::Manhattan(_) => least.in_lanes().0,
+            Metric::Minkowski(..) if metric.has_estimates() => least.by_estimates(needed),
+            Metric::Minkowski(..) | Metric::SignedSum => least.exact(|_| true),
         }
     });
-    let last = counted - 1;
-    if metric.is_within_a_cell(found[last]) {
-        return found;
+    let last = needed - 1;
+    if metric.is_below_cell_width(smallest[last]) {
+        return smallest;
     }
-    let longest = metric.longest(found[last]);
-    let is_near = |gap: DVec3, found: &[f64; 3]| {
-        gap.max_element() <= longest && metric.least(gap) < found[last]
+    let max_component = metric.max_component(smallest[last]);
+    let is_near = |gap: DVec3, smallest: &[f64; 3]| {
+        gap.max_element() <= max_component && metric.lower_bound(gap) < smallest[last]
     };
-    next_layer((home, point), &mut found, is_near, |found, candidate| {
-        insert(found, metric.length(candidate - point));
-    });
-    found
+    next_layer(
+        cell,
+        point,
+        &mut smallest,
+        is_near,
+        |smallest, candidate| {
+            insert(smallest, metric.length(candidate - point));
+        },
+    );
+    smallest
 }
 
-impl Least<'_> {
+impl LengthKernel<'_> {
     fn in_lanes(&self) -> ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]) {
         with_widest(
             #[inline(always)]
@@ -292,73 +303,75 @@ impl Least<'_> {
         )
     }
 
-    /// The least lengths that are counted, of the points for which estimates do not exclude it.
-    fn by_estimates(&self, counted: usize) -> [f64; 3] {
+    /// The `needed` smallest lengths, exact. Points are skipped if their estimates exclude them.
+    fn by_estimates(&self, needed: usize) -> [f64; 3] {
         let (least, estimates) = self.in_lanes();
-        let [share, more] = ESTIMATE_CARE;
-        let most = least[counted - 1] * (1.0 + share) + more;
+        let [relative, absolute] = ESTIMATE_MARGIN;
+        let limit = least[needed - 1] * (1.0 + relative) + absolute;
         self.exact(|number| {
-            let is_excluded = estimates[number / 4][number % 4] > most;
+            let is_excluded = estimates[number / 4][number % 4] > limit;
             !is_excluded
         })
     }
 
-    /// The three least lengths to those of the points that may count.
-    fn exact(&self, may_count: impl Fn(usize) -> bool) -> [f64; 3] {
-        let mut found = [f64::INFINITY; 3];
-        for number in (0..CELLS).filter(|&number| may_count(number)) {
-            let way = self.about.point(number) - self.point;
-            insert(&mut found, self.metric.length(way));
+    /// The three smallest lengths, exact, among the points for which `is_candidate` holds.
+    fn exact(&self, is_candidate: impl Fn(usize) -> bool) -> [f64; 3] {
+        let mut smallest = [f64::INFINITY; 3];
+        for number in (0..CELLS).filter(|&number| is_candidate(number)) {
+            let offset = self.neighbourhood.point(number) - self.point;
+            insert(&mut smallest, self.metric.length(offset));
         }
-        found
+        smallest
     }
 }
 
-/// The nearest of them.
+/// The nearest feature point.
 fn nearest_point(point: DVec3, metric: &Metric) -> DVec3 {
-    let home = crate::scene::pattern::cell(point - NUDGE);
-    let mut found = (f64::INFINITY, DVec3::ZERO);
-    let offer = |found: &mut (f64, DVec3), candidate: DVec3| {
+    let cell = crate::scene::pattern::cell(point - NUDGE);
+    let mut best = (f64::INFINITY, DVec3::ZERO);
+    let offer = |best: &mut (f64, DVec3), candidate: DVec3| {
         let length = metric.length(candidate - point);
-        if length < found.0 {
-            *found = (length, candidate);
+        if length < best.0 {
+            *best = (length, candidate);
         }
     };
-    About::with(home, |about| {
-        (0..CELLS).for_each(|number| offer(&mut found, about.point(number)));
+    Neighbourhood::with(cell, |neighbourhood| {
+        (0..CELLS).for_each(|number| offer(&mut best, neighbourhood.point(number)));
     });
-    let is_near = |gap, found: &(f64, DVec3)| metric.least(gap) < found.0;
-    next_layer((home, point), &mut found, is_near, offer);
-    found.1
+    let is_near = |gap, best: &(f64, DVec3)| metric.lower_bound(gap) < best.0;
+    next_layer(cell, point, &mut best, is_near, offer);
+    best.1
 }
 
-/// Offers the points of the next layer of cells along each axis, unless it is so far away that none of them counts.
+/// Offers the points of the cells two steps away along one axis, for each side of the neighbourhood that is near enough
+/// to matter.
 fn next_layer<T>(
-    (home, point): ([i64; 3], DVec3),
-    found: &mut T,
+    cell: [i64; 3],
+    point: DVec3,
+    best: &mut T,
     is_near: impl Fn(DVec3, &T) -> bool,
     offer: impl Fn(&mut T, DVec3),
 ) {
     for axis in 0..3 {
-        for far in [-2, 2] {
-            let low = home[axis].saturating_add(far) as f64;
+        for two_steps in [-2, 2] {
+            let low = cell[axis].saturating_add(two_steps) as f64;
             let mut gap = DVec3::ZERO;
             gap[axis] = (low - point[axis]).max(point[axis] - (low + 1.0)).max(0.0);
-            if !is_near(gap, found) {
+            if !is_near(gap, best) {
                 continue;
             }
             let mut step = [0; 3];
-            step[axis] = far;
+            step[axis] = two_steps;
             for number in 0..9 {
                 step[(axis + 1) % 3] = number / 3 - 1;
                 step[(axis + 2) % 3] = number % 3 - 1;
-                offer(found, point_of(stepped(home, step)));
+                offer(best, point_of(offset_cell(cell, step)));
             }
         }
     }
 }
 
-fn stepped(cell: [i64; 3], step: [i64; 3]) -> [i64; 3] {
+fn offset_cell(cell: [i64; 3], step: [i64; 3]) -> [i64; 3] {
     let [x, y, z] = cell;
     [
         x.saturating_add(step[0]),
@@ -367,20 +380,20 @@ fn stepped(cell: [i64; 3], step: [i64; 3]) -> [i64; 3] {
     ]
 }
 
-/// The nearest of the points scattered over the cells, by the distance of this metric: 2 is Euclid's; 1 is the sum of
-/// the coordinates with their signs, as `facets` has it in POV-Ray.
+/// The nearest feature point, by the metric with this exponent: 2 is Euclidean; 1 is the signed sum of the coordinates,
+/// as for `facets` in POV-Ray.
 #[must_use]
 pub fn nearest_feature(point: DVec3, metric: f64) -> DVec3 {
     if metric == 2.0 {
-        nearest_point(point, &Metric::Squares(0.0))
+        nearest_point(point, &Metric::Euclidean(0.0))
     } else if metric == 1.0 {
-        nearest_point(point, &Metric::Signed)
+        nearest_point(point, &Metric::SignedSum)
     } else {
-        nearest_point(point, &Metric::Powers(metric, 0.0))
+        nearest_point(point, &Metric::Minkowski(metric, 0.0))
     }
 }
 
-/// The point of a cell.
+/// The feature point of a cell.
 #[inline]
 fn point_of(cell: [i64; 3]) -> DVec3 {
     let corner = DVec3::from(cell.map(|c| c as f64));
@@ -392,46 +405,46 @@ mod tests {
     use super::*;
     use crate::base::math::sampling::random::Random;
 
-    /// The lengths to the points of all cells, by looking into each.
+    /// The three smallest lengths by brute force.
     fn all_lengths(point: DVec3, metric: &Metric) -> [f64; 3] {
-        let home = crate::scene::pattern::cell(point - NUDGE);
-        let mut found = [f64::INFINITY; 3];
+        let cell = crate::scene::pattern::cell(point - NUDGE);
+        let mut smallest = [f64::INFINITY; 3];
         for number in 0..125 {
             let step = [number / 25 - 2, number / 5 % 5 - 2, number % 5 - 2];
             if step.iter().filter(|step: &&i64| step.abs() == 2).count() < 2 {
                 insert(
-                    &mut found,
-                    metric.length(point_of(stepped(home, step)) - point),
+                    &mut smallest,
+                    metric.length(point_of(offset_cell(cell, step)) - point),
                 );
             }
         }
-        found
+        smallest
     }
 
     #[test]
-    fn no_cell_that_counts_is_passed_over() {
+    fn no_cell_that_matters_is_skipped() {
         let mut rng = Random::new(3);
         for round in 0..4000 {
             let point = rng.vector(if round % 2 == 0 { 5.0 } else { 1e5 });
             for metric in [
-                Metric::Squares(0.0),
-                Metric::Squares(0.3),
-                Metric::Sizes(0.2),
-                Metric::Powers(3.0, 0.1),
-                Metric::Powers(1.5, 0.0),
-                Metric::Powers(17.3, 1e3),
-                Metric::Powers(0.5, 0.0),
-                Metric::Powers(-1.0, 0.0),
+                Metric::Euclidean(0.0),
+                Metric::Euclidean(0.3),
+                Metric::Manhattan(0.2),
+                Metric::Minkowski(3.0, 0.1),
+                Metric::Minkowski(1.5, 0.0),
+                Metric::Minkowski(17.3, 1e3),
+                Metric::Minkowski(0.5, 0.0),
+                Metric::Minkowski(-1.0, 0.0),
             ] {
                 let all = all_lengths(point, &metric);
                 let least = if metric.has_estimates() { 1 } else { 3 };
-                for counted in least..=3 {
-                    let found = nearest(point, &metric, counted);
-                    assert_eq!(found[..counted], all[..counted], "{point}");
+                for needed in least..=3 {
+                    let smallest = nearest(point, &metric, needed);
+                    assert_eq!(smallest[..needed], all[..needed], "{point}");
                 }
             }
-            let nearest = nearest_point(point, &Metric::Squares(0.0));
-            let [least, ..] = all_lengths(point, &Metric::Squares(0.0));
+            let nearest = nearest_point(point, &Metric::Euclidean(0.0));
+            let [least, ..] = all_lengths(point, &Metric::Euclidean(0.0));
             assert_eq!((nearest - point).length_squared(), least);
         }
     }

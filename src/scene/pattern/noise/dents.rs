@@ -1,4 +1,4 @@
-//! `dents`: noise with rare peaks, its third power.
+//! `dents`: the cube of noise, with rare peaks.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{NoiseGenerator, vector_noise};

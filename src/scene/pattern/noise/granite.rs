@@ -1,4 +1,4 @@
-//! `granite`: six octaves of noise folded at its middle.
+//! `granite`: six octaves of noise, folded at the middle of its range.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::NoiseGenerator;
@@ -6,7 +6,7 @@ use crate::scene::pattern::Pattern;
 use crate::scene::pattern::geometric::formula::NoiseFormula;
 use glam::DVec3;
 
-/// How many octaves are summed.
+/// Number of octaves.
 const OCTAVES: u32 = 6;
 /// The scale of the first octave.
 const SCALE: f64 = 4.0;

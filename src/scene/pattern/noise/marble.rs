@@ -1,4 +1,4 @@
-//! `marble`: layers across x, which turbulence shifts along x only.
+//! `marble`: layers perpendicular to x, which turbulence shifts along x only.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -6,7 +6,7 @@ use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 4] = [
     (0.0, Color::opaque(Rgb::new(0.9, 0.8, 0.8))),
     (0.9, Color::opaque(Rgb::new(0.9, 0.08, 0.08))),
@@ -29,11 +29,11 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Marble {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
-            amount: with.turbulence.x,
-            octaves: with.octaves,
-            noise: with.noise,
+            amount: context.turbulence.x,
+            octaves: context.octaves,
+            noise: context.noise,
         })
     }
 

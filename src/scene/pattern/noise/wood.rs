@@ -1,4 +1,4 @@
-//! `wood`: rings about the z axis, which turbulence shifts by sines.
+//! `wood`: rings around the z axis, which turbulence shifts by sines.
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
@@ -7,7 +7,7 @@ use crate::scene::pattern::wave::cycloidal;
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
 use glam::DVec3;
 
-/// The colours that POV-Ray gives where the scene does not.
+/// The default colours, as in POV-Ray.
 const COLORS: [Stop; 4] = [
     (0.0, Color::opaque(Rgb::new(0.666, 0.312, 0.2))),
     (0.6, Color::opaque(Rgb::new(0.666, 0.312, 0.2))),
@@ -29,10 +29,10 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Wood {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
-            amount: with.turbulence,
-            octaves: with.octaves,
+            amount: context.turbulence,
+            octaves: context.octaves,
         })
     }
 

@@ -1,4 +1,4 @@
-//! `wrinkles`: ten octaves of noise, each cut off below and above.
+//! `wrinkles`: ten octaves of noise, each clamped to its range.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{NoiseGenerator, vector_noise};
@@ -6,7 +6,7 @@ use crate::scene::pattern::Pattern;
 use crate::scene::pattern::geometric::formula::NoiseFormula;
 use glam::DVec3;
 
-/// How many octaves are summed.
+/// Number of octaves.
 const OCTAVES: u32 = 10;
 
 pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {

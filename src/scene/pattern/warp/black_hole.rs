@@ -1,6 +1,6 @@
-//! `warp { black_hole }`: a ball in which the pattern is drawn to, or pushed from, the centre.
+//! `warp { black_hole }`: a sphere in which the pattern is pulled to, or pushed from, the centre.
 
-use super::{Warp, Warping};
+use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::sampling::hash::hashed_cell;
 use crate::base::math::sampling::mersenne;
@@ -15,9 +15,9 @@ struct BlackHole {
     strength: f64,
     falloff: f64,
     is_inverse: bool,
-    /// The distances after which the ball is repeated; 0 along axes on which it is not.
+    /// Periods at which the sphere is repeated along the axes; 0 along axes without repetition.
     repeat: DVec3,
-    /// How far centres of repeated balls are scattered.
+    /// Largest random displacement of the centres of repeated spheres.
     turbulence: DVec3,
 }
 
@@ -52,13 +52,14 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 }
 
 impl Warp for BlackHole {
-    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
     }
 }
 
 impl BlackHole {
-    /// Moves the centre and widens the blocks until a block holds the whole ball, as POV-Ray does, with a warning.
+    /// Moves the centre and widens the blocks so that a block contains the whole sphere, as POV-Ray does, with a
+    /// warning.
     fn fit_blocks(&mut self, args: &mut dyn Args) {
         for axis in 0..3 {
             if self.repeat[axis] <= 0.0 {
@@ -77,7 +78,7 @@ impl BlackHole {
         }
     }
 
-    /// The centre of the ball whose block a point lies in.
+    /// The centre of the sphere in the block that contains a point.
     fn centre_near(&self, point: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.centre;
@@ -98,7 +99,7 @@ impl BlackHole {
     }
 }
 
-impl Warping for BlackHole {
+impl WarpEval for BlackHole {
     fn moved(&self, point: DVec3) -> DVec3 {
         let away = point - self.centre_near(point);
         let distance = away.length();

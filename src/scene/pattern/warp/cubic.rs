@@ -1,8 +1,9 @@
-//! `warp { cubic }`: the unit square of the xy plane folded about a cube, as a cross of six faces of 1/4 by 1/3.
+//! `warp { cubic }`: the unit square of the xy plane wrapped around a cube, as a cross of six faces of 1/4 by 1/3.
 //!
-//! Each face is seen from the origin: the third coordinate is the largest of the three sizes (measured).
+//! Points are projected from the origin onto the cube. The third coordinate of the result is the largest absolute
+//! coordinate of the point (measured).
 
-use super::{Warp, Warping};
+use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse};
 use crate::scene::pattern::Settings;
 use glam::DVec3;
@@ -16,12 +17,12 @@ pub(super) fn read(_args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 }
 
 impl Warp for Cubic {
-    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
     }
 }
 
-impl Warping for Cubic {
+impl WarpEval for Cubic {
     fn moved(&self, point: DVec3) -> DVec3 {
         let size = point.abs().max_element();
         if size == 0.0 {
@@ -29,7 +30,7 @@ impl Warping for Cubic {
         }
         let p = point / size;
         let (u, v) = if point.x.abs() == size {
-            // The faces of +x and -x look at each other: z runs to either side of the face of +z between them.
+            // The faces +x and -x adjoin the face +z on either side, so that z runs in opposite directions.
             (
                 0.375 + point.x.signum() * (0.25 - p.z * 0.125),
                 0.5 + p.y / 6.0,
@@ -51,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_faces_lie_as_in_pov_ray() {
+    fn the_layout_of_the_faces_matches_pov_ray() {
         // Printed by POV-Ray 3.7.
         for (point, u, v) in [
             ([2.0, 0.4, 0.6], 0.5875, 0.53333),

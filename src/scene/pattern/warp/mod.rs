@@ -1,4 +1,4 @@
-//! The warps: one file each. A warp takes a point of the outside to the point of the pattern that shows there.
+//! The warps: one file each. A warp takes a point to the point of pattern space whose value appears there.
 
 mod black_hole;
 mod cubic;
@@ -10,11 +10,12 @@ use super::Settings;
 use crate::base::args::{Args, Parse, Word};
 use glam::DVec3;
 use std::fmt::Debug;
+pub(super) use turbulence::Turbulence;
 
-/// Reads what stands behind the word of a warp, up to the `}` of its block, which it leaves.
+/// Reads the parameters after the keyword of a warp, up to the `}` of its block, which it leaves.
 type Read = fn(&mut dyn Args) -> Parse<Box<dyn Warp>>;
 
-/// The warps by their words.
+/// The warps by keyword.
 static WARPS: &[(Word, Read)] = &[
     (Word::BlackHole, black_hole::read),
     (Word::Cubic, cubic::read),
@@ -28,35 +29,35 @@ static WARPS: &[(Word, Read)] = &[
 
 /// A warp as a scene describes it.
 pub trait Warp: Debug + Send + Sync + CloneWarp {
-    /// The form for drawing.
-    fn prepare(&self, settings: &Settings) -> Box<dyn Warping>;
+    /// The warp prepared for evaluation.
+    fn prepare(&self, settings: &Settings) -> Box<dyn WarpEval>;
 }
 
-/// What moves points.
-pub trait Warping: Debug + Send + Sync {
-    /// The point of the pattern that shows at a point outside.
+/// Evaluates a warp.
+pub trait WarpEval: Debug + Send + Sync {
+    /// The point in pattern space for a point before the warp.
     fn moved(&self, point: DVec3) -> DVec3;
 }
 
-/// Copying behind a `Box`; every type that can be cloned has it.
+/// Cloning of a boxed warp; implemented for every warp that is `Clone`.
 pub trait CloneWarp {
-    /// A copy that can be modified by itself.
-    fn copied(&self) -> Box<dyn Warp>;
+    /// A boxed copy.
+    fn clone_box(&self) -> Box<dyn Warp>;
 }
 
 impl<T: Warp + Clone + 'static> CloneWarp for T {
-    fn copied(&self) -> Box<dyn Warp> {
+    fn clone_box(&self) -> Box<dyn Warp> {
         Box::new(self.clone())
     }
 }
 
 impl Clone for Box<dyn Warp> {
     fn clone(&self) -> Self {
-        (**self).copied()
+        (**self).clone_box()
     }
 }
 
-/// Reads `warp { ... }`; the word is next.
+/// Reads `warp { ... }`, keyword included.
 pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
     args.accept(Word::Warp)?;
     args.open()?;

@@ -1,12 +1,12 @@
-//! `warp { repeat }`: blocks of the pattern set one beside the other along an axis.
+//! `warp { repeat }`: one block of the pattern repeated along an axis.
 
-use super::{Warp, Warping};
+use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::rounding::{floor, remainder};
 use crate::scene::pattern::Settings;
 use glam::DVec3;
 
-/// Shorter components count as zero when the axis is looked for.
+/// Components up to this size count as zero.
 const ZERO: f64 = 1e-10;
 
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +15,7 @@ struct Repeat {
     width: f64,
     /// -1 along the axes that are mirrored in every second block, otherwise 1.
     flip: DVec3,
-    /// What is added in each block more than in the one before.
+    /// Offset of each block from the one before.
     offset: DVec3,
 }
 
@@ -48,12 +48,12 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 }
 
 impl Warp for Repeat {
-    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
     }
 }
 
-impl Warping for Repeat {
+impl WarpEval for Repeat {
     fn moved(&self, point: DVec3) -> DVec3 {
         let mut moved = point;
         let block = floor(point[self.axis] / self.width);
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn blocks_are_offset_one_more_each() {
+    fn offsets_of_blocks_accumulate() {
         assert_eq!(
             moved("<1, 0, 0> offset <0, 0.5, 0>", DVec3::new(3.5, 0.0, 0.0)).y,
             1.5

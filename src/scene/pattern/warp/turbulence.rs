@@ -1,16 +1,18 @@
-//! `warp { turbulence }`: the point is displaced by octaves of vector noise, in the order of the other warps.
+//! `warp { turbulence }`: displaces the point by octaves of vector noise, in order with the other warps.
 
-use super::{Warp, Warping};
+use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::scene::pattern::Settings;
 use crate::scene::pattern::modifiers::read_octaves;
 use glam::DVec3;
 
+/// Displacement by octaves of vector noise.
 #[derive(Clone, Copy, Debug)]
-struct Turbulence {
-    amount: DVec3,
-    octaves: Octaves,
+pub(in crate::scene::pattern) struct Turbulence {
+    /// The amounts along the axes.
+    pub(in crate::scene::pattern) amount: DVec3,
+    pub(in crate::scene::pattern) octaves: Octaves,
 }
 
 pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
@@ -25,12 +27,12 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 }
 
 impl Warp for Turbulence {
-    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
     }
 }
 
-impl Warping for Turbulence {
+impl WarpEval for Turbulence {
     fn moved(&self, point: DVec3) -> DVec3 {
         point + self.amount * vector_turbulence(point, &self.octaves)
     }

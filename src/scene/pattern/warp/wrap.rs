@@ -1,64 +1,65 @@
-//! `warp { cylindrical }`, `spherical`, `toroidal` and `planar`: the xy plane of the pattern wrapped about a body.
+//! `warp { cylindrical }`, `spherical`, `toroidal` and `planar`: the xy plane of the pattern wrapped around a
+//! surface.
 
-use super::{Warp, Warping};
+use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse, Word};
 use crate::scene::pattern::Settings;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// What the plane is wrapped about.
+/// The surface around which the plane is wrapped.
 #[derive(Clone, Copy, Debug)]
-enum Body {
+enum Surface {
     Cylinder,
     Sphere,
-    /// With the radius of its middle circle.
+    /// With the major radius.
     Torus(f64),
-    /// With the value of the third coordinate.
+    /// With the third coordinate of all points.
     Plane(f64),
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Wrap {
-    body: Body,
-    /// The normal of the pattern's plane.
+    surface: Surface,
+    /// The normal of the plane of the pattern.
     orientation: DVec3,
-    /// How the pattern grows with the distance: its exponent.
+    /// `dist_exp`: the pattern grows with this power of the distance.
     growth: f64,
 }
 
 /// `cylindrical`.
 pub(super) fn cylindrical(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
-    read(Body::Cylinder, args)
+    read(Surface::Cylinder, args)
 }
 
 /// `spherical`.
 pub(super) fn spherical(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
-    read(Body::Sphere, args)
+    read(Surface::Sphere, args)
 }
 
 /// `toroidal`.
 pub(super) fn toroidal(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
-    read(Body::Torus(1.0), args)
+    read(Surface::Torus(1.0), args)
 }
 
 /// `planar`.
 pub(super) fn planar(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
     let mut warp = Wrap {
-        body: Body::Plane(0.0),
+        surface: Surface::Plane(0.0),
         orientation: DVec3::Z,
         growth: 0.0,
     };
     if args.at_expression()? {
         warp.orientation = args.vector()?.normalize_or_zero();
         args.comma()?;
-        warp.body = Body::Plane(args.float()?);
+        warp.surface = Surface::Plane(args.float()?);
     }
     Ok(Box::new(warp))
 }
 
-fn read(body: Body, args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
+fn read(surface: Surface, args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
     let mut warp = Wrap {
-        body,
+        surface,
         orientation: DVec3::Z,
         growth: 0.0,
     };
@@ -67,7 +68,7 @@ fn read(body: Body, args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
             warp.orientation = args.vector()?.normalize_or_zero();
         } else if args.accept(Word::DistExp)? {
             warp.growth = args.float()?;
-        } else if let Body::Torus(radius) = &mut warp.body
+        } else if let Surface::Torus(radius) = &mut warp.surface
             && args.accept(Word::MajorRadius)?
         {
             *radius = args.float()?;
@@ -78,12 +79,12 @@ fn read(body: Body, args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 }
 
 impl Warp for Wrap {
-    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
     }
 }
 
-impl Warping for Wrap {
+impl WarpEval for Wrap {
     fn moved(&self, p: DVec3) -> DVec3 {
         let growth = |distance: f64| match self.growth {
             0.0 => 1.0,
@@ -92,9 +93,9 @@ impl Warping for Wrap {
         };
         let flat = (p.x * p.x + p.z * p.z).sqrt();
         let turn = turn(p.x, p.z);
-        let wrapped = match self.body {
-            Body::Cylinder => DVec3::new(turn * growth(flat), p.y, flat),
-            Body::Sphere => {
+        let wrapped = match self.surface {
+            Surface::Cylinder => DVec3::new(turn * growth(flat), p.y, flat),
+            Surface::Sphere => {
                 let distance = p.length();
                 let height = if distance == 0.0 {
                     0.0
@@ -104,7 +105,7 @@ impl Warping for Wrap {
                 let factor = growth(distance);
                 DVec3::new(turn * factor, (0.5 + height / PI) * factor, distance)
             }
-            Body::Torus(radius) => {
+            Surface::Torus(radius) => {
                 let out = flat - radius;
                 let distance = (out * out + p.y * p.y).sqrt();
                 let angle = if distance == 0.0 {
@@ -116,13 +117,13 @@ impl Warping for Wrap {
                 let factor = growth(distance);
                 DVec3::new(turn * factor, angle / TAU * factor, distance)
             }
-            Body::Plane(distance) => DVec3::new(p.x, p.y, distance),
+            Surface::Plane(distance) => DVec3::new(p.x, p.y, distance),
         };
         oriented(wrapped, self.orientation)
     }
 }
 
-/// The angle of (x, z) from +x towards +z, in turns from 0 to 1.
+/// The angle of (x, z) from +x towards +z, in turns from 0 to 1; 0 at the origin.
 fn turn(x: f64, z: f64) -> f64 {
     let length = (x * x + z * z).sqrt();
     if length == 0.0 {
@@ -136,7 +137,7 @@ fn turn(x: f64, z: f64) -> f64 {
     }
 }
 
-/// A point whose plane has this normal instead of z.
+/// Reorients a point from a plane with the normal z to one with the normal `o`.
 fn oriented(p: DVec3, o: DVec3) -> DVec3 {
     DVec3::new(
         o.x * p.z + o.y * p.x + o.z * p.x,
@@ -150,7 +151,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cylinder_takes_the_angle_for_x() {
+    fn a_cylinder_maps_the_angle_to_x() {
         let mut args = crate::base::args::text::TextArgs::new("dist_exp 1");
         let warp = cylindrical(&mut args)
             .unwrap()

@@ -1,78 +1,79 @@
-//! The metrics of `crackle`, by which points are near or far.
+//! The distance metrics of `crackle`.
 
 use glam::DVec3;
 
-/// How long a way is, by its parts along the axes, and before a root is taken.
+/// Length of a vector from its components, before the root.
 #[derive(Debug)]
 pub(super) enum Metric {
-    /// The sum of their squares and of a number.
-    Squares(f64),
-    /// That of their sizes.
-    Sizes(f64),
-    /// That of their sizes to a power.
-    Powers(f64, f64),
-    /// Their sum.
-    Signed,
+    /// The sum of squares, plus an offset.
+    Euclidean(f64),
+    /// The sum of absolute values, plus an offset.
+    Manhattan(f64),
+    /// The sum of absolute values to the power of an exponent, plus an offset.
+    Minkowski(f64, f64),
+    /// The sum of the components.
+    SignedSum,
 }
 
 impl Metric {
-    /// How long a way is.
+    /// The length of a vector.
     pub(super) fn length(&self, d: DVec3) -> f64 {
         match self {
-            Metric::Squares(lift) => d.length_squared() + lift,
-            Metric::Sizes(lift) => d.x.abs() + d.y.abs() + d.z.abs() + lift,
-            Metric::Powers(exponent, lift) => {
+            Metric::Euclidean(offset) => d.length_squared() + offset,
+            Metric::Manhattan(offset) => d.x.abs() + d.y.abs() + d.z.abs() + offset,
+            Metric::Minkowski(exponent, offset) => {
                 let d = d.abs();
-                d.x.powf(*exponent) + d.y.powf(*exponent) + d.z.powf(*exponent) + lift
+                d.x.powf(*exponent) + d.y.powf(*exponent) + d.z.powf(*exponent) + offset
             }
-            Metric::Signed => d.x + d.y + d.z,
+            Metric::SignedSum => d.x + d.y + d.z,
         }
     }
 
-    /// How long a way is at least whose parts have at least these sizes; nothing is known of it where they need not count.
-    pub(super) fn least(&self, gap: DVec3) -> f64 {
+    /// Lower bound on the length of vectors whose components have at least these absolute values; `-∞` if larger
+    /// components can give smaller lengths.
+    pub(super) fn lower_bound(&self, gap: DVec3) -> f64 {
         match self {
-            Metric::Squares(_) | Metric::Sizes(_) => self.length(gap),
-            Metric::Powers(exponent, _) if *exponent > 0.0 => self.length(gap),
-            Metric::Powers(..) | Metric::Signed => f64::NEG_INFINITY,
+            Metric::Euclidean(_) | Metric::Manhattan(_) => self.length(gap),
+            Metric::Minkowski(exponent, _) if *exponent > 0.0 => self.length(gap),
+            Metric::Minkowski(..) | Metric::SignedSum => f64::NEG_INFINITY,
         }
     }
 
-    /// Whether a way of this length is surely shorter than one across a whole cell.
-    pub(super) fn is_within_a_cell(&self, length: f64) -> bool {
-        /// More than what is taken from coordinates is missing to 1.
+    /// True if the length is surely below that of a vector across a whole cell.
+    pub(super) fn is_below_cell_width(&self, length: f64) -> bool {
+        /// Below 1 by more than the offset that is subtracted from coordinates.
         const NEARLY_ONE: f64 = 0.99;
         match self {
-            Metric::Squares(lift) | Metric::Sizes(lift) => length - lift < NEARLY_ONE,
-            Metric::Powers(..) | Metric::Signed => false,
+            Metric::Euclidean(offset) | Metric::Manhattan(offset) => length - offset < NEARLY_ONE,
+            Metric::Minkowski(..) | Metric::SignedSum => false,
         }
     }
 
-    /// A way of this length has no longer part; endless if nothing is known of it.
-    pub(super) fn longest(&self, length: f64) -> f64 {
+    /// Upper bound on the components of a vector of this length; infinite if unknown.
+    pub(super) fn max_component(&self, length: f64) -> f64 {
         match self {
-            Metric::Powers(exponent, lift) if *exponent >= LEAST_EXPONENT => {
-                (length - lift).powf(1.0 / exponent) * (1.0 + CARE)
+            Metric::Minkowski(exponent, offset) if *exponent >= MIN_EXPONENT => {
+                (length - offset).powf(1.0 / exponent) * (1.0 + MARGIN)
             }
             _ => f64::INFINITY,
         }
     }
 
-    /// True if [`crate::base::math::powers::power`] estimates these lengths: distances between cells are too short for their
-    /// powers to leave its bounds.
+    /// True if [`crate::base::math::powers::power`] can estimate the lengths: distances between cells are so short that
+    /// their powers stay within its bounds.
     pub(super) fn has_estimates(&self) -> bool {
         match self {
-            Metric::Powers(exponent, lift) => {
-                (LEAST_EXPONENT..=MOST_EXPONENT).contains(exponent)
-                    && (0.0..=MOST_LIFT).contains(lift)
+            Metric::Minkowski(exponent, offset) => {
+                (MIN_EXPONENT..=MAX_EXPONENT).contains(exponent)
+                    && (0.0..=MAX_OFFSET).contains(offset)
             }
             _ => false,
         }
     }
 
-    /// How many of the three least lengths a form asks for, at least one. Where each costs several powers the others are
-    /// not looked for.
-    pub(super) fn counted(&self, form: DVec3) -> usize {
+    /// Number of the three smallest lengths that must be exact for these weights, at least one. It is below 3 only
+    /// where an exact length costs several powers.
+    pub(super) fn needed(&self, form: DVec3) -> usize {
         if form.z != 0.0 || !self.has_estimates() {
             3
         } else if form.y != 0.0 {
@@ -82,14 +83,14 @@ impl Metric {
         }
     }
 
-    /// The distances for such lengths; nothing for those that do not count.
-    pub(super) fn distances(&self, lengths: [f64; 3], counted: usize) -> [f64; 3] {
+    /// The distances for these lengths. Those after the first `needed` are unspecified.
+    pub(super) fn distances(&self, lengths: [f64; 3], needed: usize) -> [f64; 3] {
         match self {
-            Metric::Squares(_) => lengths.map(f64::sqrt),
-            Metric::Sizes(_) | Metric::Signed => lengths,
-            Metric::Powers(exponent, _) => {
+            Metric::Euclidean(_) => lengths.map(f64::sqrt),
+            Metric::Manhattan(_) | Metric::SignedSum => lengths,
+            Metric::Minkowski(exponent, _) => {
                 let mut distances = [0.0; 3];
-                for (distance, length) in distances.iter_mut().zip(lengths).take(counted) {
+                for (distance, length) in distances.iter_mut().zip(lengths).take(needed) {
                     *distance = length.powf(1.0 / exponent);
                 }
                 distances
@@ -98,11 +99,11 @@ impl Metric {
     }
 }
 
-/// More than the roundings of a power, as a share.
-const CARE: f64 = 1e-12;
-/// Powers with this exponent or a larger one round less than [`CARE`] to it.
-const LEAST_EXPONENT: f64 = 0.01;
-/// Larger powers of ways between cells are not estimated.
-const MOST_EXPONENT: f64 = 32.0;
-/// Nor are they with a larger number added.
-const MOST_LIFT: f64 = 1e90;
+/// Relative margin, above the rounding error of a power.
+const MARGIN: f64 = 1e-12;
+/// Smallest exponent for which the rounding error of a power is below [`MARGIN`].
+const MIN_EXPONENT: f64 = 0.01;
+/// Largest exponent for which powers are estimated.
+const MAX_EXPONENT: f64 = 32.0;
+/// Largest offset with which powers are estimated.
+const MAX_OFFSET: f64 = 1e90;
