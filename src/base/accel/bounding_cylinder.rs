@@ -26,7 +26,7 @@ impl ViewedCylinder {
         frame: &Frame,
         origin: DVec3,
     ) -> Option<Self> {
-        let point = frame.to_frame(point) - origin;
+        let point = frame.in_frame(point) - origin;
         let dir = dir.try_normalize()?;
         // The point of the axis nearest to the origin rounds best.
         let point = point - point.dot(dir) * dir;

@@ -26,7 +26,7 @@ pub(super) struct ViewedSphere {
 impl BoundingSphere {
     /// Converts a sphere to the frame; `is_filled` tells whether the item is that sphere itself.
     pub(super) fn new(frame: &Frame, centre: DVec3, radius: f64, is_filled: bool) -> Self {
-        let centre = frame.to_frame(centre);
+        let centre = frame.in_frame(centre);
         let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
         let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();

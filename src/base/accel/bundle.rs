@@ -64,7 +64,7 @@ impl Bundle {
         count: usize,
         packet4: impl Fn(usize) -> ([[f64; 4]; 3], [f64; 4]),
     ) -> bool {
-        self.origin = tree.frame.to_frame(origin);
+        self.origin = tree.frame.in_frame(origin);
         self.scale = tree.frame.scale();
         // NaN is too far as well.
         let is_near = self.origin.abs().max_element() < MAX_DISTANCE;

@@ -109,7 +109,7 @@ impl LightBuffer {
         point: DVec3,
         cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
     ) -> Option<LightBuffer> {
-        let origin = tree.frame.to_frame(point);
+        let origin = tree.frame.in_frame(point);
         let mut sum = DVec3::ZERO;
         let step = ((tree.nodes.len() + tree.sphere_leaves.len()) / MAX_SAMPLED_NODES).max(1);
         tree.for_some_items(step, |_, aabb| {
@@ -138,7 +138,7 @@ impl LightBuffer {
     ) -> Option<LightBuffer> {
         let size = axes[2].length();
         let view = Projection {
-            origin: tree.frame.to_frame(point),
+            origin: tree.frame.in_frame(point),
             axes: axes.map(|axis| axis / size),
         };
         // Rays may pass slightly outside of the picture.
@@ -185,11 +185,11 @@ impl LightBuffer {
             match (extent, &window) {
                 (ViewExtent::Nowhere, Some(_)) => return false,
                 (ViewExtent::Within(rect), Some(window)) => match rect.clipped(window) {
-                    Some(rect) => rects[item as usize] = rect.to_f32(),
+                    Some(rect) => rects[item as usize] = rect.single(),
                     None => return false,
                 },
                 (ViewExtent::Within(rect), None) if rect.is_within(reach) => {
-                    rects[item as usize] = rect.to_f32();
+                    rects[item as usize] = rect.single();
                     seen = seen.union(&rect);
                 }
                 _ => always_tested.push(item),

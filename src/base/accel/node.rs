@@ -174,7 +174,7 @@ impl Frame {
     }
 
     /// Transforms a point into this frame.
-    pub(super) fn to_frame(&self, point: DVec3) -> DVec3 {
+    pub(super) fn in_frame(&self, point: DVec3) -> DVec3 {
         (point - self.centre) * self.scale
     }
 
@@ -186,8 +186,8 @@ impl Frame {
     /// Transforms a box into this frame, rounded outward; NaN becomes infinite.
     #[inline]
     pub(super) fn aabb(&self, bounds: &Bounds) -> Aabb32 {
-        let low = self.to_frame(bounds.min);
-        let high = self.to_frame(bounds.max);
+        let low = self.in_frame(bounds.min);
+        let high = self.in_frame(bounds.max);
         // Not written with `map`, which is not always inlined.
         let below = |axis: usize| max_f32(loose_below(low[axis]), f32::NEG_INFINITY);
         let above = |axis: usize| min_f32(loose_above(high[axis]), f32::INFINITY);
@@ -223,7 +223,7 @@ impl Frame {
 
     /// The box in this frame that contains a point, rounded outward; NaN becomes infinite.
     pub(super) fn aabb_around(&self, point: DVec3) -> Aabb32 {
-        let point_in_frame = self.to_frame(point);
+        let point_in_frame = self.in_frame(point);
         let known = |end: f32, unknown: f32| if end.is_nan() { unknown } else { end };
         let below = |axis: usize| known(loose_below(point_in_frame[axis]), f32::NEG_INFINITY);
         let above = |axis: usize| known(loose_above(point_in_frame[axis]), f32::INFINITY);

@@ -110,7 +110,7 @@ impl Rect {
 
     /// The same in single precision.
     #[inline(always)]
-    pub(crate) fn to_f32(&self) -> SlopeRange {
+    pub(crate) fn single(&self) -> SlopeRange {
         SlopeRange {
             low: self.low.map(nearest),
             high: self.high.map(nearest),

@@ -145,7 +145,7 @@ impl LightBuffer {
     /// true. Returns whether it did.
     #[inline(always)]
     pub(crate) fn between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
-        let to_point = self.frame.to_frame(point) - self.origin;
+        let to_point = self.frame.in_frame(point) - self.origin;
         let distance = to_point.length();
         let dir = (to_point / distance).as_vec3();
         let [across, up, along] = self.axes.map(Vec3::from_array);
