@@ -178,7 +178,7 @@ impl Model {
     pub(super) fn holds(&self, point: DVec3) -> bool {
         let mut unbounded = self.bvh.unbounded.iter();
         unbounded.any(|item| self.item_holds(item.item, point))
-            || self.bvh.tree.around(point, |position| {
+            || self.bvh.tree.visit_containing(point, |position| {
                 self.item_holds(self.bvh.bounded[position as usize].item, point)
             })
     }
@@ -206,7 +206,7 @@ impl ItemBvh {
     /// The items whose boxes contain a point.
     pub(crate) fn around(&self, point: DVec3) -> Vec<IndexedItem> {
         let mut items = self.unbounded.clone();
-        self.tree.around(point, |position| {
+        self.tree.visit_containing(point, |position| {
             items.push(self.bounded[position as usize]);
             false
         });

@@ -166,7 +166,7 @@ impl Bundle {
 
     /// False only if no ray of the bundle hits a box, ends disregarded.
     #[must_use]
-    pub fn may_meet(&self, tree: &Bvh, bounds: &Bounds) -> bool {
+    pub fn may_hit(&self, tree: &Bvh, bounds: &Bounds) -> bool {
         let aabb = tree.frame.aabb(bounds);
         let frustum = &self.frustum;
         (0..4).all(|side| {
@@ -371,7 +371,7 @@ pub struct NewEnds {
 impl NewEnds {
     /// Sets the new end of a ray: the distance of a hit, or a negative number for a ray that is done.
     #[inline(always)]
-    pub fn note(&mut self, lane: usize, end: f64) {
+    pub fn set(&mut self, lane: usize, end: f64) {
         self.lanes |= 1 << lane;
         self.ends[lane % LANES] = end;
     }
@@ -392,7 +392,7 @@ impl Bvh {
     /// have been visited then, and single-ray traversal is better.
     #[inline(always)]
     #[must_use]
-    pub(crate) fn together(
+    pub(crate) fn traverse_bundle(
         &self,
         lanes: SimdLevel,
         bundle: &mut Bundle,

@@ -104,7 +104,7 @@ impl LightBuffer {
     /// Builds the light buffer of a light at a point, with all items; `None` where a flat grid does not work because
     /// the items surround the light.
     #[must_use]
-    pub fn from_outside(
+    pub fn for_light(
         tree: &Bvh,
         point: DVec3,
         cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
@@ -130,7 +130,7 @@ impl LightBuffer {
     /// Builds the light buffer of a camera at a point: slopes are measured by `axes` and go from -0.5 to 0.5 across and
     /// up the picture. `pixel_block` is the size in slopes of the blocks of pixels that are traced together.
     #[must_use]
-    pub fn of_picture(
+    pub fn for_camera(
         tree: &Bvh,
         point: DVec3,
         (axes, pixel_block): ([DVec3; 3], [f64; 2]),

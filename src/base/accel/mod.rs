@@ -25,7 +25,7 @@ pub use bundle::{Bundle, NewEnds};
 
 pub use bounding_cylinder::BoundingCylinder;
 pub use light_buffer::LightBuffer;
-pub(crate) use stream::STREAM;
+pub(crate) use stream::MAX_STREAM_RAYS;
 
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
@@ -349,7 +349,7 @@ impl Bvh {
 
     /// All items, in the order in which [`Bvh::any`] visits any subset of them.
     #[must_use]
-    pub fn order(&self) -> Vec<u32> {
+    pub fn visit_order(&self) -> Vec<u32> {
         let mut order = Vec::new();
         self.search(
             |_| (1 << WIDTH) - 1,
@@ -364,7 +364,7 @@ impl Bvh {
 
     /// Visits the items whose boxes contain a point, in no order, until `visit` returns true. Returns whether it did.
     /// Boxes are compared in single precision: some that only nearly contain the point are visited as well.
-    pub fn around(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {
+    pub fn visit_containing(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {
         let aabb: Aabb32 = self.frame.aabb_around(point);
         self.search(
             |node| node.overlap(&aabb),

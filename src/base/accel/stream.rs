@@ -9,7 +9,7 @@ use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
 
 /// Maximum number of rays of a stream.
-pub(crate) const STREAM: usize = 8;
+pub(crate) const MAX_STREAM_RAYS: usize = 8;
 
 /// The boxes of a node that some rays may hit.
 struct NodeHits {
@@ -48,15 +48,15 @@ impl Bvh {
     /// included. `ray` gives one of up to eight rays and its end, `active` has a bit for each ray to be traversed.
     /// `visit` gets the item and a mask of the rays to be intersected, and sets new ends.
     #[inline(always)]
-    pub(crate) fn stream(
+    pub(crate) fn traverse_stream(
         &self,
         lanes: SimdLevel,
         active: u32,
         ray: impl Fn(usize) -> (Ray, f64),
         mut visit: impl FnMut(u32, u32, &mut NewEnds),
     ) {
-        let mut rays = [FrameRay::BLIND; STREAM];
-        let (mut from, mut to) = ([0.0; STREAM], [f32::NEG_INFINITY; STREAM]);
+        let mut rays = [FrameRay::BLIND; MAX_STREAM_RAYS];
+        let (mut from, mut to) = ([0.0; MAX_STREAM_RAYS], [f32::NEG_INFINITY; MAX_STREAM_RAYS]);
         for lane in set_bits(active) {
             let (ray, end) = ray(lane);
             rays[lane] = self.frame.ray(&ray);
@@ -137,5 +137,5 @@ impl Bvh {
 /// The indices of the bits that are set.
 #[inline(always)]
 fn set_bits(bits: u32) -> impl Iterator<Item = usize> {
-    (0..STREAM).filter(move |lane| bits >> lane & 1 == 1)
+    (0..MAX_STREAM_RAYS).filter(move |lane| bits >> lane & 1 == 1)
 }

@@ -206,7 +206,7 @@ fn a_point_visits_every_box_that_contains_it() {
         let point = DVec3::new(10.0, 0.0, 0.0) + rng.vector(2.0);
         let mut seen = vec![false; boxes.len()];
         let (tree, order) = &trees[round % 3];
-        tree.around(point, |position| {
+        tree.visit_containing(point, |position| {
             seen[order[position as usize] as usize] = true;
             false
         });
@@ -359,7 +359,7 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
                     continue;
                 }
                 let mut best = vec![None; rays.len()];
-                let is_done = tree.together(
+                let is_done = tree.traverse_bundle(
                     SimdLevel::widest(),
                     &mut bundle,
                     |position, first, lanes, new_ends| {
@@ -372,7 +372,7 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
                             };
                             let slot: &mut Option<f64> = &mut best[ray];
                             if t < far(ray) && slot.is_none_or(|least| t < least) {
-                                new_ends.note(lane, *slot.insert(t));
+                                new_ends.set(lane, *slot.insert(t));
                             }
                         }
                     },
@@ -413,25 +413,26 @@ fn light_buffer_hits(
     let (dirs, far) = ([dirs(0), dirs(1)], [far(0), far(1)]);
     let halves = [(&dirs[0], &far[0]), (&dirs[1], &far[1])];
     let mut rays8 = match ends {
-        None => light_buffer.rays(halves, 0xff),
-        Some(_) => light_buffer.rays_back(halves, 0xff),
+        None => light_buffer.load_from_point(halves, 0xff),
+        Some(_) => light_buffer.load_to_point(halves, 0xff),
     };
-    let beside = light_buffer.each(SimdLevel::widest(), &mut rays8, |position, lanes, rays8| {
-        for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
-            let Some(t) = spheres[order[position as usize] as usize].hit(&rays[lane]) else {
-                continue;
-            };
-            let slot: &mut Option<f64> = &mut best[lane];
-            if t < ends.map_or(f64::INFINITY, |ends| ends[lane])
-                && slot.is_none_or(|least| t < least)
-            {
-                *slot = Some(t);
-                if ends.is_none() {
-                    rays8.end(lane, t);
+    let beside =
+        light_buffer.visit_packet(SimdLevel::widest(), &mut rays8, |position, lanes, rays8| {
+            for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
+                let Some(t) = spheres[order[position as usize] as usize].hit(&rays[lane]) else {
+                    continue;
+                };
+                let slot: &mut Option<f64> = &mut best[lane];
+                if t < ends.map_or(f64::INFINITY, |ends| ends[lane])
+                    && slot.is_none_or(|least| t < least)
+                {
+                    *slot = Some(t);
+                    if ends.is_none() {
+                        rays8.shorten(lane, t);
+                    }
                 }
             }
-        }
-    });
+        });
     assert!(ends.is_some() || beside == 0);
     best
 }
@@ -467,7 +468,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                 let (right, up) = along.any_orthonormal_pair();
                 let axes = [right, up, along];
                 let light_buffer =
-                    LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), cylinder).unwrap();
+                    LightBuffer::for_camera(&tree, from, (axes, [0.01, 0.005]), cylinder).unwrap();
                 let rays = [(); 8].map(|()| {
                     let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
                     Ray::new(from, (along + x * right + y * up).normalize())
@@ -477,7 +478,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                     assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
                     seen += u32::from(best.is_some());
                 }
-                let light = LightBuffer::from_outside(&tree, from, cylinder).unwrap();
+                let light = LightBuffer::for_light(&tree, from, cylinder).unwrap();
                 // Behind some sphere, or just beside it.
                 let points = [(); 8].map(|()| {
                     let pick = usize::try_from(rng.bits() % 700).expect("small");
@@ -496,7 +497,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                             .hit(ray)
                             .is_some()
                     };
-                    assert_eq!(light.between(ray.origin, hits), alone);
+                    assert_eq!(light.any_between(ray.origin, hits), alone);
                     blocked += u32::from(alone);
                     free += u32::from(!alone);
                 }
@@ -526,7 +527,7 @@ fn no_ray_hits_anything_where_a_view_is_empty() {
         let (right, up) = along.any_orthonormal_pair();
         let axes = [right, up, along];
         let light_buffer =
-            LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
+            LightBuffer::for_camera(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
         for _ in 0..60 {
             let low = [(); 2].map(|()| 0.95 * rng.share() - 0.5);
             let high = low.map(|low| low + 0.05 * rng.share());
@@ -555,8 +556,8 @@ fn no_ray_hits_anything_where_a_view_is_empty() {
 #[test]
 fn a_light_among_the_items_has_no_light_buffer() {
     let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
-    assert!(LightBuffer::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
-    assert!(LightBuffer::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
+    assert!(LightBuffer::for_light(&tree, DVec3::ZERO, |_| None).is_none());
+    assert!(LightBuffer::for_light(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
 }
 
 #[test]
@@ -572,8 +573,8 @@ fn an_item_around_a_light_is_visited_by_every_ray() {
         let sphere = &spheres[order[position] as usize];
         Some((sphere.centre, sphere.radius, true))
     });
-    let light = LightBuffer::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
+    let light = LightBuffer::for_light(&tree, 6.0 * DVec3::X, |_| None).unwrap();
     for point in [DVec3::ZERO, 40.0 * DVec3::X, 60.0 * DVec3::Y] {
-        assert!(light.between(point, |position| order[position as usize] == 100));
+        assert!(light.any_between(point, |position| order[position as usize] == 100));
     }
 }

@@ -245,7 +245,7 @@ impl<'w> Tracer<'w> {
         spot.uv = self.world.uv(hit);
         let is_mapped = surface.is_mapped();
         let point = if is_mapped {
-            spot.on_the_map()
+            spot.uv_point()
         } else {
             hit.point
         };

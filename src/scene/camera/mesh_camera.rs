@@ -217,7 +217,7 @@ impl MeshCamera {
             })
         });
         let mut best: Option<(u32, [f64; 3])> = None;
-        bvh.around(at.extend(0.0), |face| {
+        bvh.visit_containing(at.extend(0.0), |face| {
             if best.is_none_or(|(before, _)| face < before)
                 && let Some(weights) = barycentric(mesh.coordinates(face as usize), at)
             {

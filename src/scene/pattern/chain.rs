@@ -106,7 +106,7 @@ impl PreparedWarpChain {
     /// The point in pattern space for a shading point.
     #[must_use]
     #[inline]
-    pub fn moved(&self, point: DVec3) -> DVec3 {
+    pub fn to_pattern_space(&self, point: DVec3) -> DVec3 {
         let mut point = point;
         for step in &self.steps {
             point = match step {
@@ -125,7 +125,7 @@ impl PreparedWarpChain {
     /// The transforms of normals to and from pattern space, with normalization after each if `is_unit`. Warps do not
     /// change normals.
     #[must_use]
-    pub fn turns(&self, is_unit: bool) -> Turns {
+    pub fn normal_transforms(&self, is_unit: bool) -> NormalTransforms {
         let transforms = self.steps.iter().filter_map(|step| match step {
             WarpStep::Transform(inverse) => Some(inverse.matrix3),
             WarpStep::Warp(_) => None,
@@ -135,13 +135,13 @@ impl PreparedWarpChain {
             from_pattern: inverse.transpose(),
             is_unit,
         };
-        Turns(transforms.map(of_normals).collect())
+        NormalTransforms(transforms.map(of_normals).collect())
     }
 }
 
 /// Transforms of normals to and from pattern space, in the order in which the transforms act on points.
 #[derive(Clone, Debug, Default)]
-pub struct Turns(Vec<NormalTransform>);
+pub struct NormalTransforms(Vec<NormalTransform>);
 
 /// The action of one transform on normals.
 #[derive(Clone, Copy, Debug)]
@@ -152,11 +152,11 @@ struct NormalTransform {
     is_unit: bool,
 }
 
-impl Turns {
+impl NormalTransforms {
     /// These transforms, then others.
     #[must_use]
-    pub fn then(&self, others: &Turns) -> Turns {
-        Turns(self.0.iter().chain(&others.0).copied().collect())
+    pub fn then(&self, others: &NormalTransforms) -> NormalTransforms {
+        NormalTransforms(self.0.iter().chain(&others.0).copied().collect())
     }
 
     /// True if unit normals stay unit vectors in pattern space.
@@ -175,7 +175,7 @@ impl Turns {
 
     /// Takes a normal back from pattern space.
     #[must_use]
-    pub fn back(&self, normal: DVec3) -> DVec3 {
+    pub fn from_pattern(&self, normal: DVec3) -> DVec3 {
         let transforms = self.0.iter().rev();
         transforms.fold(normal, |normal, transform| {
             normalized_if(transform.from_pattern * normal, transform.is_unit)
@@ -203,7 +203,7 @@ mod tests {
             assert!(chain.read(word, &mut args).unwrap(), "{word}");
         }
         let prepared = chain.prepare(after, None, &Settings::default());
-        prepared.moved(point)
+        prepared.to_pattern_space(point)
     }
 
     #[test]

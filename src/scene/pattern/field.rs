@@ -46,6 +46,6 @@ pub fn read_field(
 
 impl Field for PreparedPattern {
     fn value(&self, point: DVec3) -> f64 {
-        PreparedPattern::value(self, self.moved(point), &SurfacePoint::at(point))
+        PreparedPattern::value(self, self.to_pattern_space(point), &SurfacePoint::at(point))
     }
 }

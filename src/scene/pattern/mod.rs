@@ -62,7 +62,7 @@ mod tests;
 mod warp;
 mod wave;
 
-pub use chain::{PreparedWarpChain, Turns, WarpChain};
+pub use chain::{NormalTransforms, PreparedWarpChain, WarpChain};
 pub use field::{ReadPattern, read_field};
 pub use map::{Between, Keys, MAX_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
@@ -142,7 +142,7 @@ const GREY: [Stop; 2] = [
 /// A pattern as a scene describes it.
 pub trait Pattern: Debug + Send + Sync + ClonePattern {
     /// The pattern prepared for evaluation.
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval>;
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval>;
 
     /// The default colour map. For a pattern with a list, entry `i` is at the value `i`.
     fn default_map(&self) -> &'static [Stop] {
@@ -211,7 +211,7 @@ pub struct SurfacePoint {
 impl SurfacePoint {
     /// The point in pattern space under `uv_mapping`: (u, v, 0).
     #[must_use]
-    pub fn on_the_map(&self) -> DVec3 {
+    pub fn uv_point(&self) -> DVec3 {
         self.uv.extend(0.0)
     }
 
@@ -259,7 +259,7 @@ impl Default for Settings {
 
 /// Modifiers and settings that a pattern may use in [`Pattern::prepare`].
 #[derive(Debug)]
-pub struct Preparing<'a> {
+pub struct PrepareContext<'a> {
     /// The noise generator of the pattern.
     pub noise: NoiseGenerator,
     /// The amounts of `turbulence` along the axes; zero without it.

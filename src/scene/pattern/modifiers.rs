@@ -2,7 +2,7 @@
 
 use super::warp::Turbulence;
 use super::{
-    Pattern, PreparedPattern, PreparedWarpChain, Preparing, Settings, Shape, WarpChain, Wave,
+    Pattern, PrepareContext, PreparedPattern, PreparedWarpChain, Settings, Shape, WarpChain, Wave,
 };
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::Step;
@@ -84,7 +84,7 @@ impl Modifiers {
             phase: self.phase.unwrap_or(default.phase),
             shape: self.shape.unwrap_or(default.shape),
         };
-        let value = pattern.prepare(&Preparing {
+        let value = pattern.prepare(&PrepareContext {
             noise: self.noise_generator.unwrap_or(settings.noise_generator),
             turbulence: self.turbulence.unwrap_or(DVec3::ZERO),
             octaves: self.octaves,

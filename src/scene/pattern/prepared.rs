@@ -1,6 +1,6 @@
 //! A pattern prepared for evaluation: its warp chain, its value, and its wave.
 
-use super::{PatternEval, PreparedWarpChain, SurfacePoint, Turns, Wave};
+use super::{NormalTransforms, PatternEval, PreparedWarpChain, SurfacePoint, Wave};
 use glam::DVec3;
 
 /// A pattern prepared for evaluation.
@@ -19,8 +19,8 @@ impl PreparedPattern {
     /// The point in pattern space for a shading point.
     #[must_use]
     #[inline]
-    pub fn moved(&self, point: DVec3) -> DVec3 {
-        self.chain.moved(point)
+    pub fn to_pattern_space(&self, point: DVec3) -> DVec3 {
+        self.chain.to_pattern_space(point)
     }
 
     /// The value at a point of pattern space, with the wave applied: the position in a map.
@@ -39,13 +39,13 @@ impl PreparedPattern {
 
     /// True if the value depends on the surface normal.
     #[must_use]
-    pub fn minds_normal(&self) -> bool {
+    pub fn needs_normal(&self) -> bool {
         self.value.needs_normal()
     }
 
     /// The transforms of normals to and from pattern space, with normalization after each if `is_unit`.
     #[must_use]
-    pub fn turns(&self, is_unit: bool) -> Turns {
-        self.chain.turns(is_unit)
+    pub fn normal_transforms(&self, is_unit: bool) -> NormalTransforms {
+        self.chain.normal_transforms(is_unit)
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn value(text: &str, point: DVec3) -> f64 {
     }
     assert!(args.is_done());
     let prepared = modifiers.prepare(&*pattern, &[], &Settings::default());
-    prepared.value(prepared.moved(point), &SurfacePoint::at(point))
+    prepared.value(prepared.to_pattern_space(point), &SurfacePoint::at(point))
 }
 
 #[test]

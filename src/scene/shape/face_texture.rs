@@ -24,7 +24,7 @@ pub struct TextureWeight {
 pub type TextureWeights = SmallVec<[TextureWeight; 3]>;
 
 impl TextureWeight {
-    /// Value of [`TextureWeight::skin`] for the texture of the object.
+    /// Value of [`TextureWeight::texture`] for the texture of the object.
     pub const OF_THE_OBJECT: u32 = u32::MAX;
 }
 

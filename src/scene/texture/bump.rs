@@ -5,8 +5,8 @@ use crate::base::bitmap;
 use crate::base::math::Step;
 use crate::base::math::noise::vector_noise;
 use crate::scene::pattern::{
-    Between, Map, Modifiers, PreparedPattern, PreparedWarpChain, Settings, SurfacePoint, Turns,
-    nearest_feature,
+    Between, Map, Modifiers, NormalTransforms, PreparedPattern, PreparedWarpChain, Settings,
+    SurfacePoint, nearest_feature,
 };
 use glam::{DVec2, DVec3};
 
@@ -29,8 +29,8 @@ const LEAST_FACETS: f64 = 1e-6;
 pub struct PreparedNormal {
     relief: Relief,
     /// How normals turn on their way to what carries the bumps.
-    around: Turns,
-    turns: Turns,
+    around: NormalTransforms,
+    turns: NormalTransforms,
     amount: f64,
     accuracy: f64,
     /// Whether normals stay one long on their way to the pattern, so that scaled bumps keep their slope.
@@ -101,17 +101,17 @@ impl PreparedNormal {
             NormalKind::Uv(mapped) => Relief::Uv(Box::new(entry(mapped))),
         };
         let turns = match &relief {
-            Relief::Flat | Relief::Uv(_) => Turns::default(),
+            Relief::Flat | Relief::Uv(_) => NormalTransforms::default(),
             Relief::Pattern(pattern) | Relief::Slopes(pattern, _) | Relief::Normals(pattern, _) => {
-                pattern.turns(is_unit)
+                pattern.normal_transforms(is_unit)
             }
             Relief::Average(chain, _) | Relief::Image(chain, _) | Relief::Facets(chain, _) => {
-                chain.turns(is_unit)
+                chain.normal_transforms(is_unit)
             }
         };
         Some(PreparedNormal {
             relief,
-            around: Turns::default(),
+            around: NormalTransforms::default(),
             turns,
             amount: normal.amount,
             accuracy: normal.accuracy,
@@ -121,7 +121,7 @@ impl PreparedNormal {
 
     /// The same for normals that must be turned so before, on their way to what carries the bumps.
     #[must_use]
-    pub(super) fn within(mut self, around: &Turns) -> Self {
+    pub(super) fn within(mut self, around: &NormalTransforms) -> Self {
         self.around = around.clone();
         self
     }
@@ -130,8 +130,8 @@ impl PreparedNormal {
     fn flat() -> Self {
         PreparedNormal {
             relief: Relief::Flat,
-            around: Turns::default(),
-            turns: Turns::default(),
+            around: NormalTransforms::default(),
+            turns: NormalTransforms::default(),
             amount: 0.0,
             accuracy: UNIT_ACCURACY,
             is_unit: true,
@@ -162,12 +162,12 @@ impl PreparedNormal {
         };
         let seen = self.tilted_here(point, here, spot);
         if self.is_unit && self.around.is_unit() {
-            return (self.around.back(seen), seen);
+            return (self.around.from_pattern(seen), seen);
         }
         // Only the choices of textures around it lengthen it again, and POV-Ray shades with a normal of that length.
         let unit = seen.normalize_or_zero();
         let unit = if unit == DVec3::ZERO { here } else { unit };
-        (self.around.back(unit), seen)
+        (self.around.from_pattern(unit), seen)
     }
 
     fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
@@ -175,21 +175,21 @@ impl PreparedNormal {
         let tilted = match &self.relief {
             Relief::Flat => own,
             Relief::Pattern(pattern) => {
-                let moved = pattern.moved(point);
+                let moved = pattern.to_pattern_space(point);
                 match pattern.tilt(moved) {
                     Some(tilt) => own + self.amount * tilt,
                     None => self.sloped(own, moved, |at| pattern.value(at, spot)),
                 }
             }
             Relief::Slopes(pattern, map) => {
-                let moved = pattern.moved(point);
+                let moved = pattern.to_pattern_space(point);
                 match pattern.tilt(moved) {
                     Some(tilt) => own + self.amount * tilt,
                     None => self.sloped(own, moved, |at| height(map, pattern.value(at, spot))),
                 }
             }
             Relief::Normals(pattern, map) => {
-                let moved = pattern.moved(point);
+                let moved = pattern.to_pattern_space(point);
                 let of = |entry: &PreparedNormal| entry.tilted_here(moved, own, spot);
                 match map.between(pattern.value(moved, spot)) {
                     Between::One(entry) => of(entry),
@@ -197,7 +197,7 @@ impl PreparedNormal {
                 }
             }
             Relief::Average(chain, map) => {
-                let moved = chain.moved(point);
+                let moved = chain.to_pattern_space(point);
                 let mut sum = DVec3::ZERO;
                 let mut total = 0.0;
                 for (weight, entry) in map.entries() {
@@ -207,11 +207,13 @@ impl PreparedNormal {
                 }
                 sum / total
             }
-            Relief::Image(chain, source) => self.by_picture(own, chain.moved(point), source),
-            Relief::Facets(chain, facets) => facet(own, chain.moved(point), facets),
-            Relief::Uv(mapped) => mapped.tilted_here(spot.on_the_map(), own, spot),
+            Relief::Image(chain, source) => {
+                self.by_picture(own, chain.to_pattern_space(point), source)
+            }
+            Relief::Facets(chain, facets) => facet(own, chain.to_pattern_space(point), facets),
+            Relief::Uv(mapped) => mapped.tilted_here(spot.uv_point(), own, spot),
         };
-        let tilted = self.turns.back(tilted);
+        let tilted = self.turns.from_pattern(tilted);
         let kept = if self.is_unit {
             tilted.normalize_or_zero()
         } else {

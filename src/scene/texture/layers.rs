@@ -4,7 +4,7 @@ use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, Prep
 use crate::base::args::{Args, Parse, Word, alike, declared, transform_step};
 use crate::base::color::Color;
 use crate::base::math::Step;
-use crate::scene::pattern::{Settings, Turns};
+use crate::scene::pattern::{NormalTransforms, Settings};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -280,7 +280,7 @@ impl Texture {
     /// The form for tracing, with the transforms of the object after those of the texture.
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
-        PreparedTexture::new(self, after, &Turns::default(), settings)
+        PreparedTexture::new(self, after, &NormalTransforms::default(), settings)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Pigment, PreparedPigment};
 use crate::base::args::{Args, Parse, Word, default_of};
-use crate::scene::pattern::{self, Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{self, Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub fn read_pattern(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pat
 }
 
 impl Pattern for PigmentPattern {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, with: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         let pigment = PreparedPigment::new(&self.pigment, &[], with.settings);
         Box::new(Prepared(pigment))
     }

@@ -7,7 +7,8 @@ use crate::base::color::Color;
 use crate::base::math::Step;
 use crate::scene::function::ColorField;
 use crate::scene::pattern::{
-    Between, Map, Modifiers, PreparedPattern, PreparedWarpChain, Settings, SurfacePoint, Turns,
+    Between, Map, Modifiers, NormalTransforms, PreparedPattern, PreparedWarpChain, Settings,
+    SurfacePoint,
 };
 use glam::DVec3;
 use std::sync::Arc;
@@ -71,7 +72,12 @@ pub enum PreparedPigment {
 impl PreparedTexture {
     /// The form for drawing, with the transforms of what carries it after its own; normals have been turned so `far` on
     /// their way to it.
-    pub(super) fn new(texture: &Texture, after: &[Step], far: &Turns, settings: &Settings) -> Self {
+    pub(super) fn new(
+        texture: &Texture,
+        after: &[Step],
+        far: &NormalTransforms,
+        settings: &Settings,
+    ) -> Self {
         let prepare = |layer: &Layer| {
             let normal = PreparedNormal::of_layer(layer, after, settings);
             let normal = normal.map(|normal| normal.within(far));
@@ -337,11 +343,11 @@ impl PreparedPigment {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(both) => {
                 let (pattern, map) = &**both;
-                map.color(pattern.value(pattern.moved(point), spot))
+                map.color(pattern.value(pattern.to_pattern_space(point), spot))
             }
             PreparedPigment::Pigments(both) => {
                 let (pattern, map) = &**both;
-                let moved = pattern.moved(point);
+                let moved = pattern.to_pattern_space(point);
                 match map.between(pattern.value(moved, spot)) {
                     Between::One(entry) => entry.patterned(moved, spot),
                     Between::Two(from, to, share) => {
@@ -352,14 +358,14 @@ impl PreparedPigment {
             }
             PreparedPigment::Average(both) => {
                 let (chain, map) = &**both;
-                let moved = chain.moved(point);
+                let moved = chain.to_pattern_space(point);
                 let weighted = |(weight, entry): &(f32, PreparedPigment)| {
                     (*weight, entry.patterned(moved, spot))
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
-            PreparedPigment::Image(both) => both.1.color(both.0.moved(point)),
-            PreparedPigment::Uv(mapped) => mapped.patterned(spot.on_the_map(), spot),
+            PreparedPigment::Image(both) => both.1.color(both.0.to_pattern_space(point)),
+            PreparedPigment::Uv(mapped) => mapped.patterned(spot.uv_point(), spot),
         }
     }
 

@@ -5,7 +5,8 @@ use crate::base::bitmap;
 use crate::base::math::Step;
 use crate::base::math::rounding::{floor, remainder};
 use crate::scene::pattern::{
-    Between, Map, NUDGE, PreparedPattern, PreparedWarpChain, Settings, SurfacePoint, Turns,
+    Between, Map, NUDGE, NormalTransforms, PreparedPattern, PreparedWarpChain, Settings,
+    SurfacePoint,
 };
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -80,12 +81,12 @@ impl Choice {
     pub(super) fn new(
         patterned: &Patterned,
         after: &[Step],
-        far: &Turns,
+        far: &NormalTransforms,
         settings: &Settings,
     ) -> Option<Self> {
         let modifiers = &patterned.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
-        let turns = far.then(&chain().turns(!patterned.has_no_bump_scale));
+        let turns = far.then(&chain().normal_transforms(!patterned.has_no_bump_scale));
         let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &turns, settings);
         match &patterned.kind {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,
@@ -129,7 +130,7 @@ impl Choice {
 
     /// Whether normals decide what is chosen, here or further on.
     pub(super) fn minds_normal(&self) -> bool {
-        matches!(self, Choice::Map(pattern, _) if pattern.minds_normal())
+        matches!(self, Choice::Map(pattern, _) if pattern.needs_normal())
             || self.textures().any(PreparedTexture::minds_normal)
     }
 
@@ -137,7 +138,7 @@ impl Choice {
     pub(super) fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
         match self {
             Choice::Map(pattern, map) => {
-                let moved = pattern.moved(point);
+                let moved = pattern.to_pattern_space(point);
                 match map.between(pattern.value(moved, &to.spot)) {
                     Between::One(entry) => entry.look(moved, weight, to),
                     Between::Two(first, second, share) => {
@@ -152,19 +153,19 @@ impl Choice {
                 }
             }
             Choice::Average(chain, map) => {
-                let moved = chain.moved(point);
+                let moved = chain.to_pattern_space(point);
                 let total: f32 = map.entries().iter().map(|entry| entry.0).sum();
                 for (own, entry) in map.entries() {
                     entry.look(moved, weight * own / total, to);
                 }
             }
             Choice::Tiles(chain, two) => {
-                let moved = chain.moved(point);
+                let moved = chain.to_pattern_space(point);
                 two[tile(moved)].look(moved, weight, to);
             }
-            Choice::Uv(mapped) => mapped.look(to.spot.on_the_map(), weight, to),
+            Choice::Uv(mapped) => mapped.look(to.spot.uv_point(), weight, to),
             Choice::Material(chain, source, textures) => {
-                let moved = chain.moved(point);
+                let moved = chain.to_pattern_space(point);
                 if let Some(texture) = textures.get(source.material(moved, textures.len())) {
                     texture.look(moved, weight, to);
                 }

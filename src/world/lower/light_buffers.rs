@@ -30,11 +30,11 @@ impl World {
                 let (axes, width, height) = (self.camera.axes()?, options.width, options.height);
                 let [columns, rows] = TOGETHER;
                 let together = [columns / f64::from(width), rows / f64::from(height)];
-                LightBuffer::of_picture(tree, self.camera.location(), (axes, together), cylinder)
+                LightBuffer::for_camera(tree, self.camera.location(), (axes, together), cylinder)
             }
             Some(light) => {
                 let light = self.lights.get(u32::try_from(light).ok()?);
-                is_point(light).then(|| LightBuffer::from_outside(tree, light.centre, cylinder))?
+                is_point(light).then(|| LightBuffer::for_light(tree, light.centre, cylinder))?
             }
         };
         let mut buffers: Vec<_> = (0..points).into_par_iter().map(build).collect();

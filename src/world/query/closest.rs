@@ -5,7 +5,7 @@ use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
 use super::{ClosestHit, QueryScratch};
-use crate::base::accel::{NewEnds, STREAM};
+use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use crate::base::options::LeastDistance;
@@ -83,7 +83,7 @@ impl World {
         hits: &mut [HitPacket4],
         scratch: &mut QueryScratch,
     ) {
-        let count = count.min(STREAM);
+        let count = count.min(MAX_STREAM_RAYS);
         let first = query(0);
         let sees_same = |ray: usize| !self.summary.hides_some || query(ray).kind == first.kind;
         let is_coherent = |ray: usize| query(ray).ray.dir.dot(first.ray.dir) > COHERENT;
@@ -102,12 +102,12 @@ impl World {
             kind: first.kind,
             active: 0xff >> (8 - count),
         };
-        let mut bests = [None; STREAM];
+        let mut bests = [None; MAX_STREAM_RAYS];
         let mut stream = std::mem::take(&mut scratch.ray_stream);
         with_widest(
             #[inline(always)]
             |lanes| {
-                let mut origins = [[[0.0; 4]; 3]; STREAM / 4];
+                let mut origins = [[[0.0; 4]; 3]; MAX_STREAM_RAYS / 4];
                 for ray in 0..count {
                     let query = query(ray);
                     scratch.rays.count(&query);
@@ -188,7 +188,7 @@ impl World {
         scratch: &mut QueryScratch,
     ) {
         let ends = stream.ends();
-        self.bvh().tree.stream(
+        self.bvh().tree.traverse_stream(
             lanes,
             rays.active,
             #[inline(always)]

@@ -201,7 +201,7 @@ impl World {
     ) -> bool {
         let span = (0.0, query.t_max);
         match self.light_buffers.of_light(light) {
-            Some(buffer) => buffer.between(query.ray.origin, visit),
+            Some(buffer) => buffer.any_between(query.ray.origin, visit),
             None => self.bvh().tree.any_in(lanes, &query.ray, span, visit),
         }
     }

@@ -29,7 +29,7 @@ pub(crate) struct Rays8 {
 impl Rays8 {
     /// Shortens a ray: to this distance, or to nothing if that is negative.
     #[inline(always)]
-    pub(crate) fn end(&mut self, ray: usize, end: f64) {
+    pub(crate) fn shorten(&mut self, ray: usize, end: f64) {
         self.packet.end[ray % LANES] = frame_end(end, self.scale);
         self.is_stale = true;
     }
@@ -39,7 +39,11 @@ impl LightBuffer {
     /// Loads rays that start at the point, with these unit directions and ends, as two halves of four; `active` masks
     /// the lanes that hold rays.
     #[inline(always)]
-    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], active: u32) -> Rays8 {
+    pub(crate) fn load_from_point(
+        &self,
+        halves: [(&[[f64; 4]; 3], &[f64; 4]); 2],
+        active: u32,
+    ) -> Rays8 {
         let mut rays = Rays8 {
             packet: RayPacket8::EMPTY,
             scale: self.frame.scale(),
@@ -61,8 +65,12 @@ impl LightBuffer {
 
     /// Loads rays that end at the point; the distances are those of their origins.
     #[inline(always)]
-    pub(crate) fn rays_back(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], active: u32) -> Rays8 {
-        let mut rays = self.rays(halves, active);
+    pub(crate) fn load_to_point(
+        &self,
+        halves: [(&[[f64; 4]; 3], &[f64; 4]); 2],
+        active: u32,
+    ) -> Rays8 {
+        let mut rays = self.load_from_point(halves, active);
         for dir in &mut rays.packet.dir {
             for dir in dir {
                 *dir = -*dir;
@@ -74,7 +82,7 @@ impl LightBuffer {
     /// Visits, the nearest first, items with a mask of those of eight rays that may hit them before they end; `visit`
     /// sets new ends. Returns a mask of the rays that leave the view.
     #[inline(always)]
-    pub(crate) fn each(
+    pub(crate) fn visit_packet(
         &self,
         lanes: SimdLevel,
         rays: &mut Rays8,
@@ -144,7 +152,7 @@ impl LightBuffer {
     /// Visits the items that may be between the point of the light buffer and another point, until `visit` returns
     /// true. Returns whether it did.
     #[inline(always)]
-    pub(crate) fn between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
+    pub(crate) fn any_between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
         let to_point = self.frame.in_frame(point) - self.origin;
         let distance = to_point.length();
         let dir = (to_point / distance).as_vec3();

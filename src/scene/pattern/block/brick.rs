@@ -6,7 +6,7 @@
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::scene::pattern::{
-    NUDGE, Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave, fraction,
+    NUDGE, Pattern, PatternEval, PrepareContext, Stop, SurfacePoint, Wave, fraction,
 };
 use glam::DVec3;
 
@@ -36,7 +36,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Brick {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 

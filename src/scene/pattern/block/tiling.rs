@@ -8,7 +8,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
 use crate::base::source::{Code, Diagnostic};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::{DMat2, DVec2, DVec3};
 use std::sync::Arc;
 
@@ -166,7 +166,7 @@ impl Tile {
 }
 
 impl Pattern for Prepared {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 }

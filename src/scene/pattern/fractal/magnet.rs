@@ -4,7 +4,7 @@
 use super::{Coloring, Complex, Outcome, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 
 /// Beyond this squared distance from the origin a point has escaped to infinity.
@@ -59,7 +59,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Magnet {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 

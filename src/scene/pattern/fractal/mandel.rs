@@ -3,7 +3,7 @@
 use super::{Coloring, Complex, iterate_power, read_exponent, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, Stop, SurfacePoint};
 use glam::DVec3;
 
 /// The default colours, as in POV-Ray (measured).
@@ -33,7 +33,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Mandel {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::base::args::Parse;
 use crate::base::math::noise::NoiseGenerator;
-use crate::scene::pattern::{GREY, Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
+use crate::scene::pattern::{GREY, Pattern, PatternEval, PrepareContext, Stop, SurfacePoint, Wave};
 use glam::DVec3;
 
 /// A pattern whose value is a formula of the point.
@@ -89,7 +89,7 @@ impl NoiseFormula {
 }
 
 impl Pattern for Formula {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -113,7 +113,7 @@ impl PatternEval for Formula {
 }
 
 impl Pattern for NoiseFormula {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(PreparedNoise {
             value: self.value,
             tilt: self.tilt,

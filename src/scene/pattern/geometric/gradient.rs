@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +17,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Gradient {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }

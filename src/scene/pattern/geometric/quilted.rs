@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::rounding::floor;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint, Wave};
 use glam::DVec3;
 
 /// `2 / √3`, which scales the distance from the centre to a corner of the cube to 1.
@@ -18,7 +18,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Quilted {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 

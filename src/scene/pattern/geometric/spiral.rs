@@ -3,7 +3,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::scene::pattern::wave::triangle;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint, Wave};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -37,7 +37,7 @@ fn read(args: &mut dyn Args, is_crossed: bool) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Spiral {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             spiral: *self,
             amount: context.turbulence.x,

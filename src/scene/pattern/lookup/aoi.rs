@@ -2,7 +2,7 @@
 //! normal incidence.
 
 use crate::base::args::{Args, Parse};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for AngleOfIncidence {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }

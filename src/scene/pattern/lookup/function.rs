@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse};
 use crate::scene::function::{self, Function};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for FunctionPattern {
-    fn prepare(&self, _: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::bitmap::{self, Alpha, Purpose, Source};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint, Wave};
 use glam::DVec3;
 
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for ImagePattern {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 

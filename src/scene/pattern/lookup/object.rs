@@ -2,7 +2,9 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, Solid, Stop, SurfacePoint, Wave};
+use crate::scene::pattern::{
+    Pattern, PatternEval, PrepareContext, Solid, Stop, SurfacePoint, Wave,
+};
 use glam::DVec3;
 use std::any::Any;
 use std::sync::{Arc, OnceLock};
@@ -33,7 +35,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for ObjectPattern {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         let solid = self.solid.get_or_init(|| {
             let prepare = context.settings.solid_of?;
             prepare(&self.object)

@@ -1,7 +1,7 @@
 //! `slope`: the angle between the surface normal and a direction, optionally blended with the altitude of the point.
 
 use crate::base::args::{Args, Parse, Word};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -74,7 +74,7 @@ impl Range {
 }
 
 impl Pattern for Slope {
-    fn prepare(&self, _context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, _context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }

@@ -4,7 +4,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::scene::pattern::wave::cycloidal;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, Stop, SurfacePoint};
 use glam::DVec3;
 
 /// The default colours, as in POV-Ray.
@@ -36,7 +36,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Agate {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: f64::from(self.turbulence),
             octaves: context.octaves,

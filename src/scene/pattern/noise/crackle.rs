@@ -9,7 +9,7 @@ use crate::base::math::powers::{POWER_ERROR, power};
 use crate::base::math::sampling::hash::hashed_cell;
 use crate::base::math::sampling::mersenne;
 use crate::base::math::simd::{F64Lanes, SimdKernel, with_widest};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use metric::Metric;
 use std::cell::RefCell;
@@ -47,7 +47,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Crackle {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         let Crackle {
             form,
             metric,

@@ -8,7 +8,7 @@ use crate::base::math::rounding::floor_of;
 use crate::base::math::sampling::hash::{bits, next};
 use crate::base::math::simd::vec3::Vec3Lanes;
 use crate::base::math::simd::{F64x4, SimdKernel, vec3, with_widest};
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -67,7 +67,7 @@ pub(crate) fn waves(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Kind {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         let sources = sources(context.settings.number_of_waves);
         let count = sources.len();
         let packets = sources.chunks(4).map(|chunk| {
@@ -218,7 +218,7 @@ mod tests {
         let sources = sources(10);
         let mut rng = Random::new(8);
         for kind in [Kind::Ripples, Kind::Waves] {
-            let context = Preparing {
+            let context = PrepareContext {
                 noise: NoiseGenerator::default(),
                 turbulence: DVec3::ZERO,
                 octaves: Octaves::default(),

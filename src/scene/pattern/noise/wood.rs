@@ -4,7 +4,7 @@ use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::scene::pattern::wave::cycloidal;
-use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
+use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, Stop, SurfacePoint, Wave};
 use glam::DVec3;
 
 /// The default colours, as in POV-Ray.
@@ -29,7 +29,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Wood {
-    fn prepare(&self, context: &Preparing<'_>) -> Box<dyn PatternEval> {
+    fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: context.turbulence,
             octaves: context.octaves,

@@ -110,7 +110,7 @@ impl Blob {
         let bounds = union_of(if threshold < 0.0 { -1.0 } else { 1.0 });
         let bvh = (components.len() >= MIN_COMPONENTS_FOR_BVH).then(|| Bvh::build(&boxes));
         let order = match &bvh {
-            Some(bvh) => bvh.order(),
+            Some(bvh) => bvh.visit_order(),
             None => (0..).zip(&components).map(|(number, _)| number).collect(),
         };
         let ordered = order.iter().map(|&number| &components[number as usize]);
@@ -259,7 +259,7 @@ impl Field {
         match &self.bvh {
             None => self.components.iter().for_each(visit),
             Some(bvh) => {
-                bvh.around(point, |number| {
+                bvh.visit_containing(point, |number| {
                     visit(&self.components[number as usize]);
                     false
                 });

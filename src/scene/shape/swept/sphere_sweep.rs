@@ -187,7 +187,7 @@ impl Geometry for SphereSweep {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.0.tree.around(point, |number| {
+        self.0.tree.visit_containing(point, |number| {
             self.0.parts[number as usize].deepest(point).1 < 0.0
         })
     }

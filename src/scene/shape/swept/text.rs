@@ -278,7 +278,7 @@ impl Line {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.tree.around(point, |letter| {
+        self.tree.visit_containing(point, |letter| {
             let letter = &self.letters[letter as usize];
             let at = point - letter.at;
             let is_between = self.depth[0] <= at.z && at.z <= self.depth[1];

@@ -2,7 +2,7 @@
 
 use super::hits::{HitPacket4, ShadowPacket4};
 use super::rays::RayStream;
-use crate::base::accel::{Bundle, NewEnds, STREAM};
+use crate::base::accel::{Bundle, MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
@@ -111,7 +111,7 @@ impl World {
                         point: origin,
                     },
                     scratch,
-                ) && self.bvh().tree.together(
+                ) && self.bvh().tree.traverse_bundle(
                     lanes,
                     &mut bundle,
                     #[inline(always)]
@@ -320,7 +320,7 @@ impl World {
             let new = self.accept_if_closer(item.number, hit, &query(ray), old, &mut bests[ray]);
             if new < old {
                 stream.shorten(ray, new);
-                ended.note(ray - first, new);
+                ended.set(ray - first, new);
             }
         };
         let scalar = self.packet4_item::<true>(
@@ -411,7 +411,7 @@ impl World {
         bundle: &mut Bundle,
         scratch: &mut QueryScratch,
     ) -> bool {
-        self.bvh().tree.together(
+        self.bvh().tree.traverse_bundle(
             lanes,
             bundle,
             #[inline(always)]
@@ -455,7 +455,7 @@ impl World {
             |stream, ray, hit| {
                 if hit.root.t < stream.t_max(ray) && self.note_occlusion(&hit, &mut occlusions[ray])
                 {
-                    ended.note(ray - first, f64::NEG_INFINITY);
+                    ended.set(ray - first, f64::NEG_INFINITY);
                 }
             },
         );
@@ -468,7 +468,7 @@ impl World {
             let search = &self.search_for(&query);
             if self.occludes(item, &query, search, occlusion, scratch) {
                 *occlusion = Occlusion::Opaque;
-                ended.note(lane, f64::NEG_INFINITY);
+                ended.set(lane, f64::NEG_INFINITY);
             }
         });
     }
@@ -483,12 +483,12 @@ impl World {
         occlusions: &mut [Occlusion],
         scratch: &mut QueryScratch,
     ) {
-        for first in (0..occlusions.len()).step_by(STREAM) {
+        for first in (0..occlusions.len()).step_by(MAX_STREAM_RAYS) {
             let mut active = 0;
-            for (lane, occlusion) in occlusions[first..].iter().take(STREAM).enumerate() {
+            for (lane, occlusion) in occlusions[first..].iter().take(MAX_STREAM_RAYS).enumerate() {
                 active |= u32::from(*occlusion != Occlusion::Opaque) << lane;
             }
-            self.bvh().tree.stream(
+            self.bvh().tree.traverse_stream(
                 lanes,
                 active,
                 #[inline(always)]

@@ -81,8 +81,8 @@ impl World {
             ends = [stream.packet(0).t_max, stream.packet(4 * last).t_max];
         }
         let halves = [(&packets[0].dir, &ends[0]), (&packets[last].dir, &ends[1])];
-        let mut rays = light_buffer.rays(halves, active);
-        let uncovered = light_buffer.each(
+        let mut rays = light_buffer.load_from_point(halves, active);
+        let uncovered = light_buffer.visit_packet(
             lanes,
             &mut rays,
             #[inline(always)]
@@ -99,7 +99,7 @@ impl World {
                     &mut bests,
                     scratch,
                     #[inline(always)]
-                    |ray, end| rays.end(ray, end),
+                    |ray, end| rays.shorten(ray, end),
                 );
             },
         );
@@ -211,8 +211,8 @@ impl World {
         if remaining != 0 {
             let last = hits.len() - 1;
             let half = |packet: usize| (&to_light[packet].to_light, &to_light[packet].distance);
-            let mut rays = light_buffer.rays_back([half(0), half(last)], remaining);
-            light_buffer.each(
+            let mut rays = light_buffer.load_to_point([half(0), half(last)], remaining);
+            light_buffer.visit_packet(
                 lanes,
                 &mut rays,
                 #[inline(always)]
@@ -228,7 +228,7 @@ impl World {
                         scratch,
                     );
                     each_bit(shadows.blocked & !before, |ray| {
-                        rays.end(ray, f64::NEG_INFINITY);
+                        rays.shorten(ray, f64::NEG_INFINITY);
                     });
                 },
             );

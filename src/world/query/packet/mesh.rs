@@ -216,7 +216,7 @@ impl World {
                 common,
                 count,
                 stream,
-            ) && mesh_query.mesh.tree().together(
+            ) && mesh_query.mesh.tree().traverse_bundle(
                 lanes,
                 &mut bundle_of_mesh,
                 #[inline(always)]
@@ -253,7 +253,7 @@ impl World {
                             if new < far {
                                 stream.shorten(ray, new);
                                 bundle.shorten(ray, new);
-                                ended.note(ray - first, new * speed);
+                                ended.set(ray - first, new * speed);
                             }
                         },
                     );
@@ -304,7 +304,7 @@ impl World {
                 common,
                 count,
                 stream,
-            ) && mesh_query.mesh.tree().together(
+            ) && mesh_query.mesh.tree().traverse_bundle(
                 lanes,
                 &mut bundle_of_mesh,
                 #[inline(always)]
@@ -334,7 +334,7 @@ impl World {
                             if self.blocks_light(&hit, &query, &mut occlusions[ray]) {
                                 occlusions[ray] = Occlusion::Opaque;
                                 bundle.shorten(ray, f64::NEG_INFINITY);
-                                ended.note(ray - first, f64::NEG_INFINITY);
+                                ended.set(ray - first, f64::NEG_INFINITY);
                             }
                         },
                     );
@@ -351,7 +351,7 @@ impl World {
 
     fn may_meet(&self, bundle: &Bundle, item: IndexedItem) -> bool {
         let bounds = self.boxes[item.number as usize].bounds();
-        bundle.may_meet(&self.bvh().tree, &bounds)
+        bundle.may_hit(&self.bvh().tree, &bounds)
     }
 }
 
