@@ -10,9 +10,9 @@
 //!
 //! Large lists are first divided into clusters; see [`treelets`].
 
+use super::LeafItems;
 use super::node::{Aabb32, Child, Node, WIDTH, max_f32, min_f32};
 use super::sphere_leaf::SphereLeaf;
-use super::{LeafItems, treelets};
 use rayon::prelude::*;
 
 /// Number of bins per axis.
@@ -26,9 +26,6 @@ const SMALL_RANGE: usize = 64;
 
 /// Below this depth ranges are halved by count alone: no arrangement of boxes makes the tree much deeper.
 const MAX_DEPTH: u32 = 64;
-
-/// Lists with more items are divided into treelets.
-const TREELET_THRESHOLD: usize = 4096;
 
 /// Ranges with more items are processed by several threads.
 pub(super) const PARALLEL_THRESHOLD: usize = 32_768;
@@ -92,20 +89,6 @@ struct Split {
     bin: usize,
     lower: Aabb4,
     upper: Aabb4,
-}
-
-/// Builds the tree of a list of items.
-pub(super) fn build(mut entries: Vec<Entry>) -> GrowingBvh {
-    if entries.is_empty() {
-        return GrowingBvh::default();
-    }
-    if entries.len() > TREELET_THRESHOLD {
-        return treelets::build(entries);
-    }
-    let mut tree = build_small(BuildRange::new(&mut entries));
-    tree.nodes.shrink_to_fit();
-    tree.sphere_leaves.shrink_to_fit();
-    tree
 }
 
 /// Builds the tree of a range in a single thread, without treelets.

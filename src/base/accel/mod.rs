@@ -178,7 +178,7 @@ impl Bvh {
             nodes,
             sphere_leaves,
             leaf_items,
-        } = build::build(entries);
+        } = treelets::build(entries);
         let tree = Bvh {
             root,
             nodes,

@@ -6,6 +6,7 @@
 
 use super::build::{Aabb4, BuildRange, Entry, GrowingBvh, PARALLEL_THRESHOLD, build_small, index};
 use super::node::Child;
+use super::treelets;
 use rayon::prelude::*;
 
 /// Maximum number of items of a cluster.
@@ -28,7 +29,7 @@ struct Treelets {
 }
 
 /// Builds the tree of a long list of items.
-pub(super) fn build(mut entries: Vec<Entry>) -> GrowingBvh {
+pub(super) fn build_from_treelets(mut entries: Vec<Entry>) -> GrowingBvh {
     let all = BuildRange::new(&mut entries);
     let space = all.middles;
     let clusters = clusters(all.entries, space, 0);
@@ -254,6 +255,23 @@ fn append<T: Send + Sync>(
         }
         done = next;
     }
+}
+
+/// Lists with more items are divided into treelets.
+pub(crate) const TREELET_THRESHOLD: usize = 4096;
+
+/// Builds the tree of a list of items.
+pub(crate) fn build(mut entries: Vec<Entry>) -> GrowingBvh {
+    if entries.is_empty() {
+        return GrowingBvh::default();
+    }
+    if entries.len() > TREELET_THRESHOLD {
+        return treelets::build_from_treelets(entries);
+    }
+    let mut tree = build_small(BuildRange::new(&mut entries));
+    tree.nodes.shrink_to_fit();
+    tree.sphere_leaves.shrink_to_fit();
+    tree
 }
 
 #[cfg(test)]

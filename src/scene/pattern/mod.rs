@@ -18,6 +18,7 @@ mod block {
 mod chain;
 mod field;
 mod fractal;
+mod octaves;
 /// Patterns given by a formula of the coordinates.
 mod geometric {
     pub(super) mod boxed;

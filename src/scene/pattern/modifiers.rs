@@ -1,5 +1,6 @@
 //! The modifiers that any pattern may have: turbulence, waves, noise generator, transforms and warps.
 
+use super::octaves::read_octaves;
 use super::warp::Turbulence;
 use super::{
     Pattern, PrepareContext, PreparedPattern, PreparedWarpChain, Settings, Shape, WarpChain, Wave,
@@ -109,20 +110,6 @@ impl Modifiers {
             octaves: self.octaves,
         })
     }
-}
-
-/// Reads `octaves`, `omega` or `lambda` with its number. Returns whether `word` was one of them.
-pub(super) fn read_octaves(octaves: &mut Octaves, word: Word, args: &mut dyn Args) -> Parse<bool> {
-    if !matches!(word, Word::Octaves | Word::Omega | Word::Lambda) {
-        return Ok(false);
-    }
-    args.accept(word)?;
-    match word {
-        Word::Octaves => octaves.count = Octaves::count_of(args.float()?),
-        Word::Omega => octaves.omega = args.single()?,
-        _ => octaves.lambda = args.single()?,
-    }
-    Ok(true)
 }
 
 /// Reads the number after `noise_generator`; `None` for 0, which selects that of the global settings.

@@ -8,6 +8,7 @@
 
 mod container;
 mod face_texture;
+mod ray_packet;
 /// Surfaces given by a field: blobs, functions, polynomials and fractals.
 mod implicit {
     pub(super) mod blob;
@@ -63,13 +64,14 @@ pub use implicit::poly::Poly;
 pub use mesh::Mesh;
 pub use mesh::height_field::HeightField;
 pub use mesh::instance::MeshInstance;
-pub(crate) use packet::{RayPacket, SpanPacket};
+pub(crate) use packet::SpanPacket;
 pub use patch::bicubic_patch::BicubicPatch;
 pub use patch::disc::Disc;
 pub use patch::parametric::Parametric;
 pub use patch::polygon::Polygon;
 pub use patch::smooth_triangle::SmoothTriangle;
 pub use patch::triangle::Triangle;
+pub(crate) use ray_packet::RayPacket;
 pub use solid::cone::Cone;
 pub use solid::cuboid::Cuboid;
 pub use solid::cylinder::Cylinder;

@@ -1,7 +1,8 @@
 //! Packet test for points that lie clearly outside a solid: if a lane passes, CSG knows without the solid's span that
 //! the point is outside of it.
 
-use super::packet::{RayPacket, across, add, dot, scale, splat, sub};
+use super::packet::{across, add, dot, scale, splat, sub};
+use super::ray_packet::RayPacket;
 use super::{Cuboid, Shape};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::Vec3Lanes;

@@ -3,23 +3,15 @@
 
 use super::Shape;
 use super::packet_search::{NearestQuery4, NearestResult4};
-use crate::base::math::Ray;
+use super::ray_packet::RayPacket;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::base::math::roots::ray_sphere::MARGIN;
 use crate::base::math::simd::F64Lanes;
 pub(crate) use crate::base::math::simd::vec3::Vec3Lanes;
 pub(super) use crate::base::math::simd::vec3::{add, dot, scale, splat, sub};
-use glam::DAffine3;
 
 /// Slots for roots: a torus has up to four on each of two intervals.
 pub(super) const MAX_ROOTS: usize = 8;
-
-/// A packet of four rays.
-#[derive(Clone, Copy)]
-pub(crate) struct RayPacket<F> {
-    pub(crate) origin: Vec3Lanes<F>,
-    pub(crate) dir: Vec3Lanes<F>,
-}
 
 /// Inside spans of a ray packet for a solid that each line enters and leaves at most once. An end that a line does not
 /// have is infinite.
@@ -150,59 +142,6 @@ impl<F: F64Lanes> RootPacket<F> {
         }
         nearest
     }
-}
-
-impl<F: F64Lanes> RayPacket<F> {
-    /// Packs four rays.
-    #[cfg(test)]
-    pub(super) fn of_each(rays: &[Ray; 4]) -> Self {
-        let axis = |of: fn(&Ray) -> glam::DVec3, axis: usize| {
-            F::from_array(&[0, 1, 2, 3].map(|i| of(&rays[i])[axis]))
-        };
-        RayPacket {
-            origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
-            dir: [0, 1, 2].map(|i| axis(|ray| ray.dir, i)),
-        }
-    }
-}
-
-impl RayPacket<f64> {
-    /// A packet with one lane.
-    #[inline(always)]
-    pub(super) fn of(ray: &Ray) -> Self {
-        RayPacket {
-            origin: ray.origin.to_array(),
-            dir: ray.dir.to_array(),
-        }
-    }
-}
-
-impl<F: F64Lanes> RayPacket<F> {
-    /// Transforms the packet to object space.
-    #[inline(always)]
-    pub(crate) fn to_object(self, matrix: &DAffine3) -> Self {
-        let turned = turned(self.origin, matrix);
-        RayPacket {
-            origin: add(turned, splat(matrix.translation)),
-            dir: self::turned(self.dir, matrix),
-        }
-    }
-}
-
-/// Applies the linear part of a matrix to a packet of vectors.
-#[inline(always)]
-fn turned<F: F64Lanes>(v: Vec3Lanes<F>, matrix: &DAffine3) -> Vec3Lanes<F> {
-    let (x, y, z) = (
-        matrix.matrix3.x_axis,
-        matrix.matrix3.y_axis,
-        matrix.matrix3.z_axis,
-    );
-    let [x, y, z] = [
-        scale(splat(x), v[0]),
-        scale(splat(y), v[1]),
-        scale(splat(z), v[2]),
-    ];
-    add(add(x, y), z)
 }
 
 impl Shape {
@@ -390,6 +329,7 @@ mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
     use crate::base::math::Bounds;
+    use crate::base::math::Ray;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdKernel, SimdLevel};
     use crate::scene::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};

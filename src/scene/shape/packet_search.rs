@@ -2,7 +2,7 @@
 //! through memory. Bit for bit what each ray finds by itself.
 
 use super::Shape;
-use super::packet::RayPacket;
+use super::ray_packet::RayPacket;
 use crate::base::math::Ray;
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::{from_arrays, to_arrays};

@@ -4,7 +4,7 @@ use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::scene::pattern::Settings;
-use crate::scene::pattern::modifiers::read_octaves;
+use crate::scene::pattern::octaves::read_octaves;
 use glam::DVec3;
 
 /// Displacement by octaves of vector noise.

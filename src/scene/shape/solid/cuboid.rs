@@ -8,7 +8,8 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, splat, sub};
+use crate::scene::shape::packet::{SpanPacket, Vec3Lanes, splat, sub};
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
     CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
     read, span,

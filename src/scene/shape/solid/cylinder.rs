@@ -15,7 +15,8 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::packet;
-use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, splat, sub};
+use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
     CLEAR_MARGIN, Crossing, Geometry, Root, Start, first_visible, original_span, push_span, read,
 };

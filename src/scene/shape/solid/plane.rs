@@ -8,7 +8,8 @@ use crate::base::math::conditioning::{power_of_two, unit};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::packet::{RayPacket, RootPacket, SpanPacket, dot, splat};
+use crate::scene::shape::packet::{RootPacket, SpanPacket, dot, splat};
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
 use glam::DVec3;
 

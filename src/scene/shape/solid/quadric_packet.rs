@@ -8,7 +8,8 @@
 use super::quadric::{CLOSE, NEAR_ENOUGH, Quadric, UNSCALED_SQUARES};
 use crate::base::math::Ray;
 use crate::base::math::simd::{F64Lanes, SimdKernel, with_widest};
-use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, add, dot, scale, splat, sub};
+use crate::scene::shape::packet::{SpanPacket, Vec3Lanes, add, dot, scale, splat, sub};
+use crate::scene::shape::ray_packet::RayPacket;
 
 /// Value and gradient at a packet of points.
 #[derive(Clone, Copy)]

@@ -13,9 +13,9 @@ use crate::base::math::roots::ray_sphere::{MARGIN, ball_chord};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::scene::shape::packet::{
-    NearestPacket, RayPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, splat,
-    sub,
+    NearestPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, splat, sub,
 };
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
     CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
     read, span, uniform_scale,

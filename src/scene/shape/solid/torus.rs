@@ -27,7 +27,7 @@ use crate::base::math::roots::polynomial::{Roots, is_quartic_positive};
 use crate::base::math::roots::quartic::quartic_sign_changes;
 use crate::base::math::roots::ray_sphere::ball_chord;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::scene::shape::packet::RayPacket;
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read, uniform_scale};
 use glam::{DMat3, DVec3};
 use smallvec::SmallVec;

@@ -10,9 +10,10 @@ use super::torus::{CLIP, REFINEMENT, Torus};
 use crate::base::math::conditioning::is_comfortable_size;
 use crate::base::math::simd::F64Lanes;
 use crate::scene::shape::packet::{
-    NearestPacket, RayPacket, RootPacket, Vec3Lanes, add, dot, is_comfortable, sub,
+    NearestPacket, RootPacket, Vec3Lanes, add, dot, is_comfortable, sub,
 };
 use crate::scene::shape::packet::{scale, splat};
+use crate::scene::shape::ray_packet::RayPacket;
 
 /// Rays from farther away, in minor radii, are left to the robust path: up to there the rounding error is less than
 /// what [`CLIP`] allows for.

@@ -9,8 +9,9 @@ use crate::base::math::Ray;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE};
 use crate::base::math::simd::vec3::{dot, max_abs};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
-use crate::scene::shape::packet::{RayPacket, add, scale};
+use crate::scene::shape::packet::{add, scale};
 use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4};
+use crate::scene::shape::ray_packet::RayPacket;
 use glam::DVec3;
 
 /// A ray packet clipped to the box from -1 to 1.

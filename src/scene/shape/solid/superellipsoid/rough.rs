@@ -14,7 +14,7 @@ use crate::base::math::roots::interval_roots::{
 use crate::base::math::roots::polynomial::Roots;
 use crate::base::math::simd::vec3::{abs, add, dot, scale};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
-use crate::scene::shape::packet::RayPacket;
+use crate::scene::shape::ray_packet::RayPacket;
 use glam::DVec3;
 
 /// Upper bound of the relative error of a rough norm and of a rough slope, for powers within [`POWERS`].
