@@ -1,7 +1,7 @@
-//! `fog`: air that takes away light by `exp(-d / distance)` and gives its own colour for it.
+//! `fog`: attenuates light by `exp(-d / distance)` and adds the fog's own colour for the rest.
 //!
-//! Ground fog (`fog_type 2`) is full up to the height `fog_offset` and thins out above it as `1 / (1 + y²)`, `y` in
-//! units of `fog_alt`. Turbulence shortens the way through the fog.
+//! Ground fog (`fog_type 2`) has full density up to the height `fog_offset` and falls off above it as `1 / (1 + y²)`,
+//! `y` in units of `fog_alt`. Turbulence shortens the path length through the fog.
 
 use super::Tint;
 use crate::base::args::{Args, Parse, Word, declared, transform_step};
@@ -11,31 +11,31 @@ use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::base::source::Diagnostic;
 use glam::DVec3;
 
-/// Up to this two heights, in units of `fog_alt`, are one; POV-Ray's value.
-const NOTHING: f64 = 1e-10;
-/// The `fog_type` of ground fog. All others are the same everywhere, as in POV-Ray.
-const GROUND: f64 = 2.0;
+/// Heights closer than this, in units of `fog_alt`, count as equal; POV-Ray's value.
+const SAME_HEIGHT: f64 = 1e-10;
+/// The `fog_type` of ground fog. All others are homogeneous, as in POV-Ray.
+const GROUND_FOG: f64 = 2.0;
 
 /// A fog.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fog {
-    /// The distance over which light falls to a third; 0 for no fog.
+    /// The distance over which light falls to 1/e; 0 for no fog.
     pub distance: f64,
-    /// What it shows; `filter` tints what is behind it, `transmit` is the least share that comes through.
+    /// The fog's own colour; `filter` tints light from behind it, `transmit` is the least transmittance.
     pub color: Color,
-    /// Whether it lies on the ground.
+    /// True for ground fog.
     pub is_ground: bool,
-    /// The unit direction upwards.
+    /// The unit direction upwards, for ground fog.
     pub up: DVec3,
-    /// `fog_alt`: above `offset`, the height at which ground fog is half as dense.
+    /// `fog_alt`: the height above `offset` at which ground fog has half its density.
     pub alt: f64,
-    /// `fog_offset`: up to here ground fog is full.
+    /// `fog_offset`: ground fog has full density up to this height.
     pub offset: f64,
-    /// The factors on the middle of the way at which turbulence is looked up; zero for none.
+    /// Factors on the midpoint of the ray, where the turbulence is sampled; zero for none.
     pub turbulence: DVec3,
-    /// `turb_depth`: how much of the way turbulence may take away.
+    /// `turb_depth`: a factor on the turbulence, which limits the share of the path length it removes.
     pub turb_depth: f64,
-    /// How its noise is summed.
+    /// The octaves of the turbulence.
     pub octaves: Octaves,
 }
 
@@ -56,7 +56,7 @@ impl Default for Fog {
 }
 
 impl Fog {
-    /// The fog of a block.
+    /// Reads the block of a fog.
     ///
     /// # Errors
     /// A malformed value, or an `up` without direction.
@@ -84,7 +84,7 @@ impl Fog {
             return Ok(());
         }
         if let Some(step) = transform_step(args)? {
-            // Transforms turn only what is up.
+            // Transforms affect only the direction `up`.
             self.up = step
                 .transform()
                 .world_from_object
@@ -101,7 +101,7 @@ impl Fog {
             Word::TurbDepth => &mut self.turb_depth,
             Word::FogType => {
                 args.accept(word)?;
-                self.is_ground = args.float()?.trunc() == GROUND;
+                self.is_ground = args.float()?.trunc() == GROUND_FOG;
                 return Ok(());
             }
             Word::Up | Word::Turbulence => {
@@ -137,33 +137,35 @@ impl Fog {
         Ok(())
     }
 
-    /// Whether there is any fog.
+    /// Returns true if the fog has any effect.
     #[must_use]
     pub fn exists(&self) -> bool {
         self.distance != 0.0
     }
 
-    /// What a stretch of this fog does to light, from the start of a ray of unit direction over `length`.
+    /// The effect of this fog on light, over `length` from the origin of a ray of unit direction.
     #[must_use]
     pub fn tint(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Tint {
-        let mut way = length;
+        let mut path_length = length;
         if self.turbulence != DVec3::ZERO {
             let middle = ray.at(0.5 * length) * self.turbulence;
             let depth = self.turb_depth * noise.turbulence(middle, &self.octaves);
-            way *= 1.0 - (-length / self.distance).exp() * depth.min(1.0);
+            path_length *= 1.0 - (-length / self.distance).exp() * depth.min(1.0);
         }
         let density = if self.is_ground {
             self.density(ray.origin.dot(self.up), ray.at(length).dot(self.up))
         } else {
             1.0
         };
-        let least = f64::from(self.color.transmit);
-        let kept = (-way * density / self.distance).exp().max(least);
+        let min_transmittance = f64::from(self.color.transmit);
+        let transmittance = (-path_length * density / self.distance)
+            .exp()
+            .max(min_transmittance);
         let Color { rgb, filter, .. } = self.color;
         let filtered = rgb.map(|c| (1.0 - filter) + filter * c);
         Tint {
-            factor: filtered * kept,
-            added: rgb * (1.0 - kept),
+            factor: filtered * transmittance,
+            added: rgb * (1.0 - transmittance),
         }
     }
 
@@ -177,14 +179,15 @@ impl Fog {
             (true, true) => 1.0,
             (true, false) => (t.atan() - s) / (t - s),
             (false, true) => (s.atan() - t) / (s - t),
-            (false, false) if (s - t).abs() > NOTHING => (s.atan() - t.atan()) / (s - t),
-            // Also without `alt`: above its offset there is none of such a fog.
+            (false, false) if (s - t).abs() > SAME_HEIGHT => (s.atan() - t.atan()) / (s - t),
+            // Zero without `alt`: such a fog ends at its offset.
             (false, false) => 1.0 / (s * s + 1.0),
         }
     }
 }
 
-/// What several fogs together do to light: they do not lie behind each other, their own light simply adds up.
+/// The combined effect of several fogs: their factors multiply, and their own light adds up without being attenuated by
+/// the other fogs.
 #[must_use]
 pub fn sum_of(tints: impl Iterator<Item = Tint>) -> Tint {
     tints.fold(Tint::NONE, |sum, tint| Tint {
@@ -210,13 +213,13 @@ mod tests {
             .iter()
             .map(|text| read(text).tint(&ray, 3.0 / 0.94880, NoiseGenerator::default()));
         let Rgb { r, g, b } = sum_of(tints).of(Rgb::new(0.2, 0.5, 0.9));
-        for (found, expected) in [r, g, b].into_iter().zip(expected) {
-            assert!((found - expected).abs() < 2e-3, "{fogs:?}: {r} {g} {b}");
+        for (actual, expected) in [r, g, b].into_iter().zip(expected) {
+            assert!((actual - expected).abs() < 2e-3, "{fogs:?}: {r} {g} {b}");
         }
     }
 
     #[test]
-    fn fog_takes_light_away_and_gives_its_own() {
+    fn fog_attenuates_light_and_adds_its_own() {
         check(
             &["{ distance 2 rgb <0.6, 0.5, 0.4> }"],
             [0.51768, 0.50001, 0.50291],
@@ -225,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn filter_tints_and_transmit_is_the_least_that_comes_through() {
+    fn filter_tints_and_transmit_is_the_least_transmittance() {
         let text = "{ distance 2 rgbft <0.6, 0.5, 0.4, 0.3, 0.2> }";
         check(&[text], [0.51273, 0.48457, 0.46957]);
         let far = "{ distance 0.2 rgbft <0.6, 0.5, 0.4, 0.3, 0.2> }";
@@ -252,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn transforms_turn_what_is_up() {
+    fn transforms_rotate_up() {
         let fog = read("{ up <0, 2, 0> rotate <90, 0, 0> translate 5 scale 3 }");
         assert!((fog.up - DVec3::Z).length() < 1e-12);
         let error = Fog::read(&mut TextArgs::new("{ up 0 }")).expect_err("no direction");

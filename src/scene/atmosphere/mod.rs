@@ -1,4 +1,4 @@
-//! What is between and behind the objects: fog, rainbows and the sphere of the sky.
+//! The atmosphere of a scene: fog, rainbows, media, and the sky sphere behind all objects.
 
 mod fog;
 mod rainbow;
@@ -12,28 +12,28 @@ use crate::base::color::Rgb;
 use crate::scene::interior::Media;
 use std::sync::Arc;
 
-/// How long POV-Ray takes the way of a ray that meets nothing.
+/// The length of a ray that hits nothing, as in POV-Ray.
 pub const WAY_TO_NOTHING: f64 = 2e10;
 
 /// The atmosphere of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Atmosphere {
-    /// All fogs, which add up.
+    /// The fogs.
     pub fogs: Vec<Fog>,
-    /// All rainbows.
+    /// The rainbows.
     pub rainbows: Vec<Rainbow>,
-    /// What fills all space.
+    /// The media that fill all space.
     pub media: Vec<Media>,
-    /// What rays see that meet nothing, in front of the background.
+    /// The sky in front of the background, for rays that hit nothing.
     pub sky_sphere: Option<Arc<SkySphere>>,
 }
 
-/// What a stretch of air does to light that comes through it.
+/// The effect of a segment of the atmosphere on light that passes through it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
-    /// The factor on light.
+    /// The transmittance.
     pub factor: Rgb,
-    /// Light of its own.
+    /// The light that the segment adds.
     pub added: Rgb,
 }
 
@@ -44,7 +44,7 @@ impl Tint {
         added: Rgb::BLACK,
     };
 
-    /// Light behind the air.
+    /// Applies the effect to light from behind.
     #[must_use]
     pub fn of(&self, light: Rgb) -> Rgb {
         light * self.factor + self.added

@@ -1,4 +1,4 @@
-//! `rainbow`: an arc of colours around a direction, in front of everything that is far enough.
+//! `rainbow`: an arc of colours around a direction, in front of everything far enough away.
 
 use super::Tint;
 use crate::base::args::{Args, Parse, Word, declared};
@@ -9,40 +9,40 @@ use crate::base::source::{Diagnostic, Span};
 use crate::scene::pattern::Map;
 use glam::DVec3;
 
-/// A direction or an angle below this is none, and the last colour of the arc ends so far before its edge.
-const NOTHING: f64 = 1e-10;
-/// The two angles of arcs that give none, in radians: beyond any angle. With `falloff_angle` alone the arc fades
-/// towards this one, which is to say hardly (measured).
-const EVERYWHERE: f64 = 360.0;
-/// The `distance` of rainbows that give none.
-const FAR: f64 = 1e7;
+/// Directions and angles below this count as zero, and the last colour of the arc ends this far before its edge.
+const EPSILON: f64 = 1e-10;
+/// The default of both arc angles, in radians: beyond any angle. With `falloff_angle` alone the arc fades towards this
+/// angle, so it hardly fades (measured).
+const UNBOUNDED_ANGLE: f64 = 360.0;
+/// The default of `distance`.
+const DEFAULT_DISTANCE: f64 = 1e7;
 
 /// A rainbow.
 #[derive(Clone, Debug)]
 pub struct Rainbow {
-    /// The colours from the inner edge to the outer one; without them there is no rainbow.
+    /// The colours from the inner edge to the outer one; without them the rainbow has no effect.
     pub colors: Option<Map<Color>>,
-    /// The unit direction of the middle, away from the light.
+    /// The unit direction of the centre, away from the light.
     pub direction: DVec3,
-    /// The unit direction of the middle of the arc, at right angles to `direction`.
+    /// The unit direction from the centre to the middle of the arc, perpendicular to `direction`.
     pub up: DVec3,
     /// The angle between `direction` and the middle of the colours, in radians.
     pub angle: f64,
     /// The width of the colours, in radians.
     pub width: f64,
-    /// The distance over which the rainbow appears.
+    /// The distance over which light from behind falls to 1/e.
     pub distance: f64,
-    /// By how much of its width the rainbow is blurred.
+    /// The amplitude of random offsets across the arc, as a fraction of its width.
     pub jitter: f64,
-    /// The angle around `direction` that the arc spans, in radians.
+    /// The angle around `direction` covered by the arc, in radians.
     pub arc_angle: f64,
-    /// The angle around `direction` in which the arc has its full strength, in radians.
+    /// The angle around `direction` covered by the arc at full strength, in radians.
     pub falloff_angle: f64,
     /// The unit direction to the right of the arc.
     right: DVec3,
 }
 
-/// What a block says of the two angles of an arc.
+/// The arc angles of a block, as far as it states them.
 #[derive(Default)]
 struct Angles {
     arc: Option<f64>,
@@ -57,18 +57,18 @@ impl Rainbow {
             up: DVec3::Y,
             angle: 0.0,
             width: 0.0,
-            distance: FAR,
+            distance: DEFAULT_DISTANCE,
             jitter: 0.0,
-            arc_angle: EVERYWHERE,
-            falloff_angle: EVERYWHERE,
+            arc_angle: UNBOUNDED_ANGLE,
+            falloff_angle: UNBOUNDED_ANGLE,
             right: DVec3::ZERO,
         }
     }
 
-    /// The rainbow of a block.
+    /// Reads the block of a rainbow.
     ///
     /// # Errors
-    /// A malformed value, directions that leave no arc, or an arc narrower than its full part.
+    /// A malformed value, no direction, `up` parallel to `direction`, or an `arc_angle` below `falloff_angle`.
     pub fn read(args: &mut dyn Args) -> Parse<Rainbow> {
         args.open()?;
         let at = args.last_span();
@@ -129,7 +129,7 @@ impl Rainbow {
             );
         };
         let right = self.up.normalize_or_zero().cross(direction);
-        if right.length() < NOTHING {
+        if right.length() < EPSILON {
             return fault(
                 "`up` and `direction` of this rainbow are parallel",
                 "Turn one of the two.",
@@ -155,7 +155,7 @@ impl Rainbow {
         Ok(())
     }
 
-    /// What the rainbow does to light that comes from `length` away along a unit direction; `None` beside the arc.
+    /// The effect of the rainbow on light from distance `length` along a unit direction; `None` outside the arc.
     #[must_use]
     pub fn tint(&self, dir: DVec3, length: f64, stream: &mut Stream) -> Option<Tint> {
         let colors = self.colors.as_ref()?;
@@ -167,7 +167,7 @@ impl Rainbow {
         if self.jitter != 0.0 {
             at += (2.0 * stream.next_number() - 1.0) * self.jitter;
         }
-        if !(0.0..=1.0 - NOTHING).contains(&at) {
+        if !(0.0..=1.0 - EPSILON).contains(&at) {
             return None;
         }
         let fading = self.fading(dir)?;
@@ -177,37 +177,37 @@ impl Rainbow {
             transmit,
         } = colors.color(at);
         let transmit = f64::from(transmit);
-        let through = (-length / self.distance)
+        let transmittance = (-length / self.distance)
             .exp()
             .max(fading * (1.0 - transmit) + transmit);
-        let filter = f64::from(filter) * (1.0 - through);
+        let filter = f64::from(filter) * (1.0 - transmittance);
         let filtered = Rgb::WHITE * (1.0 - filter) + rgb * filter;
         Some(Tint {
-            factor: filtered * through,
-            added: rgb * (1.0 - through),
+            factor: filtered * transmittance,
+            added: rgb * (1.0 - transmittance),
         })
     }
 
-    /// How far the arc has faded in a direction, 0 to 1; `None` beyond its ends.
+    /// The fading of the arc in a direction, 0 for full strength to 1; `None` beyond its ends.
     fn fading(&self, dir: DVec3) -> Option<f64> {
         let (x, y) = (dir.dot(self.right), dir.dot(self.up));
-        let long = x.hypot(y);
-        if long < NOTHING {
+        let length = x.hypot(y);
+        if length < EPSILON {
             return Some(0.0);
         }
-        let aside = (y / long).clamp(-1.0, 1.0).acos();
-        let (full, all) = (0.5 * self.falloff_angle, 0.5 * self.arc_angle);
-        if aside <= full {
+        let angle = (y / length).clamp(-1.0, 1.0).acos();
+        let (half_falloff, half_arc) = (0.5 * self.falloff_angle, 0.5 * self.arc_angle);
+        if angle <= half_falloff {
             Some(0.0)
-        } else if aside <= all {
-            Some(smooth((aside - full) / (all - full)))
+        } else if angle <= half_arc {
+            Some(smooth((angle - half_falloff) / (half_arc - half_falloff)))
         } else {
             None
         }
     }
 }
 
-/// What several rainbows in one direction do to light: the mean of what each would do.
+/// The combined effect of the rainbows in one direction: the mean of their effects.
 #[must_use]
 pub fn mean_of(tints: impl Iterator<Item = Tint>) -> Option<Tint> {
     let mut count = 0.0_f64;
@@ -236,7 +236,7 @@ mod tests {
         Rainbow::read(&mut TextArgs::new(&text))
     }
 
-    /// The tint at an angle from the direction z, and at one around it from the top.
+    /// The tint at an angle from the direction z, and at an angle around it from the top.
     fn tint(rainbow: &Rainbow, angle_deg: f64, around_deg: f64) -> Option<Tint> {
         let (sin, cos) = angle_deg.to_radians().sin_cos();
         let (across, up) = around_deg.to_radians().sin_cos();
@@ -248,7 +248,7 @@ mod tests {
     fn colours_lie_around_the_angle() {
         let rainbow = read("{ direction <0, 0, 2> angle 40 width 4 }").unwrap();
         assert!(tint(&rainbow, 37.9, 0.0).is_none() && tint(&rainbow, 42.1, 0.0).is_none());
-        // Without angles of its own the arc goes all around.
+        // Without arc angles the arc is a full circle.
         let middle = tint(&rainbow, 40.0, 170.0).expect("it is there");
         assert_eq!(middle.factor, Rgb::BLACK);
         assert!((middle.added.r - 0.5).abs() < 1e-6);
@@ -258,9 +258,12 @@ mod tests {
     fn the_arc_fades_to_its_ends() {
         let text = "{ direction <0, 0, 2> angle 40 width 4 arc_angle 120 falloff_angle 60 }";
         let rainbow = read(text).unwrap();
-        let through = |around: f64| tint(&rainbow, 40.0, around).map(|tint| tint.factor.r);
-        assert_eq!((through(29.0), through(61.0)), (Some(0.0), None));
-        assert!((through(-45.0).expect("it fades there") - 0.5).abs() < 1e-6);
+        let transmittance = |around: f64| tint(&rainbow, 40.0, around).map(|tint| tint.factor.r);
+        assert_eq!(
+            (transmittance(29.0), transmittance(61.0)),
+            (Some(0.0), None)
+        );
+        assert!((transmittance(-45.0).expect("it fades there") - 0.5).abs() < 1e-6);
     }
 
     #[test]

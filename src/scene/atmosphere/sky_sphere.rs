@@ -1,4 +1,4 @@
-//! `sky_sphere`: pigments on a sphere that no ray ever reaches, in front of the background.
+//! `sky_sphere`: layered pigments at infinity, evaluated by ray direction, in front of the background.
 
 use crate::base::args::{Args, Parse, Word, declared, transform_step};
 use crate::base::color::{Color, Rgb};
@@ -11,34 +11,34 @@ use glam::DVec3;
 /// The sky of a scene.
 #[derive(Clone, Debug)]
 pub struct SkySphere {
-    /// The pigments, the lowest first, never none.
+    /// The pigments, the lowest layer first, at least one.
     pub pigments: Vec<Pigment>,
-    /// The factor on their light.
+    /// A factor on the light of the pigments.
     pub emission: Rgb,
-    /// The transforms of all of them.
+    /// Transforms of the whole sky.
     pub steps: Vec<Step>,
 }
 
-/// A sky ready for rays.
+/// A sky prepared for ray queries.
 #[derive(Debug)]
 pub struct PreparedSky {
-    /// The top one first.
+    /// The pigments, the top layer first.
     pigments: Vec<PreparedPigment>,
     emission: Rgb,
     rules_37: bool,
 }
 
-/// What is seen of the sky in one direction.
+/// Radiance of the sky in one direction, and the factor on the background behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
-    /// Its own light.
+    /// Radiance of the sky itself.
     pub rgb: Rgb,
     /// The factor on the background.
     pub factor: Rgb,
 }
 
 impl SkySphere {
-    /// The sky of a block.
+    /// Reads the block of a sky sphere.
     ///
     /// # Errors
     /// A malformed value, or no pigment.
@@ -74,8 +74,8 @@ impl SkySphere {
         Ok(sky)
     }
 
-    /// The form for rays; `settings` are what patterns take from the whole scene, and `rules_37` is for scenes of
-    /// version 3.7 and later.
+    /// Prepares the sky for ray queries; `settings` are the scene-wide settings of patterns, and `rules_37` selects the
+    /// rules for scenes of version 3.7 and later.
     #[must_use]
     pub fn prepare(&self, settings: &Settings, rules_37: bool) -> PreparedSky {
         let prepare = |pigment: &Pigment| PreparedPigment::new(pigment, &self.steps, settings);
@@ -88,25 +88,26 @@ impl SkySphere {
 }
 
 impl PreparedSky {
-    /// What is seen in a unit direction.
+    /// Evaluates the sky in a unit direction.
     ///
-    /// From version 3.7 on, the upper pigments filter the lower ones. Before, colours below are only weakened, and
-    /// the background shows through the product of all transmits, and of all filters with all colours (measured).
+    /// From version 3.7 on, upper pigments filter the lower ones. Before, they attenuate the lower ones without tinting
+    /// them, and the transmittance to the background is the product of all transmits, plus the product of all filters
+    /// times the product of all colours (measured).
     #[must_use]
     pub fn seen(&self, dir: DVec3) -> Seen {
         if self.rules_37 {
-            self.seen_by_layers(dir)
+            self.filtered_layers(dir)
         } else {
-            self.seen_before_37(dir)
+            self.layers_before_37(dir)
         }
     }
 
-    fn seen_by_layers(&self, dir: DVec3) -> Seen {
-        let nothing = Seen {
+    fn filtered_layers(&self, dir: DVec3) -> Seen {
+        let clear = Seen {
             rgb: Rgb::BLACK,
             factor: Rgb::WHITE,
         };
-        self.colors(dir).fold(nothing, |above, color| {
+        self.colors(dir).fold(clear, |above, color| {
             let light = color.rgb * (1.0 - color.filter - color.transmit);
             Seen {
                 rgb: above.rgb + light * above.factor * self.emission,
@@ -115,25 +116,25 @@ impl PreparedSky {
         })
     }
 
-    fn seen_before_37(&self, dir: DVec3) -> Seen {
+    fn layers_before_37(&self, dir: DVec3) -> Seen {
         let mut rgb = Rgb::BLACK;
-        let mut passing = 1.0;
-        let mut through = Color {
+        let mut transmittance = 1.0;
+        let mut product = Color {
             rgb: Rgb::WHITE,
             filter: 1.0,
             transmit: 1.0,
         };
         for color in self.colors(dir) {
-            let own = 1.0 - color.filter - color.transmit;
-            rgb += color.rgb * (passing * own) * self.emission;
-            passing *= color.filter + color.transmit;
-            through.rgb *= color.rgb;
-            through.filter *= color.filter;
-            through.transmit *= color.transmit;
+            let opacity = 1.0 - color.filter - color.transmit;
+            rgb += color.rgb * (transmittance * opacity) * self.emission;
+            transmittance *= color.filter + color.transmit;
+            product.rgb *= color.rgb;
+            product.filter *= color.filter;
+            product.transmit *= color.transmit;
         }
         Seen {
             rgb,
-            factor: through.transmission(),
+            factor: product.transmission(),
         }
     }
 
@@ -153,28 +154,28 @@ mod tests {
         SkySphere::read(&mut TextArgs::new(text))
     }
 
-    /// Compares with what POV-Ray 3.7 shows in front of a background of this colour.
+    /// Compares with pixels of POV-Ray 3.7 in front of a background of this colour.
     fn check(text: &str, rules_37: bool, background: Rgb, expected: [f32; 3]) {
         let seen = read(text)
             .unwrap()
             .prepare(&Settings::default(), rules_37)
             .seen(DVec3::Z);
         let Rgb { r, g, b } = seen.rgb + seen.factor * background;
-        for (found, expected) in [r, g, b].into_iter().zip(expected) {
-            assert!((found - expected).abs() < 3e-5, "{text}: {r} {g} {b}");
+        for (actual, expected) in [r, g, b].into_iter().zip(expected) {
+            assert!((actual - expected).abs() < 3e-5, "{text}: {r} {g} {b}");
         }
     }
 
-    const ONE: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } }";
-    const TWO: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } \
+    const ONE_LAYER: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } }";
+    const TWO_LAYERS: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } \
         pigment { rgbft <0.3, 0.5, 0.7, 0.1, 0.4> } }";
 
     #[test]
     fn upper_pigments_filter_the_lower_ones() {
-        check(ONE, true, Rgb::BLACK, [0.4, 0.3, 0.2]);
-        check(TWO, true, Rgb::BLACK, [0.322, 0.385, 0.444]);
+        check(ONE_LAYER, true, Rgb::BLACK, [0.4, 0.3, 0.2]);
+        check(TWO_LAYERS, true, Rgb::BLACK, [0.322, 0.385, 0.444]);
         check(
-            TWO,
+            TWO_LAYERS,
             true,
             Rgb::new(0.5, 0.6, 0.7),
             [0.4166, 0.4876, 0.54928],
@@ -182,11 +183,16 @@ mod tests {
     }
 
     #[test]
-    fn before_3_7_upper_pigments_weaken_the_lower_ones() {
-        check(TWO, false, Rgb::BLACK, [0.35, 0.4, 0.45]);
-        check(ONE, false, Rgb::new(0.5, 0.6, 0.7), [0.62, 0.528, 0.424]);
+    fn before_3_7_upper_pigments_attenuate_the_lower_ones() {
+        check(TWO_LAYERS, false, Rgb::BLACK, [0.35, 0.4, 0.45]);
         check(
-            TWO,
+            ONE_LAYER,
+            false,
+            Rgb::new(0.5, 0.6, 0.7),
+            [0.62, 0.528, 0.424],
+        );
+        check(
+            TWO_LAYERS,
             false,
             Rgb::new(0.5, 0.6, 0.7),
             [0.39361, 0.45341, 0.51188],
@@ -195,7 +201,7 @@ mod tests {
 
     #[test]
     fn emission_scales_the_light_of_the_sky() {
-        let text = TWO.replacen('{', "{ emission rgb <0.5, 2, 1>", 1);
+        let text = TWO_LAYERS.replacen('{', "{ emission rgb <0.5, 2, 1>", 1);
         let background = Rgb::new(0.5, 0.6, 0.7);
         check(&text, false, background, [0.2186, 0.85341, 0.51188]);
     }

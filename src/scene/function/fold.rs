@@ -1,46 +1,46 @@
-//! Chains of operators of one level, put together as POV-Ray puts them together.
+//! Chains of operators of equal precedence, folded as POV-Ray folds them.
 //!
-//! POV-Ray reads `a + b - c` as a list and rewrites it before it computes anything, which changes the last bits of results,
-//! and in two cases the result itself. Measured with POV-Ray 3.7:
-//! * `- k` with a written number becomes `+ (-k)`, and `/ k` behind something that varies becomes `* (1/k)`.
-//! * In sums and comparisons, neighbours that are numbers, but for the first of the list, are combined with each other by
-//!   the sign of the right one, and keep the sign of the left one: `x + 1 - 2` is `x + (1 - 2)`. As products of numbers
-//!   keep their minus sign, `x - 3*5 - 2` is `x - (15 - 2)`, and `x = 2 = 1` is `x = (2 = 1)`.
-//! * Parentheses and calls hide a number from this.
+//! POV-Ray parses `a + b - c` as a list and rewrites it before evaluation. This changes the last bits of results, and
+//! in two cases the result itself. Measured with POV-Ray 3.7:
+//! * `- k` with a literal number becomes `+ (-k)`; `/ k` after a non-constant operand becomes `* (1/k)`.
+//! * In sums and comparisons, adjacent constants after the first operand are combined by the operator between them; the
+//!   result keeps the operator on its left: `x + 1 - 2` is `x + (1 - 2)`. A product of constants is not negated, so
+//!   `x - 3*5 - 2` is `x - (15 - 2)`, and `x = 2 = 1` is `x = (2 = 1)`.
+//! * Parentheses and calls hide a constant from these rules.
 
 use super::graph::{Graph, Id};
 use super::operation::{Binary, Unary};
 use smallvec::SmallVec;
 
-/// How an operand is written.
+/// The syntactic form of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A number, perhaps with a sign, or a name that stands for one.
+    /// A number, possibly signed, or an identifier declared as one.
     Literal,
-    /// Operations on such numbers, without parentheses.
+    /// Operations on literals, without parentheses.
     Folded,
     /// Anything else.
     Closed,
 }
 
-/// A value in a chain.
+/// An operand of a chain.
 #[derive(Clone, Copy, Debug)]
 pub struct Operand {
     /// The value.
     pub id: Id,
-    /// How it is written.
+    /// The syntactic form.
     pub form: Form,
 }
 
-/// The operators of a chain behind its first operand, each with its right operand.
+/// The operators after the first operand of a chain, each with its right operand.
 pub type Rest = SmallVec<[(Binary, Operand); 4]>;
 
-/// A written divisor is zero.
+/// A literal divisor is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DivisionByZero;
 
 impl Operand {
-    /// A number as it is written.
+    /// A literal number.
     pub fn literal(graph: &mut Graph, value: f64) -> Self {
         Operand {
             id: graph.constant(value),
@@ -48,7 +48,7 @@ impl Operand {
         }
     }
 
-    /// What is no written number.
+    /// An operand that is not a constant.
     #[must_use]
     pub fn closed(id: Id) -> Self {
         Operand {
@@ -66,7 +66,7 @@ impl Operand {
         }
     }
 
-    fn is_number(self) -> bool {
+    fn is_constant(self) -> bool {
         self.form != Form::Closed
     }
 }
@@ -74,7 +74,7 @@ impl Operand {
 /// `first * a / b ...`.
 ///
 /// # Errors
-/// When something that varies is divided by a written zero.
+/// If a non-constant operand is divided by a literal zero.
 pub fn product(
     graph: &mut Graph,
     first: Operand,
@@ -82,14 +82,14 @@ pub fn product(
 ) -> Result<Operand, DivisionByZero> {
     let mut left = first;
     for &(f, right) in rest {
-        let form = if left.is_number() && right.is_number() {
+        let form = if left.is_constant() && right.is_constant() {
             Form::Folded
         } else {
             Form::Closed
         };
         let divisor = graph.constant_of(right.id);
         let id = match (f, divisor) {
-            (Binary::Div, Some(k)) if right.form == Form::Literal && !left.is_number() => {
+            (Binary::Div, Some(k)) if right.form == Form::Literal && !left.is_constant() => {
                 if k == 0.0 {
                     return Err(DivisionByZero);
                 }
@@ -113,29 +113,29 @@ pub fn chain(graph: &mut Graph, first: Operand, rest: &[(Binary, Operand)]) -> O
             _ => (f, right),
         };
         pending = match pending {
-            Some((before, number)) if right.is_number() => {
-                Some((before, combined(graph, number, f, right)))
+            Some((before, number)) if right.is_constant() => {
+                Some((before, combine(graph, number, f, right)))
             }
             Some((before, number)) => {
-                left = combined(graph, left, before, number);
-                left = combined(graph, left, f, right);
+                left = combine(graph, left, before, number);
+                left = combine(graph, left, f, right);
                 None
             }
-            None if right.is_number() && !left.is_number() => Some((f, right)),
+            None if right.is_constant() && !left.is_constant() => Some((f, right)),
             None => {
-                left = combined(graph, left, f, right);
+                left = combine(graph, left, f, right);
                 None
             }
         };
     }
     match pending {
-        Some((f, number)) => combined(graph, left, f, number),
+        Some((f, number)) => combine(graph, left, f, number),
         None => left,
     }
 }
 
-fn combined(graph: &mut Graph, left: Operand, f: Binary, right: Operand) -> Operand {
-    let form = if left.is_number() && right.is_number() {
+fn combine(graph: &mut Graph, left: Operand, f: Binary, right: Operand) -> Operand {
+    let form = if left.is_constant() && right.is_constant() {
         Form::Folded
     } else {
         Form::Closed

@@ -1,7 +1,7 @@
-//! The body of a function while it is read: a graph of operations in which equal ones are one.
+//! The graph of a function body while it is parsed: equal operations are merged (hash consing).
 //!
-//! Nodes are made in the order in which they can be computed. A loop and each part of a `select` have a block of their
-//! own: what is made inside is computed there only, and may use everything made before outside.
+//! Nodes are created in an order in which they can be evaluated. The body of a loop and each part of a `select` form a
+//! block of their own: its nodes are evaluated only there, and may use any earlier node of the enclosing blocks.
 
 use super::number::{Component, Fold};
 use super::operation::{Binary, Unary};
@@ -10,18 +10,17 @@ use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Functions of no more nodes than this are put in place of their calls, as long as the caller stays below
-/// [`LARGE`].
+/// Functions of at most this number of nodes are inlined, as long as the caller stays below [`LARGE`].
 pub(super) const SMALL: usize = 40;
-/// Callers of this size call all others.
+/// Callers of at least this number of nodes inline nothing.
 const LARGE: usize = 2_000;
 
-/// A node of the graph being built.
+/// The index of a node in its graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Id(u32);
 
 impl Id {
-    pub(super) fn at(self) -> usize {
+    pub(super) fn index(self) -> usize {
         self.0 as usize
     }
 }
@@ -44,13 +43,13 @@ pub(super) enum Node {
         component: Component,
         arguments: Arguments,
     },
-    /// By its place in the list of `select`s.
+    /// Index in the list of `select`s.
     Select(u32),
-    /// By its place in the list of loops.
+    /// Index in the list of loops.
     Loop(u32),
 }
 
-/// Nodes that are computed together, in their order.
+/// Nodes that are evaluated together, in order.
 #[derive(Clone, Debug)]
 pub struct Block {
     pub(super) nodes: Vec<Id>,
@@ -62,7 +61,7 @@ pub(super) struct Select {
     pub(super) test: Id,
     pub(super) negative: Block,
     pub(super) zero: Block,
-    /// `None` if it is that of zero.
+    /// `None` if it is the block of zero.
     pub(super) positive: Option<Block>,
 }
 
@@ -76,7 +75,7 @@ pub(super) struct Loop {
 }
 
 impl Select {
-    /// The parts that are computed each by itself.
+    /// The blocks of the parts.
     pub(super) fn parts(&self) -> impl Iterator<Item = &Block> {
         [&self.negative, &self.zero]
             .into_iter()
@@ -84,18 +83,19 @@ impl Select {
     }
 }
 
-/// A body with all that it refers to.
+/// A function body.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     pub(super) nodes: Vec<Node>,
     pub(super) selects: Vec<Select>,
     pub(super) loops: Vec<Loop>,
     pub(super) callees: Vec<Arc<Function>>,
-    /// What the body gives.
+    /// The value of the body.
     pub(super) result: Option<Id>,
-    /// The blocks being built, outermost first, and in each what was made.
-    open: Vec<Vec<Id>>,
-    known: FxHashMap<Node, Id>,
+    /// The nodes of each open block, outermost first.
+    open_blocks: Vec<Vec<Id>>,
+    /// The nodes in scope by content, to merge equal ones.
+    interned: FxHashMap<Node, Id>,
 }
 
 impl Graph {
@@ -103,24 +103,24 @@ impl Graph {
     #[must_use]
     pub fn new() -> Self {
         Graph {
-            open: vec![Vec::new()],
+            open_blocks: vec![Vec::new()],
             ..Graph::default()
         }
     }
 
     fn node(&mut self, node: Node) -> Id {
-        if let Some(&known) = self.known.get(&node) {
-            return known;
+        if let Some(&existing) = self.interned.get(&node) {
+            return existing;
         }
         let id = self.push(node.clone());
-        self.known.insert(node, id);
+        self.interned.insert(node, id);
         id
     }
 
     fn push(&mut self, node: Node) -> Id {
         let id = Id(u32::try_from(self.nodes.len()).expect("tokens are fewer than 2^32"));
         self.nodes.push(node);
-        if let Some(block) = self.open.last_mut() {
+        if let Some(block) = self.open_blocks.last_mut() {
             block.push(id);
         }
         id
@@ -131,24 +131,24 @@ impl Graph {
         self.node(Node::Constant(value.to_bits()))
     }
 
-    /// The number that a node is, if it is one.
+    /// The value of a constant node.
     #[must_use]
     pub fn constant_of(&self, id: Id) -> Option<f64> {
-        match self.nodes[id.at()] {
+        match self.nodes[id.index()] {
             Node::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
     }
 
-    /// A parameter of the function by its place.
-    pub fn parameter(&mut self, place: u16) -> Id {
-        self.node(Node::Parameter(place))
+    /// The parameter of this index.
+    pub fn parameter(&mut self, index: u16) -> Id {
+        self.node(Node::Parameter(index))
     }
 
     /// A function of one value.
     pub fn unary(&mut self, f: Unary, a: Id) -> Id {
         match self.constant_of(a) {
-            Some(value) => self.constant(f.of_f64(value)),
+            Some(value) => self.constant(f.eval(value)),
             None => self.node(Node::Unary(f, a)),
         }
     }
@@ -156,21 +156,21 @@ impl Graph {
     /// An operation of two values.
     pub fn binary(&mut self, f: Binary, a: Id, b: Id) -> Id {
         match (self.constant_of(a), self.constant_of(b)) {
-            (Some(a), Some(b)) => self.constant(f.of_f64(a, b)),
+            (Some(a), Some(b)) => self.constant(f.eval(a, b)),
             _ => self.node(Node::Binary(f, a, b)),
         }
     }
 
-    /// What another function gives, or a component of it. The number of arguments is right.
+    /// A call of another function, or a component of its value. The caller has checked the number of arguments.
     pub fn call(&mut self, function: &Arc<Function>, arguments: &[Id], component: Component) -> Id {
         if let Kind::Program(program) = &function.kind
             && let Some(graph) = program.small_graph()
             && self.nodes.len() < LARGE
         {
-            return self.inlined(graph, arguments);
+            return self.inline(graph, arguments);
         }
-        let known = self.callees.iter().position(|f| Arc::ptr_eq(f, function));
-        let callee = known.unwrap_or_else(|| {
+        let existing = self.callees.iter().position(|f| Arc::ptr_eq(f, function));
+        let callee = existing.unwrap_or_else(|| {
             self.callees.push(Arc::clone(function));
             self.callees.len() - 1
         });
@@ -181,22 +181,22 @@ impl Graph {
         })
     }
 
-    /// Opens a block: what is made until [`Graph::close`] belongs to it.
+    /// Opens a block: nodes created until [`Graph::close`] belong to it.
     pub fn open(&mut self) {
-        self.open.push(Vec::new());
+        self.open_blocks.push(Vec::new());
     }
 
-    /// Closes the innermost block, which gives `result`.
+    /// Closes the innermost block, whose value is `result`.
     pub fn close(&mut self, result: Id) -> Block {
-        let nodes = self.open.pop().unwrap_or_default();
+        let nodes = self.open_blocks.pop().unwrap_or_default();
         for id in &nodes {
-            // Outside, its value is not there.
-            self.known.remove(&self.nodes[id.at()]);
+            // The node has no value outside of its block.
+            self.interned.remove(&self.nodes[id.index()]);
         }
         Block { nodes, result }
     }
 
-    /// `select(test, negative, zero, positive)`; without `positive` that of zero stands for both.
+    /// `select(test, negative, zero, positive)`; without `positive`, `zero` also stands for positive tests.
     pub fn select(
         &mut self,
         test: Id,
@@ -204,24 +204,24 @@ impl Graph {
         zero: Block,
         positive: Option<Block>,
     ) -> Id {
-        let place = u32::try_from(self.selects.len()).expect("tokens are fewer than 2^32");
+        let index = u32::try_from(self.selects.len()).expect("tokens are fewer than 2^32");
         self.selects.push(Select {
             test,
             negative,
             zero,
             positive,
         });
-        self.push(Node::Select(place))
+        self.push(Node::Select(index))
     }
 
-    /// The variable of a loop that is about to be built.
+    /// The variable of a loop, created before the block of its body.
     pub fn variable(&mut self) -> Id {
         self.push(Node::Variable)
     }
 
-    /// The loop of a variable.
+    /// The loop over a variable.
     pub fn repeat(&mut self, fold: Fold, variable: Id, range: (Id, Id), body: Block) -> Id {
-        let place = u32::try_from(self.loops.len()).expect("tokens are fewer than 2^32");
+        let index = u32::try_from(self.loops.len()).expect("tokens are fewer than 2^32");
         let (from, to) = range;
         self.loops.push(Loop {
             fold,
@@ -230,94 +230,94 @@ impl Graph {
             to,
             body,
         });
-        self.push(Node::Loop(place))
+        self.push(Node::Loop(index))
     }
 
     /// The outermost block.
     pub(super) fn root(&self) -> &[Id] {
-        self.open.first().map_or(&[], Vec::as_slice)
+        self.open_blocks.first().map_or(&[], Vec::as_slice)
     }
 
-    /// The result of the body in place of its call; the root block ends with it.
-    fn inlined(&mut self, body: &Graph, arguments: &[Id]) -> Id {
-        let mut copy = Copying {
+    /// Copies a body in place of its call and returns its value.
+    fn inline(&mut self, body: &Graph, arguments: &[Id]) -> Id {
+        let mut inliner = Inliner {
             body,
             arguments,
-            made: vec![None; body.nodes.len()],
+            copies: vec![None; body.nodes.len()],
         };
-        copy.nodes(body.root(), self);
+        inliner.nodes(body.root(), self);
         let result = body.result.expect("a body has a result");
-        copy.made[result.at()].expect("all of a body was copied")
+        inliner.copies[result.index()].expect("all of a body was copied")
     }
 
-    /// Ends the building: `result` is what the body gives.
+    /// Finishes the graph of a body whose value is `result`.
     #[must_use]
     pub fn finish(mut self, result: Id) -> Self {
         self.result = Some(result);
-        self.known = FxHashMap::default();
+        self.interned = FxHashMap::default();
         self
     }
 }
 
-/// Copies the nodes of one graph into another.
-struct Copying<'a> {
+/// Copies the nodes of one graph into another, with arguments for its parameters.
+struct Inliner<'a> {
     body: &'a Graph,
     arguments: &'a [Id],
-    made: Vec<Option<Id>>,
+    copies: Vec<Option<Id>>,
 }
 
-impl Copying<'_> {
+impl Inliner<'_> {
     fn nodes(&mut self, nodes: &[Id], into: &mut Graph) {
         for &id in nodes {
             let copy = self.node(id, into);
-            self.made[id.at()] = Some(copy);
+            self.copies[id.index()] = Some(copy);
         }
     }
 
-    fn of(&self, id: Id) -> Id {
-        self.made[id.at()].expect("operands are made before what uses them")
+    fn copy_of(&self, id: Id) -> Id {
+        self.copies[id.index()].expect("operands are made before what uses them")
     }
 
     fn block(&mut self, block: &Block, into: &mut Graph) -> Block {
         into.open();
         self.nodes(&block.nodes, into);
-        into.close(self.of(block.result))
+        into.close(self.copy_of(block.result))
     }
 
     fn node(&mut self, id: Id, into: &mut Graph) -> Id {
-        match &self.body.nodes[id.at()] {
+        match &self.body.nodes[id.index()] {
             Node::Constant(bits) => into.constant(f64::from_bits(*bits)),
-            Node::Parameter(place) => self.arguments[usize::from(*place)],
+            Node::Parameter(index) => self.arguments[usize::from(*index)],
             Node::Variable => into.variable(),
-            Node::Unary(f, a) => into.unary(*f, self.of(*a)),
-            Node::Binary(f, a, b) => into.binary(*f, self.of(*a), self.of(*b)),
+            Node::Unary(f, a) => into.unary(*f, self.copy_of(*a)),
+            Node::Binary(f, a, b) => into.binary(*f, self.copy_of(*a), self.copy_of(*b)),
             Node::Call {
                 callee,
                 component,
                 arguments,
             } => {
-                let arguments: Arguments = arguments.iter().map(|&a| self.of(a)).collect();
+                let arguments: Arguments = arguments.iter().map(|&a| self.copy_of(a)).collect();
                 let function = &self.body.callees[*callee as usize];
                 into.call(function, &arguments, *component)
             }
-            Node::Select(place) => {
+            Node::Select(index) => {
                 let body = self.body;
-                let select = &body.selects[*place as usize];
+                let select = &body.selects[*index as usize];
                 let negative = self.block(&select.negative, into);
                 let zero = self.block(&select.zero, into);
                 let positive = select.positive.as_ref();
                 let positive = positive.map(|positive| self.block(positive, into));
-                into.select(self.of(select.test), negative, zero, positive)
+                into.select(self.copy_of(select.test), negative, zero, positive)
             }
-            Node::Loop(place) => {
+            Node::Loop(index) => {
                 let body = self.body;
-                let run = &body.loops[*place as usize];
-                let variable = self.of(run.variable);
-                let block = self.block(&run.body, into);
+                let loop_node = &body.loops[*index as usize];
+                let variable = self.copy_of(loop_node.variable);
+                let block = self.block(&loop_node.body, into);
                 into.repeat(
-                    run.fold,
+                    loop_node.fold,
                     variable,
-                    (self.of(run.from), self.of(run.to)),
+                    (self.copy_of(loop_node.from), self.copy_of(loop_node.to)),
                     block,
                 )
             }

@@ -1,11 +1,12 @@
-//! Bounds of the values that a function takes in a box: programs run on intervals as they run on numbers.
+//! Interval arithmetic: programs run on intervals to bound the values of a function over a box.
 //!
-//! What is bounded is what the program computes on numbers, not what the formula means: rounding to the nearest keeps the
-//! order of results, so sums, products, quotients and roots of bounds are bounds as they are (Moore, "Interval Analysis",
-//! 1966, rounds outwards to bound the exact values). Only what a library computes is widened, by [`SLACK`].
+//! The intervals bound the floating-point values that the program computes, not the exact ones. Rounding to nearest is
+//! monotonic, so sums, products, quotients and roots of bounds are bounds without outward rounding (Moore, "Interval
+//! Analysis", 1966, rounds outwards to bound the exact values). Only results of library functions are widened, by
+//! [`SLACK`].
 //!
-//! The whole line stands for anything, also for what is no number; every other interval holds numbers only. Functions that
-//! are no formulas give the whole line, but for those that are known to stay within bounds.
+//! The whole line stands for any value, including NaN; every other interval excludes NaN. Functions without a formula
+//! return the whole line, except those with known bounds.
 
 use super::number::{Component, Fold, Number, Part};
 use super::operation::{Binary, Unary};
@@ -13,12 +14,12 @@ use super::{Function, Kind};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Sub};
 
-/// How far off the functions of the C library may be, relative to their value; glibc states less than half of this.
+/// Bound of the relative error of C library functions; glibc documents less than half of this.
 const SLACK: f64 = 4.0 * f64::EPSILON;
-/// More rounds of a loop are not run on intervals.
-const MOST_ROUNDS: u32 = 10_000;
+/// Limit on the iterations of a loop on intervals.
+const MAX_ITERATIONS: u32 = 10_000;
 
-/// All numbers from `low` to `high`, both included.
+/// A closed interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// The lower bound.
@@ -28,13 +29,13 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Every number, and what is none.
+    /// Any value, including NaN.
     pub const WHOLE: Interval = Interval {
         low: f64::NEG_INFINITY,
         high: f64::INFINITY,
     };
 
-    /// From one number to another; the whole line if either is no number.
+    /// The interval between two numbers in any order; the whole line if either is NaN.
     #[must_use]
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() {
@@ -46,22 +47,22 @@ impl Interval {
         }
     }
 
-    /// Whether a number lies in it.
+    /// Returns true if the number lies in the interval.
     #[must_use]
     pub fn contains(self, value: f64) -> bool {
         self.low <= value && value <= self.high
     }
 
-    /// The least interval that holds both.
+    /// The smallest interval that contains both.
     #[must_use]
-    pub fn joined(self, other: Interval) -> Self {
+    pub fn union(self, other: Interval) -> Self {
         Interval {
             low: self.low.min(other.low),
             high: self.high.max(other.high),
         }
     }
 
-    /// Whether it may be what is no number.
+    /// Returns true for the whole line, which may stand for NaN.
     fn is_whole(self) -> bool {
         self.low == f64::NEG_INFINITY && self.high == f64::INFINITY
     }
@@ -74,17 +75,17 @@ impl Interval {
         self.low.to_bits() == self.high.to_bits()
     }
 
-    /// As far further as a library function may be off.
+    /// The interval widened by the error of a library function.
     fn widened(low: f64, high: f64) -> Self {
         Interval::new(low - low.abs() * SLACK, high + high.abs() * SLACK)
     }
 
-    /// The values of a function that grows.
-    fn growing(self, f: Unary) -> Self {
-        Interval::widened(f.of_f64(self.low), f.of_f64(self.high))
+    /// The values of an increasing function.
+    fn increasing(self, f: Unary) -> Self {
+        Interval::widened(f.eval(self.low), f.eval(self.high))
     }
 
-    /// Bounds of the values at the corners.
+    /// The range of the values at the corners.
     fn corners(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Self {
         let values = [
             f(self.low, other.low),
@@ -100,8 +101,8 @@ impl Interval {
         Interval { low, high }
     }
 
-    /// The same for a function of the library.
-    fn wide_corners(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Self {
+    /// The range at the corners, widened for a library function.
+    fn widened_corners(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Self {
         let corners = self.corners(other, f);
         Interval::widened(corners.low, corners.high)
     }
@@ -116,10 +117,10 @@ impl Interval {
         }
     }
 
-    /// The sine of the interval moved by `phase`.
+    /// The sine of the interval shifted by `phase`.
     fn sine(self, phase: f64) -> Self {
         let (from, to) = (self.low + phase, self.high + phase);
-        // Beyond this the period is finer than the steps of the numbers.
+        // Beyond this the error of the phase may be too large to locate the peaks.
         const FAR: f64 = 1e9;
         if !from.is_finite() || !to.is_finite() {
             return Interval::WHOLE;
@@ -127,18 +128,18 @@ impl Interval {
         if to - from >= TAU || from.abs() > FAR || to.abs() > FAR {
             return Interval::new(-1.0, 1.0);
         }
-        // A little more than the interval, for the rounding of the phase.
+        // Widens the interval by the rounding error of the phase.
         let slack = SLACK * (from.abs() + to.abs() + 1.0);
-        let holds = |peak: f64| {
+        let contains_peak = |peak: f64| {
             let turns = ((from - slack - peak) / TAU).ceil();
             peak + turns * TAU <= to + slack
         };
         let (a, b) = (from.sin(), to.sin());
         let mut sine = Interval::widened(a.min(b) - slack, a.max(b) + slack);
-        if holds(FRAC_PI_2) {
+        if contains_peak(FRAC_PI_2) {
             sine.high = 1.0;
         }
-        if holds(-FRAC_PI_2) {
+        if contains_peak(-FRAC_PI_2) {
             sine.low = -1.0;
         }
         Interval::new(sine.low.max(-1.0), sine.high.min(1.0))
@@ -151,31 +152,31 @@ impl Interval {
         if !is_short || pole <= self.high + slack || pole - PI >= self.low - slack {
             return Interval::WHOLE;
         }
-        self.growing(Unary::Tan)
+        self.increasing(Unary::Tan)
     }
 
-    fn whole(self) -> Self {
+    fn truncated(self) -> Self {
         if self.low < f64::from(i32::MIN) || self.high > f64::from(i32::MAX) {
             return Interval::new(f64::from(i32::MIN), f64::from(i32::MAX));
         }
         Interval::new(self.low.trunc(), self.high.trunc())
     }
 
-    /// Whether it is true, false, or may be either.
+    /// Returns if the value can be true, and if it can be false.
     fn truth(self) -> (bool, bool) {
         let can_be_false = self.contains(0.0);
         (self.low != 0.0 || self.high != 0.0, can_be_false)
     }
 
-    fn of_truth(can_be_true: bool, can_be_false: bool) -> Self {
+    fn from_truth(can_be_true: bool, can_be_false: bool) -> Self {
         let of = |is: bool| f64::from(u8::from(is));
         Interval::new(of(!can_be_false), of(can_be_true))
     }
 
     fn angle(self, x: Interval) -> Self {
-        // Away from the ray to the left, where the angle jumps, it has its extremes at corners.
+        // The extremes lie at corners unless the box touches the negative x axis, where the angle jumps.
         if x.low > 0.0 || self.low > 0.0 || self.high < 0.0 {
-            self.wide_corners(x, f64::atan2)
+            self.widened_corners(x, f64::atan2)
         } else {
             Interval::new(-PI, PI)
         }
@@ -185,42 +186,42 @@ impl Interval {
         if by.contains(0.0) || !self.low.is_finite() || !self.high.is_finite() {
             return Interval::WHOLE;
         }
-        let most = by.abs().high.min(self.abs().high);
+        let limit = by.abs().high.min(self.abs().high);
         Interval::new(
-            if self.low < 0.0 { -most } else { 0.0 },
-            if self.high > 0.0 { most } else { 0.0 },
+            if self.low < 0.0 { -limit } else { 0.0 },
+            if self.high > 0.0 { limit } else { 0.0 },
         )
     }
 
     fn power(self, exponent: Interval) -> Self {
         if self.low >= 0.0 {
-            return self.wide_corners(exponent, f64::powf);
+            return self.widened_corners(exponent, f64::powf);
         }
         if !exponent.is_point() || exponent.low.fract() != 0.0 || exponent.low < 0.0 {
             return Interval::WHOLE;
         }
         if exponent.low % 2.0 == 0.0 {
-            self.abs().wide_corners(exponent, f64::powf)
+            self.abs().widened_corners(exponent, f64::powf)
         } else {
-            self.wide_corners(exponent, f64::powf)
+            self.widened_corners(exponent, f64::powf)
         }
     }
 
     fn compare(self, f: Binary, other: Interval) -> Self {
         let (below, above) = (self.high < other.low, self.low > other.high);
         let touches = !below && !above;
-        let is_one_point = self.low == self.high && other.low == other.high && touches;
-        // Whether some pair is less, equal, greater.
+        let are_same_point = self.low == self.high && other.low == other.high && touches;
+        // True if some pair of values is less, or greater; `touches` if some pair is equal.
         let (less, greater) = (self.low < other.high, self.high > other.low);
         let (can_be_true, can_be_false) = match f {
             Binary::Less => (less, !below),
             Binary::LessEqual => (less || touches, greater),
             Binary::Greater => (greater, !above),
             Binary::GreaterEqual => (greater || touches, less),
-            Binary::Equal => (touches, !is_one_point),
-            _ => (!is_one_point, touches),
+            Binary::Equal => (touches, !are_same_point),
+            _ => (!are_same_point, touches),
         };
-        Interval::of_truth(can_be_true, can_be_false)
+        Interval::from_truth(can_be_true, can_be_false)
     }
 }
 
@@ -277,7 +278,7 @@ impl Number for Interval {
             Unary::Sqrt | Unary::Ln | Unary::Log => self.low >= 0.0,
             _ => true,
         };
-        // What is no number stays none, but for `int`.
+        // NaN stays NaN, except for `int`.
         if !is_in_domain || self.is_whole() && f != Unary::Int {
             return Interval::WHOLE;
         }
@@ -288,7 +289,7 @@ impl Number for Interval {
             Unary::Sqrt => Interval::new(self.low.sqrt(), self.high.sqrt()),
             Unary::Ceil => Interval::new(self.low.ceil(), self.high.ceil()),
             Unary::Floor => Interval::new(self.low.floor(), self.high.floor()),
-            Unary::Int => self.whole(),
+            Unary::Int => self.truncated(),
             Unary::Sin => self.sine(0.0),
             Unary::Cos => self.sine(FRAC_PI_2),
             Unary::Tan => self.tangent(),
@@ -307,7 +308,7 @@ impl Number for Interval {
             | Unary::Log
             | Unary::Radians
             | Unary::Sinh
-            | Unary::Tanh => self.growing(f),
+            | Unary::Tanh => self.increasing(f),
         }
     }
 
@@ -319,15 +320,15 @@ impl Number for Interval {
             Binary::Div => self / other,
             Binary::And => {
                 let ((a, not_a), (b, not_b)) = (self.truth(), other.truth());
-                Interval::of_truth(a && b, not_a || not_b)
+                Interval::from_truth(a && b, not_a || not_b)
             }
             Binary::Or => {
                 let ((a, not_a), (b, not_b)) = (self.truth(), other.truth());
-                Interval::of_truth(a || b, not_a && not_b)
+                Interval::from_truth(a || b, not_a && not_b)
             }
-            Binary::WholeDiv => (self / other).whole(),
+            Binary::WholeDiv => (self / other).truncated(),
             _ if f.is_comparison() => self.compare(f, other),
-            // Of what may be no number, nothing more is known.
+            // An operand that may be NaN leaves no bounds.
             _ if self.is_whole() || other.is_whole() => Interval::WHOLE,
             Binary::Atan2 => self.angle(other),
             Binary::Mod => self.remainder(other),
@@ -347,7 +348,7 @@ impl Number for Interval {
             .into_iter()
             .filter(|(_, is_possible)| *is_possible)
             .map(|(part, _)| value_of(part))
-            .reduce(Interval::joined)
+            .reduce(Interval::union)
             .unwrap_or(Interval::WHOLE)
     }
 
@@ -360,7 +361,7 @@ impl Number for Interval {
             return Interval::WHOLE;
         }
         let mut at = from.low;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..MAX_ITERATIONS {
             let is_within = at <= to.low;
             if !is_within {
                 return result;

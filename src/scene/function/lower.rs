@@ -1,73 +1,73 @@
-//! From the graph of a body to its program: leaves out what nothing uses, and gives registers.
+//! Lowers the graph of a body to a program: dead code elimination and register allocation.
 //!
-//! The operations stand in one line, those of a loop or of the parts of a `select` behind it. A value keeps its register
-//! from where it is computed to its last use in that line; what a loop uses and does not compute it keeps to the
-//! loop's end.
+//! The operations form one linear sequence: a loop or a `select` is followed by the operations of its blocks. A value
+//! occupies its register from its definition to its last use in that sequence; values that a loop uses but does not
+//! define stay live to the end of the loop.
 
 use super::graph::{Block, Graph, Id, Node};
 use super::operation::Binary;
-use super::program::{Call, Loop, MOST_REGISTERS, Op, Program, Register, Select, TooLarge};
+use super::program::{Call, Loop, MAX_REGISTERS, Op, Program, Register, Select, TooLarge};
 
-/// The program of a finished graph.
+/// Lowers a finished graph of a body with this number of parameters.
 pub(super) fn lower(graph: &Graph, parameters: usize) -> Result<Program, TooLarge> {
     let result = graph.result.expect("a finished graph has a result");
-    let mut lines = Lines::new(graph);
-    lines.use_at_the_end(result);
-    lines.number(graph.root());
+    let mut liveness = Liveness::new(graph);
+    liveness.record_use_at_end(result);
+    liveness.visit(graph.root());
     let mut lowering = Lowering {
         graph,
-        lines,
-        now: 0,
+        liveness,
+        position: 0,
         program: Program::empty(),
         registers: vec![None; graph.nodes.len()],
-        free: Vec::new(),
+        free_registers: Vec::new(),
         parameters,
-        next: parameters,
+        next_register: parameters,
     };
-    if parameters > MOST_REGISTERS {
+    if parameters > MAX_REGISTERS {
         return Err(TooLarge);
     }
     for (id, node) in graph.nodes.iter().enumerate() {
-        if let Node::Parameter(place) = node {
-            lowering.registers[id] = Some(*place);
+        if let Node::Parameter(index) = node {
+            lowering.registers[id] = Some(*index);
         }
     }
     lowering.block(graph.root())?;
     lowering.program.result = lowering.register_of(result);
-    lowering.program.registers = lowering.next.max(1);
+    lowering.program.registers = lowering.next_register.max(1);
     Ok(lowering.program)
 }
 
-/// How a node works with a constant operand, which then needs no register.
-enum WithConstant {
+/// An operation with an immediate operand, a constant that needs no register.
+enum ImmediateForm {
     AddTo(Id, f64),
     SubFrom(Id, f64),
     MulBy(Id, f64),
     DivInto(Id, f64),
 }
 
-fn with_constant(graph: &Graph, node: &Node) -> Option<WithConstant> {
+fn immediate_form(graph: &Graph, node: &Node) -> Option<ImmediateForm> {
     let &Node::Binary(f, a, b) = node else {
         return None;
     };
     let (left, right) = (graph.constant_of(a), graph.constant_of(b));
     match (f, left, right) {
-        (Binary::Add, _, Some(k)) => Some(WithConstant::AddTo(a, k)),
-        (Binary::Add, Some(k), _) => Some(WithConstant::AddTo(b, k)),
-        (Binary::Sub, _, Some(k)) => Some(WithConstant::AddTo(a, -k)),
-        (Binary::Sub, Some(k), _) => Some(WithConstant::SubFrom(b, k)),
-        (Binary::Mul, _, Some(k)) => Some(WithConstant::MulBy(a, k)),
-        (Binary::Mul, Some(k), _) => Some(WithConstant::MulBy(b, k)),
-        (Binary::Div, Some(k), _) => Some(WithConstant::DivInto(b, k)),
+        (Binary::Add, _, Some(k)) => Some(ImmediateForm::AddTo(a, k)),
+        (Binary::Add, Some(k), _) => Some(ImmediateForm::AddTo(b, k)),
+        (Binary::Sub, _, Some(k)) => Some(ImmediateForm::AddTo(a, -k)),
+        (Binary::Sub, Some(k), _) => Some(ImmediateForm::SubFrom(b, k)),
+        (Binary::Mul, _, Some(k)) => Some(ImmediateForm::MulBy(a, k)),
+        (Binary::Mul, Some(k), _) => Some(ImmediateForm::MulBy(b, k)),
+        (Binary::Div, Some(k), _) => Some(ImmediateForm::DivInto(b, k)),
         _ => None,
     }
 }
 
-/// The nodes that a node reads, but for those in its blocks.
+/// Calls `each` for the operands of a node, without those in its blocks.
 fn operands(graph: &Graph, node: &Node, each: &mut dyn FnMut(Id)) {
-    use WithConstant::{AddTo, DivInto, MulBy, SubFrom};
+    use ImmediateForm::{AddTo, DivInto, MulBy, SubFrom};
     if let Some(AddTo(a, _) | SubFrom(a, _) | MulBy(a, _) | DivInto(a, _)) =
-        with_constant(graph, node)
+        immediate_form(graph, node)
     {
         return each(a);
     }
@@ -79,136 +79,137 @@ fn operands(graph: &Graph, node: &Node, each: &mut dyn FnMut(Id)) {
             each(*b);
         }
         Node::Call { arguments, .. } => arguments.iter().for_each(|&a| each(a)),
-        Node::Select(place) => each(graph.selects[*place as usize].test),
-        Node::Loop(place) => {
-            let run = &graph.loops[*place as usize];
-            each(run.from);
-            each(run.to);
+        Node::Select(index) => each(graph.selects[*index as usize].test),
+        Node::Loop(index) => {
+            let loop_node = &graph.loops[*index as usize];
+            each(loop_node.from);
+            each(loop_node.to);
         }
     }
 }
 
-/// Where in the line each node is computed and last used. A loop takes two places: its start and its end.
-struct Lines<'a> {
+/// Live ranges: the positions at which each node is defined and last used. A loop has two positions, its start and its
+/// end.
+struct Liveness<'a> {
     graph: &'a Graph,
     is_used: Vec<bool>,
-    made: Vec<u32>,
+    defined: Vec<u32>,
     last_use: Vec<u32>,
-    now: u32,
-    /// For each loop around: where it starts, and what it uses from outside.
-    loops: Vec<(u32, Vec<Id>)>,
-    /// For each loop of the graph: what it uses from outside.
-    kept: Vec<Vec<Id>>,
+    position: u32,
+    /// For each enclosing loop, its start and the outer values it uses.
+    enclosing_loops: Vec<(u32, Vec<Id>)>,
+    /// For each loop of the graph, the outer values it uses.
+    loop_inputs: Vec<Vec<Id>>,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> Liveness<'a> {
     fn new(graph: &'a Graph) -> Self {
         let count = graph.nodes.len();
         let mut is_used = vec![false; count];
         let result = graph.result.expect("a finished graph has a result");
-        is_used[result.at()] = true;
-        // Operands are made before what uses them, so one pass from the end finds all.
+        is_used[result.index()] = true;
+        // Operands precede their users, so one backward pass marks all of them.
         for (id, node) in graph.nodes.iter().enumerate().rev() {
             if !is_used[id] {
                 continue;
             }
-            operands(graph, node, &mut |a| is_used[a.at()] = true);
+            operands(graph, node, &mut |a| is_used[a.index()] = true);
             match node {
-                Node::Select(place) => {
-                    for part in graph.selects[*place as usize].parts() {
-                        is_used[part.result.at()] = true;
+                Node::Select(index) => {
+                    for part in graph.selects[*index as usize].parts() {
+                        is_used[part.result.index()] = true;
                     }
                 }
-                Node::Loop(place) => {
-                    let run = &graph.loops[*place as usize];
-                    is_used[run.body.result.at()] = true;
-                    is_used[run.variable.at()] = true;
+                Node::Loop(index) => {
+                    let loop_node = &graph.loops[*index as usize];
+                    is_used[loop_node.body.result.index()] = true;
+                    is_used[loop_node.variable.index()] = true;
                 }
                 _ => {}
             }
         }
-        Lines {
+        Liveness {
             graph,
             is_used,
-            made: vec![0; count],
+            defined: vec![0; count],
             last_use: vec![0; count],
-            now: 0,
-            loops: Vec::new(),
-            kept: vec![Vec::new(); graph.loops.len()],
+            position: 0,
+            enclosing_loops: Vec::new(),
+            loop_inputs: vec![Vec::new(); graph.loops.len()],
         }
     }
 
-    fn use_at_the_end(&mut self, id: Id) {
-        self.last_use[id.at()] = u32::MAX;
+    fn record_use_at_end(&mut self, id: Id) {
+        self.last_use[id.index()] = u32::MAX;
     }
 
-    fn use_now(&mut self, id: Id) {
-        let last = &mut self.last_use[id.at()];
-        *last = (*last).max(self.now);
-        if let Some((start, outer)) = self.loops.last_mut()
-            && self.made[id.at()] < *start
+    fn record_use(&mut self, id: Id) {
+        let last = &mut self.last_use[id.index()];
+        *last = (*last).max(self.position);
+        if let Some((start, inputs)) = self.enclosing_loops.last_mut()
+            && self.defined[id.index()] < *start
         {
-            outer.push(id);
+            inputs.push(id);
         }
     }
 
-    fn number(&mut self, nodes: &[Id]) {
+    fn visit(&mut self, nodes: &[Id]) {
         for &id in nodes {
-            if self.is_used[id.at()] {
-                self.number_node(id);
+            if self.is_used[id.index()] {
+                self.visit_node(id);
             }
         }
     }
 
-    fn number_node(&mut self, id: Id) {
-        self.now += 1;
+    fn visit_node(&mut self, id: Id) {
+        self.position += 1;
         let graph = self.graph;
-        let node = &graph.nodes[id.at()];
-        operands(graph, node, &mut |a| self.use_now(a));
+        let node = &graph.nodes[id.index()];
+        operands(graph, node, &mut |a| self.record_use(a));
         match node {
-            Node::Select(place) => {
-                for part in graph.selects[*place as usize].parts() {
-                    self.number(&part.nodes);
-                    self.now += 1;
-                    self.use_now(part.result);
+            Node::Select(index) => {
+                for part in graph.selects[*index as usize].parts() {
+                    self.visit(&part.nodes);
+                    self.position += 1;
+                    self.record_use(part.result);
                 }
             }
-            Node::Loop(place) => {
-                let run = &graph.loops[*place as usize];
-                self.loops.push((self.now, Vec::new()));
-                self.number(&run.body.nodes);
-                self.now += 1;
-                self.use_now(run.body.result);
-                let (_, mut outer) = self.loops.pop().unwrap_or_default();
-                outer.push(run.variable);
-                outer.iter().for_each(|&id| self.use_now(id));
-                self.kept[*place as usize] = outer;
+            Node::Loop(index) => {
+                let loop_node = &graph.loops[*index as usize];
+                self.enclosing_loops.push((self.position, Vec::new()));
+                self.visit(&loop_node.body.nodes);
+                self.position += 1;
+                self.record_use(loop_node.body.result);
+                let (_, mut inputs) = self.enclosing_loops.pop().unwrap_or_default();
+                inputs.push(loop_node.variable);
+                inputs.iter().for_each(|&id| self.record_use(id));
+                self.loop_inputs[*index as usize] = inputs;
             }
             _ => {}
         }
-        // A parameter is there from the start, wherever it is first used.
+        // A parameter is defined from the start, wherever its node stands.
         if !matches!(node, Node::Parameter(_)) {
-            self.made[id.at()] = self.now;
+            self.defined[id.index()] = self.position;
         }
     }
 }
 
 struct Lowering<'a> {
     graph: &'a Graph,
-    lines: Lines<'a>,
-    now: u32,
+    liveness: Liveness<'a>,
+    position: u32,
     program: Program,
     registers: Vec<Option<Register>>,
-    free: Vec<Register>,
-    /// The registers of the parameters, which are kept.
+    free_registers: Vec<Register>,
+    /// The number of registers of parameters, which are never reused.
     parameters: usize,
-    next: usize,
+    next_register: usize,
 }
 
 impl Lowering<'_> {
     fn block(&mut self, nodes: &[Id]) -> Result<(), TooLarge> {
         for &id in nodes {
-            if self.lines.is_used[id.at()] {
+            if self.liveness.is_used[id.index()] {
                 self.node(id)?;
             }
         }
@@ -216,49 +217,49 @@ impl Lowering<'_> {
     }
 
     fn register_of(&self, id: Id) -> Register {
-        self.registers[id.at()].expect("operands are computed before what uses them")
+        self.registers[id.index()].expect("operands are computed before what uses them")
     }
 
-    fn take_register(&mut self, id: Id) -> Result<Register, TooLarge> {
-        let register = match self.free.pop() {
+    fn allocate_register(&mut self, id: Id) -> Result<Register, TooLarge> {
+        let register = match self.free_registers.pop() {
             Some(register) => register,
-            None if self.next < MOST_REGISTERS => {
-                self.next += 1;
-                Register::try_from(self.next - 1).map_err(|_| TooLarge)?
+            None if self.next_register < MAX_REGISTERS => {
+                self.next_register += 1;
+                Register::try_from(self.next_register - 1).map_err(|_| TooLarge)?
             }
             None => return Err(TooLarge),
         };
-        self.registers[id.at()] = Some(register);
+        self.registers[id.index()] = Some(register);
         Ok(register)
     }
 
-    /// Gives back the registers of those of `ids` that nothing uses from here on.
+    /// Frees the registers of those of `ids` whose last use is the current position.
     fn release(&mut self, ids: &[Id]) {
         for id in ids {
-            if self.lines.last_use[id.at()] == self.now
-                && let Some(register) = self.registers[id.at()]
+            if self.liveness.last_use[id.index()] == self.position
+                && let Some(register) = self.registers[id.index()]
                 && usize::from(register) >= self.parameters
-                && !self.free.contains(&register)
+                && !self.free_registers.contains(&register)
             {
-                self.free.push(register);
+                self.free_registers.push(register);
             }
         }
     }
 
     fn node(&mut self, id: Id) -> Result<(), TooLarge> {
-        self.now += 1;
+        self.position += 1;
         let graph = self.graph;
-        let node = &graph.nodes[id.at()];
+        let node = &graph.nodes[id.index()];
         let mut used = Vec::new();
         operands(graph, node, &mut |a| used.push(a));
         match node {
             Node::Parameter(_) => return Ok(()),
-            Node::Variable => return self.take_register(id).map(|_| ()),
-            Node::Select(place) => return self.select(id, *place, &used),
-            Node::Loop(place) => return self.repeat(id, *place, &used),
+            Node::Variable => return self.allocate_register(id).map(|_| ()),
+            Node::Select(index) => return self.select(id, *index, &used),
+            Node::Loop(index) => return self.repeat(id, *index, &used),
             _ => {}
         }
-        let place = u32::try_from(self.program.calls.len()).map_err(|_| TooLarge)?;
+        let call = u32::try_from(self.program.calls.len()).map_err(|_| TooLarge)?;
         if let Node::Call {
             callee,
             component,
@@ -272,13 +273,13 @@ impl Lowering<'_> {
             });
         }
         let of = |id: Id| self.register_of(id);
-        let with = with_constant(graph, node);
+        let immediate = immediate_form(graph, node);
         let to = 0;
-        let mut op = match (with, node) {
-            (Some(WithConstant::AddTo(a, k)), _) => Op::AddTo { to, a: of(a), k },
-            (Some(WithConstant::SubFrom(a, k)), _) => Op::SubFrom { to, a: of(a), k },
-            (Some(WithConstant::MulBy(a, k)), _) => Op::MulBy { to, a: of(a), k },
-            (Some(WithConstant::DivInto(a, k)), _) => Op::DivInto { to, a: of(a), k },
+        let mut op = match (immediate, node) {
+            (Some(ImmediateForm::AddTo(a, k)), _) => Op::AddTo { to, a: of(a), k },
+            (Some(ImmediateForm::SubFrom(a, k)), _) => Op::SubFrom { to, a: of(a), k },
+            (Some(ImmediateForm::MulBy(a, k)), _) => Op::MulBy { to, a: of(a), k },
+            (Some(ImmediateForm::DivInto(a, k)), _) => Op::DivInto { to, a: of(a), k },
             (None, Node::Constant(bits)) => Op::Constant {
                 to,
                 k: f64::from_bits(*bits),
@@ -299,84 +300,87 @@ impl Lowering<'_> {
                     _ => Op::Binary { to, a, b, f: *f },
                 }
             }
-            _ => Op::Call { to, at: place },
+            _ => Op::Call { to, index: call },
         };
         self.release(&used);
-        *target(&mut op) = self.take_register(id)?;
+        *target(&mut op) = self.allocate_register(id)?;
         self.program.ops.push(op);
         Ok(())
     }
 
-    fn select(&mut self, id: Id, place: u32, used: &[Id]) -> Result<(), TooLarge> {
-        let select = &self.graph.selects[place as usize];
+    fn select(&mut self, id: Id, graph_index: u32, used: &[Id]) -> Result<(), TooLarge> {
+        let select = &self.graph.selects[graph_index as usize];
         let test = self.register_of(select.test);
         self.release(used);
         let site = self.program.ops.len();
-        let at = u32::try_from(self.program.selects.len()).map_err(|_| TooLarge)?;
+        let index = u32::try_from(self.program.selects.len()).map_err(|_| TooLarge)?;
         self.program.selects.push(Select::default());
-        self.program.ops.push(Op::Select { to: 0, test, at });
+        self.program.ops.push(Op::Select { to: 0, test, index });
         for (i, part) in select.parts().enumerate() {
             let start = u32::try_from(self.program.ops.len()).map_err(|_| TooLarge)?;
             let (end, value) = self.part(part)?;
-            let site = &mut self.program.selects[at as usize];
-            // The last part given stands for those that are not.
+            let site = &mut self.program.selects[index as usize];
+            // The last part present stands for the missing ones.
             site.parts[i..].fill((start, end, value));
             site.end = end;
         }
-        *target(&mut self.program.ops[site]) = self.take_register(id)?;
+        *target(&mut self.program.ops[site]) = self.allocate_register(id)?;
         Ok(())
     }
 
-    /// A block and where it ends, with the register of its value.
+    /// Lowers a block; returns its end and the register of its value.
     fn part(&mut self, block: &Block) -> Result<(u32, Register), TooLarge> {
         self.block(&block.nodes)?;
-        self.now += 1;
+        self.position += 1;
         let value = self.register_of(block.result);
         self.release(&[block.result]);
         let end = u32::try_from(self.program.ops.len()).map_err(|_| TooLarge)?;
         Ok((end, value))
     }
 
-    fn repeat(&mut self, id: Id, place: u32, used: &[Id]) -> Result<(), TooLarge> {
-        let run = &self.graph.loops[place as usize];
-        let variable = self.register_of(run.variable);
-        let (from, last) = (self.register_of(run.from), self.register_of(run.to));
+    fn repeat(&mut self, id: Id, graph_index: u32, used: &[Id]) -> Result<(), TooLarge> {
+        let loop_node = &self.graph.loops[graph_index as usize];
+        let variable = self.register_of(loop_node.variable);
+        let (from, last) = (
+            self.register_of(loop_node.from),
+            self.register_of(loop_node.to),
+        );
         self.release(used);
         let site = self.program.ops.len();
-        let at = u32::try_from(self.program.loops.len()).map_err(|_| TooLarge)?;
-        self.program.ops.push(Op::Loop { to: 0, at });
+        let index = u32::try_from(self.program.loops.len()).map_err(|_| TooLarge)?;
+        self.program.ops.push(Op::Loop { to: 0, index });
         self.program.loops.push(Loop {
-            fold: run.fold,
+            fold: loop_node.fold,
             variable,
             from,
             to: last,
             end: 0,
             value: 0,
-            rounds: self.rounds(run.from, run.to),
+            iterations: self.iterations(loop_node.from, loop_node.to),
         });
-        let (end, value) = self.part(&run.body)?;
-        self.program.loops[at as usize].end = end;
-        self.program.loops[at as usize].value = value;
-        // What the body uses from before the loop may be free now.
-        let kept = std::mem::take(&mut self.lines.kept[place as usize]);
-        self.release(&kept);
-        *target(&mut self.program.ops[site]) = self.take_register(id)?;
+        let (end, value) = self.part(&loop_node.body)?;
+        self.program.loops[index as usize].end = end;
+        self.program.loops[index as usize].value = value;
+        // Outer values used by the body may be dead now.
+        let inputs = std::mem::take(&mut self.liveness.loop_inputs[graph_index as usize]);
+        self.release(&inputs);
+        *target(&mut self.program.ops[site]) = self.allocate_register(id)?;
         Ok(())
     }
 
-    fn rounds(&self, from: Id, to: Id) -> Option<u32> {
+    fn iterations(&self, from: Id, to: Id) -> Option<u32> {
         let (from, to) = (self.graph.constant_of(from)?, self.graph.constant_of(to)?);
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a float that does not fit goes to the nearest bound"
         )]
-        let rounds = ((to - from).floor() + 1.0).max(0.0) as u32;
-        Some(rounds)
+        let iterations = ((to - from).floor() + 1.0).max(0.0) as u32;
+        Some(iterations)
     }
 }
 
-/// Where an operation writes.
+/// The destination register of an operation.
 fn target(op: &mut Op) -> &mut Register {
     match op {
         Op::Constant { to, .. }

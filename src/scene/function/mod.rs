@@ -1,8 +1,8 @@
 //! User functions: `function { ... }`, compiled once and called often.
 //!
-//! A body is read into a [`Graph`], in which equal operations are one and small functions stand in place of their
-//! calls, and becomes a [`Program`] on registers. The program runs on `f64` and on any other [`Number`], such as bounds.
-//! What is no formula stands behind a trait: a pattern is a [`Field`], a pigment a [`ColorField`].
+//! The parser builds a [`Graph`] from a body, with common subexpressions merged and small callees inlined. The graph is
+//! lowered to a [`Program`] on registers, which runs on `f64` and on any other [`Number`], such as intervals. Functions
+//! without a formula are trait objects: a pattern is a [`Field`], a pigment a [`ColorField`].
 //!
 //! Missing: `function { }` as an image (`image_map { function W, H { } }`).
 
@@ -34,26 +34,26 @@ use glam::DVec3;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// Parameters that a function may have, as in POV-Ray.
+/// Limit on the parameters of a function, as in POV-Ray.
 pub const MOST_PARAMETERS: usize = 56;
-/// Steps that one value may take. A second holds a few hundred million.
-const MOST_COST: u64 = 10_000_000_000;
-/// Bytes of stack that one value may take; the threads that draw have two million.
-const MOST_STACK: usize = 250_000;
+/// Limit on the operations of one evaluation. A few hundred million run in a second.
+const MAX_COST: u64 = 10_000_000_000;
+/// Limit on the bytes of stack of one evaluation; render threads have two million.
+const MAX_STACK: usize = 250_000;
 
-/// A number at each point of space: what `function { pattern { ... } }` calls.
+/// A scalar field in space, called by `function { pattern { ... } }`.
 pub trait Field: Debug + Send + Sync {
     /// The number at a point.
     fn value(&self, point: DVec3) -> f64;
 }
 
-/// A colour at each point of space: what `function { pigment { ... } }` calls.
+/// A colour field in space, called by `function { pigment { ... } }`.
 pub trait ColorField: Debug + Send + Sync {
     /// The colour at a point.
     fn color(&self, point: DVec3) -> Color;
 }
 
-/// What a function computes.
+/// The definition of a function.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// A formula.
@@ -66,7 +66,7 @@ pub enum Kind {
     Field(Arc<dyn Field>),
     /// `pigment { ... }`.
     Color(Arc<dyn ColorField>),
-    /// `transform { ... }`: where a point goes.
+    /// `transform { ... }`: maps a point.
     Transform(Transform),
     /// `spline { ... }`.
     Spline(Arc<Spline>),
@@ -81,12 +81,12 @@ pub struct Function {
     stack: usize,
 }
 
-/// Why a function is refused.
+/// The reason for refusing a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// It needs too many numbers at once, or its calls are nested too deep.
+    /// It needs too many registers, or its calls are nested too deeply.
     TooLarge,
-    /// One value would take too many steps.
+    /// One evaluation takes too many operations.
     TooLong,
 }
 
@@ -94,14 +94,14 @@ impl Function {
     /// The function of a finished graph.
     ///
     /// # Errors
-    /// When it is too large or takes too long.
+    /// If the function is too large or takes too long.
     pub fn formula(graph: Graph, parameters: usize) -> Result<Self, Refusal> {
         let program = Program::new(graph, parameters).map_err(|TooLarge| Refusal::TooLarge)?;
         let (cost, stack) = (program.cost(), program.stack());
-        if stack > MOST_STACK {
+        if stack > MAX_STACK {
             return Err(Refusal::TooLarge);
         }
-        if cost > MOST_COST {
+        if cost > MAX_COST {
             return Err(Refusal::TooLong);
         }
         Ok(Function {
@@ -112,7 +112,7 @@ impl Function {
         })
     }
 
-    /// A function that is no formula.
+    /// A function without a formula.
     #[must_use]
     pub fn of(kind: Kind) -> Self {
         let parameters = match &kind {
@@ -123,25 +123,25 @@ impl Function {
         Function {
             kind,
             parameters,
-            // About what a pattern takes; only sums of very many matter.
+            // About the cost of a pattern; the limits only matter for loops over very many calls.
             cost: 10,
             stack: 1000,
         }
     }
 
-    /// What it computes.
+    /// The definition of the function.
     #[must_use]
     pub fn kind(&self) -> &Kind {
         &self.kind
     }
 
-    /// How many arguments it takes.
+    /// The number of parameters.
     #[must_use]
     pub fn parameters(&self) -> usize {
         self.parameters
     }
 
-    /// Whether it gives one number; otherwise a vector or colour.
+    /// Returns true if the value is one number, not a vector or colour.
     #[must_use]
     pub fn is_scalar(&self) -> bool {
         matches!(
@@ -150,7 +150,7 @@ impl Function {
         )
     }
 
-    /// The number of components of what it gives.
+    /// The number of components of the value.
     #[must_use]
     pub fn components(&self) -> u8 {
         match &self.kind {
@@ -161,7 +161,7 @@ impl Function {
         }
     }
 
-    /// The value for these arguments, of which there are as many as parameters; of a vector its first component.
+    /// The value for one argument per parameter; the first component if it is a vector.
     #[inline]
     #[must_use]
     pub fn eval(&self, arguments: &[f64]) -> f64 {
@@ -174,7 +174,7 @@ impl Function {
         }
     }
 
-    /// The components for these arguments, of which there are as many as parameters; the further ones are zero.
+    /// The components of the value for one argument per parameter; unused ones are zero.
     #[must_use]
     pub fn eval_vector(&self, arguments: &[f64]) -> [f64; 5] {
         match &self.kind {
@@ -194,18 +194,18 @@ impl Function {
         }
     }
 
-    /// Bounds of the values for arguments within these bounds, of which there are as many as parameters.
+    /// Bounds of the value over a box of arguments, one interval per parameter.
     #[must_use]
     pub fn bounds(&self, arguments: &[Interval]) -> Interval {
         <Interval as Number>::call(self, arguments, Component::At(0))
     }
 
-    /// About how many steps a value takes.
+    /// The approximate number of operations of one evaluation.
     fn cost(&self) -> u64 {
         self.cost
     }
 
-    /// Bytes of stack that a value takes.
+    /// Bytes of stack of one evaluation.
     fn stack(&self) -> usize {
         self.stack
     }
@@ -216,7 +216,7 @@ fn point_of(arguments: &[f64]) -> DVec3 {
     DVec3::new(at(0), at(1), at(2))
 }
 
-/// The function in the block that follows the word `function`, with the parameters `x, y, z` if it names no others.
+/// Reads the block after the word `function`; the parameters are `x, y, z` unless it names others.
 ///
 /// # Errors
 /// A malformed body.
@@ -228,10 +228,10 @@ pub fn read(args: &mut dyn Args) -> Parse<Arc<Function>> {
     }
 }
 
-/// The function in the block that follows the word `function`, where a number for each point of space is wanted.
+/// Reads the block after the word `function` where the scene needs a scalar field in space.
 ///
 /// # Errors
-/// A malformed body, or a function of other than three numbers, or one that gives no number.
+/// A malformed body, a function that does not take three numbers, or one whose value is not a number.
 pub fn read_of_point(args: &mut dyn Args) -> Parse<Arc<Function>> {
     let function = read(args)?;
     let (wrong, hint) = if function.parameters() != 3 {

@@ -1,4 +1,4 @@
-//! What a function body can be computed with: plain numbers, or bounds of them.
+//! The number types that programs run on: `f64`, or intervals that bound it.
 
 use super::Function;
 use super::operation::{Binary, Unary};
@@ -11,11 +11,11 @@ pub enum Part {
     Negative,
     /// For a test of zero.
     Zero,
-    /// For every other test, also one that is no number.
+    /// For every other test, including NaN.
     Positive,
 }
 
-/// What a loop does with the values of its rounds.
+/// The reduction over the values of a loop's iterations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fold {
     /// `sum`: adds them to 0.
@@ -24,17 +24,17 @@ pub enum Fold {
     Product,
 }
 
-/// More rounds than this are not run: such a loop would not end in a lifetime if it is called for each point of a
-/// picture, and one whose variable no longer grows by adding 1 would never end.
-pub(super) const MOST_ROUNDS: u32 = 100_000_000;
+/// Limit on the iterations of a loop. A longer loop called for each pixel of a picture would practically never end, and
+/// one whose variable is too large for adding 1 to change it would run forever.
+pub(super) const MAX_ITERATIONS: u32 = 100_000_000;
 
-/// A kind of number that programs compute with.
+/// A number type that programs run on.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// The number that has this value.
+    /// The constant of this value.
     fn constant(value: f64) -> Self;
-    /// The number times itself.
+    /// The square of the number.
     #[must_use]
     fn squared(self) -> Self {
         self * self
@@ -43,33 +43,33 @@ pub trait Number:
     fn unary(self, f: Unary) -> Self;
     /// An operation of two numbers.
     fn binary(self, f: Binary, other: Self) -> Self;
-    /// The value of the part that this number, as the test, selects; of several parts if it may select several.
+    /// The value of the part of `select` that this number, as the test, selects; an interval joins all possible parts.
     fn select(self, value_of: impl FnMut(Part) -> Self) -> Self;
-    /// The sum or product of the values for all numbers from `from` on in steps of 1 that are not above `to`.
+    /// The sum or product of the values at `from`, `from + 1`, ... up to `to`.
     fn repeat(fold: Fold, from: Self, to: Self, value_at: impl FnMut(Self) -> Self) -> Self;
-    /// A component of what another function gives.
+    /// A component of the value of another function.
     fn call(function: &Function, arguments: &[Self], component: Component) -> Self;
 }
 
-/// A part of what a function gives.
+/// A component of a function's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Component {
-    /// The number at this place; 0 is the whole of a function that gives one number.
+    /// The component of this index; 0 is the value itself if that is one number.
     At(u8),
-    /// `.gray`: the brightness of a colour.
+    /// `.gray`: the luminance of a colour.
     Gray,
-    /// `.hf`: red and green as the two bytes of a height.
+    /// `.hf`: a height with red as its high byte and green as its low byte.
     Height,
 }
 
 impl Component {
-    /// This part of a vector or colour.
+    /// This component of a vector or colour.
     #[must_use]
     pub fn of(self, v: &[f64; 5]) -> f64 {
         match self {
             Component::At(at) => v.get(usize::from(at)).copied().unwrap_or(0.0),
             Component::Gray => 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2],
-            // The factor is POV-Ray's, measured; it is 255/256 but for rounding.
+            // POV-Ray's factor, measured; 255/256 up to rounding.
             Component::Height => (v[0] + v[1] / 255.0) * 0.996_093,
         }
     }
@@ -83,12 +83,12 @@ impl Number for f64 {
 
     #[inline]
     fn unary(self, f: Unary) -> f64 {
-        f.of_f64(self)
+        f.eval(self)
     }
 
     #[inline]
     fn binary(self, f: Binary, other: f64) -> f64 {
-        f.of_f64(self, other)
+        f.eval(self, other)
     }
 
     #[inline]
@@ -109,10 +109,10 @@ impl Number for f64 {
             Fold::Product => 1.0,
         };
         let mut at = from;
-        for _ in 0..MOST_ROUNDS {
-            // Written so that a bound that is no number ends the loop.
-            let goes_on = at <= to;
-            if !goes_on {
+        for _ in 0..MAX_ITERATIONS {
+            // This form ends the loop if a bound is NaN.
+            let continues = at <= to;
+            if !continues {
                 break;
             }
             let value = value_at(at);

@@ -1,6 +1,6 @@
-//! The operations of one and two numbers that function bodies know, and what they give.
+//! The unary and binary operations of function bodies.
 //!
-//! Nothing fails: where a float expression of a scene stops with an error, a function gives infinity or no number.
+//! None of them fails: where a float expression of a scene stops with an error, a function returns infinity or NaN.
 
 use crate::base::args::Word;
 use crate::base::math::roots::hyperbolic::{acosh, asinh, atanh};
@@ -36,7 +36,7 @@ pub enum Unary {
     Exp,
     /// `floor`.
     Floor,
-    /// `int`: towards zero, in 32 bits.
+    /// `int`: truncation to 32 bits.
     Int,
     /// `ln`.
     Ln,
@@ -85,7 +85,7 @@ pub enum Binary {
     NotEqual,
     /// `atan2`.
     Atan2,
-    /// `div`: the whole part of the quotient, in 32 bits.
+    /// `div`: the quotient truncated to 32 bits.
     WholeDiv,
     /// `mod`: the remainder with the sign of `a`.
     Mod,
@@ -131,7 +131,7 @@ impl Unary {
     /// The value at `a`.
     #[inline]
     #[must_use]
-    pub fn of_f64(self, a: f64) -> f64 {
+    pub fn eval(self, a: f64) -> f64 {
         match self {
             Unary::Negative => -a,
             Unary::Abs => a.abs(),
@@ -147,7 +147,7 @@ impl Unary {
             Unary::Degrees => a.to_degrees(),
             Unary::Exp => a.exp(),
             Unary::Floor => a.floor(),
-            Unary::Int => whole(a),
+            Unary::Int => truncate_to_i32(a),
             Unary::Ln => a.ln(),
             Unary::Log => a.log10(),
             Unary::Radians => a.to_radians(),
@@ -161,7 +161,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// The function of this word; `min` and `max` take any number of arguments, two at a time.
+    /// The function of this word; `min` and `max` of more arguments are reduced pairwise.
     #[must_use]
     pub fn of(word: Word) -> Option<Self> {
         Some(match word {
@@ -175,30 +175,30 @@ impl Binary {
         })
     }
 
-    /// The value at `a` and `b`. Comparisons are exact; what is no number counts as true in `&` and `|`.
+    /// The value at `a` and `b`. Comparisons are exact; NaN counts as true in `&` and `|`.
     #[inline]
     #[must_use]
-    pub fn of_f64(self, a: f64, b: f64) -> f64 {
+    pub fn eval(self, a: f64, b: f64) -> f64 {
         match self {
             Binary::Add => a + b,
             Binary::Sub => a - b,
             Binary::Mul => a * b,
             Binary::Div => a / b,
-            Binary::And => truth(a != 0.0 && b != 0.0),
-            Binary::Or => truth(a != 0.0 || b != 0.0),
-            Binary::Less => truth(a < b),
-            Binary::LessEqual => truth(a <= b),
-            Binary::Greater => truth(a > b),
-            Binary::GreaterEqual => truth(a >= b),
+            Binary::And => bool_to_f64(a != 0.0 && b != 0.0),
+            Binary::Or => bool_to_f64(a != 0.0 || b != 0.0),
+            Binary::Less => bool_to_f64(a < b),
+            Binary::LessEqual => bool_to_f64(a <= b),
+            Binary::Greater => bool_to_f64(a > b),
+            Binary::GreaterEqual => bool_to_f64(a >= b),
             #[allow(clippy::float_cmp, reason = "POV-Ray compares exactly here")]
-            Binary::Equal => truth(a == b),
+            Binary::Equal => bool_to_f64(a == b),
             #[allow(clippy::float_cmp, reason = "as above")]
-            Binary::NotEqual => truth(a != b),
+            Binary::NotEqual => bool_to_f64(a != b),
             Binary::Atan2 => a.atan2(b),
-            Binary::WholeDiv => whole(a / b),
+            Binary::WholeDiv => truncate_to_i32(a / b),
             Binary::Mod => a % b,
             Binary::Pow => a.powf(b),
-            // Which of the two it is where one is no number: `min` gives the second, `max` the first.
+            // If either operand is NaN, `min` returns the second and `max` the first.
             Binary::Min => {
                 if a < b {
                     a
@@ -216,7 +216,7 @@ impl Binary {
         }
     }
 
-    /// Whether it is one of the six comparisons.
+    /// Returns true for the six comparisons.
     pub(super) fn is_comparison(self) -> bool {
         use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
         matches!(
@@ -227,17 +227,17 @@ impl Binary {
 }
 
 #[inline]
-fn truth(is: bool) -> f64 {
+fn bool_to_f64(is: bool) -> f64 {
     f64::from(u8::from(is))
 }
 
-/// The part before the point; what 32 bits do not hold is their least number, as the processor has it.
+/// Truncates to a 32-bit integer; values out of range give the least one, as the x86 conversion does.
 #[inline]
-fn whole(a: f64) -> f64 {
-    let whole = a.trunc();
-    if whole >= f64::from(i32::MIN) && whole <= f64::from(i32::MAX) {
-        // An integer has one zero only.
-        whole + 0.0
+fn truncate_to_i32(a: f64) -> f64 {
+    let truncated = a.trunc();
+    if truncated >= f64::from(i32::MIN) && truncated <= f64::from(i32::MAX) {
+        // Turns -0 into +0: an integer has only one zero.
+        truncated + 0.0
     } else {
         f64::from(i32::MIN)
     }
@@ -250,21 +250,21 @@ mod tests {
     /// Printed by POV-Ray 3.7.
     #[test]
     fn whole_numbers_have_32_bits() {
-        assert_eq!(Unary::Int.of_f64(2e9), 2e9);
-        assert_eq!(Unary::Int.of_f64(2e10), -2_147_483_648.0);
-        assert_eq!(Unary::Int.of_f64(-1.7), -1.0);
-        assert_eq!(Binary::WholeDiv.of_f64(7.0, 0.0), -2_147_483_648.0);
-        assert_eq!(Binary::WholeDiv.of_f64(-7.9, 2.1), -3.0);
+        assert_eq!(Unary::Int.eval(2e9), 2e9);
+        assert_eq!(Unary::Int.eval(2e10), -2_147_483_648.0);
+        assert_eq!(Unary::Int.eval(-1.7), -1.0);
+        assert_eq!(Binary::WholeDiv.eval(7.0, 0.0), -2_147_483_648.0);
+        assert_eq!(Binary::WholeDiv.eval(-7.9, 2.1), -3.0);
     }
 
     /// Printed by POV-Ray 3.7.
     #[test]
-    fn extremes_and_logic_of_no_number() {
-        let none = f64::NAN;
-        assert!(Binary::Max.of_f64(none, 3.0).is_nan() && Binary::Min.of_f64(3.0, none).is_nan());
-        assert_eq!(Binary::Max.of_f64(3.0, none), 3.0);
-        assert_eq!(Binary::Min.of_f64(none, 3.0), 3.0);
-        assert_eq!(Binary::And.of_f64(none, 1.0), 1.0);
-        assert_eq!(Binary::Equal.of_f64(2.0, 2.0 + 1e-15), 0.0);
+    fn min_max_and_logic_of_nan() {
+        let nan = f64::NAN;
+        assert!(Binary::Max.eval(nan, 3.0).is_nan() && Binary::Min.eval(3.0, nan).is_nan());
+        assert_eq!(Binary::Max.eval(3.0, nan), 3.0);
+        assert_eq!(Binary::Min.eval(nan, 3.0), 3.0);
+        assert_eq!(Binary::And.eval(nan, 1.0), 1.0);
+        assert_eq!(Binary::Equal.eval(2.0, 2.0 + 1e-15), 0.0);
     }
 }

@@ -1,26 +1,25 @@
-//! A function body as a list of operations on registers, and running it.
+//! A function body as a linear program on registers, and its interpreter.
 //!
-//! The operations know nothing of the numbers they work on: the same list runs on `f64` and on every other
-//! [`Number`], such as bounds of all values in a box. Running takes no memory but the stack, so that one program serves
-//! all threads.
+//! The operations are independent of the number type: the same program runs on `f64` and on any other [`Number`],
+//! such as intervals. It uses no memory except the stack, so all threads share one program.
 
 use super::Function;
 use super::graph::{Graph, SMALL};
 use super::lower;
-use super::number::{Component, Fold, MOST_ROUNDS, Number};
+use super::number::{Component, Fold, MAX_ITERATIONS, Number};
 use super::operation::{Binary, Unary};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A place for a number while a program runs. The parameters lie in the first ones.
+/// The index of a register. The first registers hold the parameters.
 pub(super) type Register = u16;
 
-/// Programs that need more registers at once are refused.
-pub(super) const MOST_REGISTERS: usize = 2048;
-/// Arguments of a call up to which no memory is taken.
+/// Limit on the registers of a program.
+pub(super) const MAX_REGISTERS: usize = 2048;
+/// Calls of at most this number of arguments allocate no memory.
 const ARGUMENTS: usize = 16;
 
-/// One operation; `k` is a number that the body writes.
+/// One operation; `to` is the destination, `k` a constant.
 #[derive(Clone, Copy, Debug)]
 #[rustfmt::skip]
 pub(super) enum Op {
@@ -36,12 +35,12 @@ pub(super) enum Op {
     DivInto { to: Register, a: Register, k: f64 },
     Unary { to: Register, a: Register, f: Unary },
     Binary { to: Register, a: Register, b: Register, f: Binary },
-    /// By its place in the list of calls.
-    Call { to: Register, at: u32 },
-    /// By its place in the list of `select`s; the operations of the parts follow.
-    Select { to: Register, test: Register, at: u32 },
-    /// By its place in the list of loops; the operations of the body follow.
-    Loop { to: Register, at: u32 },
+    /// Index in the list of calls.
+    Call { to: Register, index: u32 },
+    /// Index in the list of `select`s; the operations of the parts follow.
+    Select { to: Register, test: Register, index: u32 },
+    /// Index in the list of loops; the operations of the body follow.
+    Loop { to: Register, index: u32 },
 }
 
 #[derive(Clone, Debug)]
@@ -53,7 +52,7 @@ pub(super) struct Call {
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Select {
-    /// For each part where it starts and ends, and the register of its value.
+    /// Start, end and value register of each part.
     pub(super) parts: [(u32, u32, Register); 3],
     pub(super) end: u32,
 }
@@ -66,8 +65,8 @@ pub(super) struct Loop {
     pub(super) to: Register,
     pub(super) end: u32,
     pub(super) value: Register,
-    /// How often it runs, if the body says so in numbers.
-    pub(super) rounds: Option<u32>,
+    /// The number of iterations, if the bounds are constant.
+    pub(super) iterations: Option<u32>,
 }
 
 /// A compiled body.
@@ -79,19 +78,19 @@ pub struct Program {
     pub(super) loops: Vec<Loop>,
     pub(super) registers: usize,
     pub(super) result: Register,
-    /// The graph it was made from, if that is small enough to stand in place of a call.
+    /// The graph of the body, if it is small enough to be inlined.
     graph: Option<Graph>,
 }
 
-/// The body needs more numbers at once than a program can hold.
+/// The body needs more registers than a program can have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge;
 
 impl Program {
-    /// The program of a finished graph that has `parameters`.
+    /// Lowers a finished graph of a body with this number of parameters.
     ///
     /// # Errors
-    /// When it needs too many registers.
+    /// If the body needs too many registers.
     pub fn new(graph: Graph, parameters: usize) -> Result<Self, TooLarge> {
         let mut program = lower::lower(&graph, parameters)?;
         program.graph = (graph.nodes.len() <= SMALL).then_some(graph);
@@ -111,12 +110,12 @@ impl Program {
         }
     }
 
-    /// The body as it can stand in place of a call.
+    /// The graph of the body, if it is small enough to be inlined.
     pub(super) fn small_graph(&self) -> Option<&Graph> {
         self.graph.as_ref()
     }
 
-    /// The value for these arguments, of which there are as many as parameters.
+    /// The value for one argument per parameter.
     #[inline]
     #[must_use]
     pub fn run<N: Number>(&self, arguments: &[N]) -> N {
@@ -124,7 +123,7 @@ impl Program {
             0..=16 => self.run_in::<N, 16>(arguments),
             17..=64 => self.run_in::<N, 64>(arguments),
             65..=256 => self.run_in::<N, 256>(arguments),
-            _ => self.run_in::<N, MOST_REGISTERS>(arguments),
+            _ => self.run_in::<N, MAX_REGISTERS>(arguments),
         }
     }
 
@@ -143,12 +142,12 @@ impl Program {
         end: usize,
         frame: &mut [N; SIZE],
     ) {
-        // All sizes are powers of two, and registers are below them: the mask only tells the compiler so.
+        // `SIZE` is a power of two above all register indices: the mask only removes the bounds check.
         let of = |frame: &[N; SIZE], register: Register| frame[usize::from(register) & (SIZE - 1)];
-        let mut at = start;
-        while at < end {
-            let op = self.ops[at];
-            at += 1;
+        let mut pc = start;
+        while pc < end {
+            let op = self.ops[pc];
+            pc += 1;
             let (to, value) = match op {
                 Op::Constant { to, k } => (to, N::constant(k)),
                 Op::Add { to, a, b } => (to, of(frame, a) + of(frame, b)),
@@ -162,10 +161,10 @@ impl Program {
                 Op::DivInto { to, a, k } => (to, N::constant(k) / of(frame, a)),
                 Op::Unary { to, a, f } => (to, of(frame, a).unary(f)),
                 Op::Binary { to, a, b, f } => (to, of(frame, a).binary(f, of(frame, b))),
-                Op::Call { to, at } => {
-                    let call = &self.calls[at as usize];
+                Op::Call { to, index } => {
+                    let call = &self.calls[index as usize];
                     let value = match *call.arguments {
-                        // A point, as most functions take.
+                        // Most functions take a point.
                         [x, y, z] => {
                             let point = [of(frame, x), of(frame, y), of(frame, z)];
                             N::call(&call.function, &point, call.component)
@@ -178,9 +177,13 @@ impl Program {
                     };
                     (to, value)
                 }
-                Op::Select { to, test, at: site } => {
+                Op::Select {
+                    to,
+                    test,
+                    index: site,
+                } => {
                     let site = self.selects[site as usize];
-                    at = site.end as usize;
+                    pc = site.end as usize;
                     let value = of(frame, test).select(|part| {
                         let (start, end, value) = site.parts[part as usize];
                         self.run_part(start as usize, end as usize, frame);
@@ -188,15 +191,15 @@ impl Program {
                     });
                     (to, value)
                 }
-                Op::Loop { to, at: site } => {
-                    let run = self.loops[site as usize];
-                    let start = at;
-                    at = run.end as usize;
-                    let (first, last) = (of(frame, run.from), of(frame, run.to));
-                    let value = N::repeat(run.fold, first, last, |variable| {
-                        frame[usize::from(run.variable) & (SIZE - 1)] = variable;
-                        self.run_part(start, at, frame);
-                        of(frame, run.value)
+                Op::Loop { to, index: site } => {
+                    let loop_op = self.loops[site as usize];
+                    let start = pc;
+                    pc = loop_op.end as usize;
+                    let (first, last) = (of(frame, loop_op.from), of(frame, loop_op.to));
+                    let value = N::repeat(loop_op.fold, first, last, |variable| {
+                        frame[usize::from(loop_op.variable) & (SIZE - 1)] = variable;
+                        self.run_part(start, pc, frame);
+                        of(frame, loop_op.value)
                     });
                     (to, value)
                 }
@@ -205,24 +208,24 @@ impl Program {
         }
     }
 
-    /// About how many operations one value takes, those of called functions included; loops whose number of rounds is
-    /// not known count as one round.
+    /// The approximate number of operations of one evaluation, including called functions; a loop with an unknown
+    /// number of iterations counts as one iteration.
     #[must_use]
     pub fn cost(&self) -> u64 {
-        // What the operations at hand run in: the end of each loop, and how often it runs.
-        let mut around: SmallVec<[(usize, u64); 4]> = SmallVec::new();
+        // For each enclosing loop, its end and its number of iterations.
+        let mut enclosing: SmallVec<[(usize, u64); 4]> = SmallVec::new();
         let mut cost = 0u64;
-        for (at, op) in self.ops.iter().enumerate() {
-            around.retain(|(end, _)| at < *end);
-            let times = around
+        for (pc, op) in self.ops.iter().enumerate() {
+            enclosing.retain(|(end, _)| pc < *end);
+            let times = enclosing
                 .iter()
-                .fold(1u64, |n, (_, rounds)| n.saturating_mul(*rounds));
+                .fold(1u64, |n, (_, iterations)| n.saturating_mul(*iterations));
             let one = match op {
-                Op::Call { at, .. } => self.calls[*at as usize].function.cost(),
-                Op::Loop { at: site, .. } => {
-                    let run = self.loops[*site as usize];
-                    let rounds = run.rounds.unwrap_or(1).min(MOST_ROUNDS);
-                    around.push((run.end as usize, u64::from(rounds)));
+                Op::Call { index, .. } => self.calls[*index as usize].function.cost(),
+                Op::Loop { index: site, .. } => {
+                    let loop_op = self.loops[*site as usize];
+                    let iterations = loop_op.iterations.unwrap_or(1).min(MAX_ITERATIONS);
+                    enclosing.push((loop_op.end as usize, u64::from(iterations)));
                     1
                 }
                 _ => 1,
@@ -232,19 +235,19 @@ impl Program {
         cost
     }
 
-    /// Bytes of stack that running takes, those of called functions included.
+    /// Bytes of stack of one evaluation, including called functions.
     #[must_use]
     pub fn stack(&self) -> usize {
         let frame = match self.registers {
             0..=16 => 16,
             17..=64 => 64,
             65..=256 => 256,
-            _ => MOST_REGISTERS,
+            _ => MAX_REGISTERS,
         };
         let called = self.calls.iter().map(|call| call.function.stack());
         frame * size_of::<f64>() + CALL_BYTES + called.max().unwrap_or(0)
     }
 }
 
-/// Bytes of stack that a call takes beside its registers; measured below 400.
+/// Bytes of stack of a call without its registers; measured below 400.
 const CALL_BYTES: usize = 600;

@@ -1,9 +1,9 @@
-//! Programs compute what their bodies say, whatever is folded, shared, inlined and kept in which register.
+//! Programs compute the values of their bodies, regardless of folding, merging, inlining and register allocation.
 
 use super::*;
 use crate::base::math::sampling::random::Random;
 
-/// A formula as a tree, to be computed without any program.
+/// A formula as a tree, evaluated without a program.
 enum Tree {
     Constant(f64),
     Parameter(usize),
@@ -24,12 +24,12 @@ impl Tree {
     fn value(&self, parameters: &[f64], variables: &mut Vec<f64>, callees: &[Callee]) -> f64 {
         match self {
             Tree::Constant(value) => *value,
-            Tree::Parameter(place) => parameters[*place],
-            Tree::Variable(place) => variables[*place],
-            Tree::Unary(f, a) => f.of_f64(a.value(parameters, variables, callees)),
+            Tree::Parameter(index) => parameters[*index],
+            Tree::Variable(index) => variables[*index],
+            Tree::Unary(f, a) => f.eval(a.value(parameters, variables, callees)),
             Tree::Binary(f, a, b) => {
                 let a = a.value(parameters, variables, callees);
-                f.of_f64(a, b.value(parameters, variables, callees))
+                f.eval(a, b.value(parameters, variables, callees))
             }
             Tree::Select(parts, positive) => {
                 let test = parts[0].value(parameters, variables, callees);
@@ -56,15 +56,15 @@ impl Tree {
                 }
                 result
             }
-            Tree::Call(place, arguments) => {
+            Tree::Call(index, arguments) => {
                 let arguments: Vec<f64> = arguments
                     .iter()
                     .map(|a| a.value(parameters, variables, callees))
                     .collect();
-                let callee = &callees[*place];
+                let callee = &callees[*index];
                 callee
                     .tree
-                    .value(&arguments, &mut Vec::new(), &callees[..*place])
+                    .value(&arguments, &mut Vec::new(), &callees[..*index])
             }
         }
     }
@@ -72,8 +72,8 @@ impl Tree {
     fn build(&self, graph: &mut Graph, variables: &mut Vec<Id>, callees: &[Callee]) -> Id {
         match self {
             Tree::Constant(value) => graph.constant(*value),
-            Tree::Parameter(place) => graph.parameter(u16::try_from(*place).expect("few")),
-            Tree::Variable(place) => variables[*place],
+            Tree::Parameter(index) => graph.parameter(u16::try_from(*index).expect("few")),
+            Tree::Variable(index) => variables[*index],
             Tree::Unary(f, a) => {
                 let a = a.build(graph, variables, callees);
                 graph.unary(*f, a)
@@ -105,12 +105,12 @@ impl Tree {
                 variables.pop();
                 graph.repeat(*fold, variable, (from, to), body)
             }
-            Tree::Call(place, arguments) => {
+            Tree::Call(index, arguments) => {
                 let arguments: Vec<Id> = arguments
                     .iter()
                     .map(|a| a.build(graph, variables, callees))
                     .collect();
-                graph.call(&callees[*place].function, &arguments, Component::At(0))
+                graph.call(&callees[*index].function, &arguments, Component::At(0))
             }
         }
     }
@@ -144,7 +144,7 @@ fn pick(random: &mut Random, count: usize) -> usize {
     usize::try_from(random.bits() % count as u64).expect("it is below a usize")
 }
 
-/// A random tree that may use `variables` loop variables and call the first `callees` functions of two parameters.
+/// A random tree that may use `variables` loop variables and call the first `callees` functions, of two parameters.
 fn tree(random: &mut Random, depth: usize, variables: usize, callees: usize) -> Tree {
     let kind = pick(random, if depth == 0 { 3 } else { 10 });
     match kind {
@@ -167,17 +167,17 @@ fn tree(random: &mut Random, depth: usize, variables: usize, callees: usize) -> 
             let fold = [Fold::Sum, Fold::Product][pick(random, 2)];
             let last = Tree::Constant([3.0, 0.0, 4.5][pick(random, 3)]);
             let from = tree(random, 0, variables, callees);
-            // From far below, a loop would run long.
+            // A loop from a far lower bound would run long.
             let from = Tree::Binary(Binary::Max, Box::new(Tree::Constant(-2.0)), Box::new(from));
             let body = tree(random, depth - 1, variables + 1, callees);
             Tree::Loop(fold, Box::new([from, last, body]))
         }
         6 if callees > 0 => {
-            let place = pick(random, callees);
+            let index = pick(random, callees);
             let arguments = (0..2)
                 .map(|_| tree(random, depth - 1, variables, callees))
                 .collect();
-            Tree::Call(place, arguments)
+            Tree::Call(index, arguments)
         }
         _ => {
             let f = BINARY[pick(random, BINARY.len())];
@@ -189,21 +189,21 @@ fn tree(random: &mut Random, depth: usize, variables: usize, callees: usize) -> 
 }
 
 #[test]
-fn programs_compute_what_their_trees_say() {
+fn programs_compute_the_values_of_their_trees() {
     let mut random = Random::new(20);
     for _ in 0..300 {
         let mut callees: Vec<Callee> = Vec::new();
-        // Some of these are small enough to stand in place of their calls, some are not.
+        // Some of these are small enough to be inlined, others are not.
         for depth in [2, 4, 6] {
             let tree = tree(&mut random, depth, 0, callees.len());
             let function = Arc::new(function(&tree, 2, &callees));
             for arguments in [[0.0, 1.0], [0.7, -1.3], [-2.0, 5.5]] {
                 let expected = tree.value(&arguments, &mut Vec::new(), &callees);
-                let found = function.eval(&arguments);
-                let is_same = found.to_bits() == expected.to_bits()
-                    || found == expected
-                    || found.is_nan() && expected.is_nan();
-                assert!(is_same, "{found} instead of {expected}: {function:?}");
+                let actual = function.eval(&arguments);
+                let is_same = actual.to_bits() == expected.to_bits()
+                    || actual == expected
+                    || actual.is_nan() && expected.is_nan();
+                assert!(is_same, "{actual} instead of {expected}: {function:?}");
             }
             callees.push(Callee { tree, function });
         }
@@ -211,7 +211,7 @@ fn programs_compute_what_their_trees_say() {
 }
 
 #[test]
-fn bounds_hold_all_values() {
+fn bounds_contain_all_values() {
     let mut random = Random::new(21);
     for _ in 0..300 {
         let mut callees: Vec<Callee> = Vec::new();
@@ -219,16 +219,16 @@ fn bounds_hold_all_values() {
             let tree = tree(&mut random, depth, 0, callees.len());
             let function = Arc::new(function(&tree, 2, &callees));
             let (low, size) = (random.vector(3.0), random.vector(1.5));
-            let boxed = [0, 1].map(|i| Interval::new(low[i], low[i] + size[i].abs()));
-            let bounds = function.bounds(&boxed);
+            let domain = [0, 1].map(|i| Interval::new(low[i], low[i] + size[i].abs()));
+            let bounds = function.bounds(&domain);
             for _ in 0..20 {
-                let at = boxed.map(|side| {
+                let at = domain.map(|side| {
                     (side.low + random.share() * (side.high - side.low)).clamp(side.low, side.high)
                 });
                 let value = function.eval(&at);
-                let is_held = value.is_nan() || bounds.contains(value);
+                let is_bounded = value.is_nan() || bounds.contains(value);
                 assert!(
-                    is_held,
+                    is_bounded,
                     "{value} outside of {bounds:?} at {at:?}: {function:?}"
                 );
             }
@@ -238,24 +238,24 @@ fn bounds_hold_all_values() {
 }
 
 #[test]
-fn bounds_are_not_much_wider_than_they_must_be() {
+fn bounds_are_tight() {
     let x = Interval::new(0.5, 1.5);
-    let close = |found: Interval, low: f64, high: f64| {
-        let is_close = (found.low - low).abs() < 1e-12 && (found.high - high).abs() < 1e-12;
-        assert!(is_close, "{found:?} instead of {low} to {high}");
+    let assert_close = |bounds: Interval, low: f64, high: f64| {
+        let is_close = (bounds.low - low).abs() < 1e-12 && (bounds.high - high).abs() < 1e-12;
+        assert!(is_close, "{bounds:?} instead of {low} to {high}");
     };
-    close(x + x, 1.0, 3.0);
-    close(x - x, -1.0, 1.0);
-    close(x * x, 0.25, 2.25);
-    close(x / x, 1.0 / 3.0, 3.0);
-    close(x.unary(Unary::Sin), 0.5f64.sin(), 1.5f64.sin());
-    close(Interval::new(1.0, 2.0).unary(Unary::Sin), 1f64.sin(), 1.0);
-    close(Interval::new(3.0, 4.0).unary(Unary::Cos), -1.0, 4f64.cos());
-    close(Interval::new(-1.0, 2.0).unary(Unary::Abs), 0.0, 2.0);
+    assert_close(x + x, 1.0, 3.0);
+    assert_close(x - x, -1.0, 1.0);
+    assert_close(x * x, 0.25, 2.25);
+    assert_close(x / x, 1.0 / 3.0, 3.0);
+    assert_close(x.unary(Unary::Sin), 0.5f64.sin(), 1.5f64.sin());
+    assert_close(Interval::new(1.0, 2.0).unary(Unary::Sin), 1f64.sin(), 1.0);
+    assert_close(Interval::new(3.0, 4.0).unary(Unary::Cos), -1.0, 4f64.cos());
+    assert_close(Interval::new(-1.0, 2.0).unary(Unary::Abs), 0.0, 2.0);
     let two = Interval::constant(2.0);
-    close(Interval::new(-1.0, 2.0).binary(Binary::Pow, two), 0.0, 4.0);
-    close(x.binary(Binary::Less, two), 1.0, 1.0);
-    close(x.binary(Binary::Less, Interval::constant(1.0)), 0.0, 1.0);
+    assert_close(Interval::new(-1.0, 2.0).binary(Binary::Pow, two), 0.0, 4.0);
+    assert_close(x.binary(Binary::Less, two), 1.0, 1.0);
+    assert_close(x.binary(Binary::Less, Interval::constant(1.0)), 0.0, 1.0);
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn equal_operations_are_computed_once() {
 }
 
 #[test]
-fn what_nothing_uses_is_left_out() {
+fn dead_operations_are_removed() {
     let mut graph = Graph::new();
     let x = graph.parameter(0);
     graph.unary(Unary::Sin, x);
@@ -282,12 +282,12 @@ fn what_nothing_uses_is_left_out() {
 }
 
 #[test]
-fn a_value_that_would_take_years_is_refused() {
+fn functions_that_run_for_years_are_refused() {
     let mut last: Option<Arc<Function>> = None;
     for depth in 0..80 {
         let mut graph = Graph::new();
         let x = graph.parameter(0);
-        // Large enough that it is called, and calls what is below twice.
+        // Too large to be inlined, and calls the function of the previous depth twice.
         let mut sum = x;
         for i in 0..50 {
             let k = graph.constant(f64::from(i) + 0.5);
@@ -314,7 +314,7 @@ fn a_value_that_would_take_years_is_refused() {
 }
 
 #[test]
-fn a_body_of_very_many_values_at_once_is_refused() {
+fn bodies_that_need_too_many_registers_are_refused() {
     let mut graph = Graph::new();
     let x = graph.parameter(0);
     let values: Vec<Id> = (0..3000)

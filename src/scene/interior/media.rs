@@ -1,4 +1,4 @@
-//! `media`: what fills space and glows, swallows light or scatters it, as a scene describes it.
+//! `media`: participating media that emit, absorb and scatter light, as the scene describes them.
 
 use crate::base::args::{Args, Parse, Word, declared, transform_step};
 use crate::base::color::{Color, Rgb};
@@ -7,82 +7,82 @@ use crate::base::source::{Diagnostic, Span};
 use crate::scene::pattern::{Keys, Map};
 use crate::scene::texture::{Family, Pigment};
 
-/// The first language version with the defaults of today.
-const FIRST_WITH_SAMPLES: f64 = 3.5;
-/// More samples and intervals than any picture is worth.
-const MOST: f64 = 65536.0;
+/// The first language version with the current sampling defaults.
+const NEW_DEFAULTS_VERSION: f64 = 3.5;
+/// Limit on samples and intervals.
+const MAX_COUNT: f64 = 65536.0;
 
-/// A medium.
+/// A participating medium.
 #[derive(Clone, Debug)]
 pub struct Media {
-    /// Where the scene writes it.
+    /// Its location in the scene.
     pub at: Span,
-    /// Light that it takes away over a unit of length.
+    /// Absorption coefficient: the share absorbed per unit of length.
     pub absorption: Rgb,
-    /// Light that it gives over a unit of length.
+    /// Emitted radiance per unit of length.
     pub emission: Rgb,
-    /// How it scatters light.
+    /// Scattering.
     pub scattering: Scattering,
-    /// The densities, which multiply; none for the same everywhere.
+    /// Densities, which are multiplied; a medium without any is homogeneous.
     pub densities: Vec<Density>,
-    /// How a ray is sampled.
+    /// Sampling along rays.
     pub sampling: Sampling,
-    /// Whether photons are kept in it.
+    /// Photons are stored in the medium.
     pub collect: bool,
 }
 
-/// How a medium scatters light.
+/// Scattering parameters of a medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scattering {
-    /// The kind, by the number of the language.
+    /// The phase function.
     pub phase: Phase,
-    /// Light that is scattered over a unit of length.
+    /// Scattering coefficient: the share scattered per unit of length.
     pub color: Rgb,
-    /// How much more goes forward than back, for [`Phase::HenyeyGreenstein`].
+    /// The asymmetry of [`Phase::HenyeyGreenstein`], positive for forward scattering.
     pub eccentricity: f64,
-    /// How much of what is scattered is missing from what goes on.
+    /// The factor on the scattering coefficient in the extinction coefficient.
     pub extinction: f64,
 }
 
-/// Where scattered light goes.
+/// Phase functions, by their numbers in the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
-    /// 1: to all sides alike.
+    /// 1: all directions alike.
     Isotropic,
-    /// 2: as in fine haze.
+    /// 2: Mie scattering in fine haze.
     MieHazy,
-    /// 3: as in mist.
+    /// 3: Mie scattering in murky air.
     MieMurky,
-    /// 4: as in clear air.
+    /// 4: Rayleigh scattering in clear air.
     Rayleigh,
-    /// 5: by an eccentricity.
+    /// 5: Henyey-Greenstein, with an eccentricity.
     HenyeyGreenstein,
 }
 
-/// How a ray through a medium is sampled.
+/// Sampling parameters of rays through a medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// 1, 2 or 3.
+    /// The sampling method, 1, 2 or 3.
     pub method: u8,
-    /// Into how many intervals the ray is divided.
+    /// The number of intervals of a ray.
     pub intervals: u32,
-    /// The least and the most samples of an interval.
+    /// The minimum and maximum number of samples per interval.
     pub samples: [u32; 2],
-    /// How sure it must be that the samples are enough.
+    /// The required confidence that the samples suffice.
     pub confidence: f64,
-    /// The variance at which samples are enough.
+    /// The variance at which the samples suffice.
     pub variance: f64,
     /// The share of samples for lit intervals.
     pub ratio: f64,
-    /// By how much samples are moved at random.
+    /// The amplitude of random sample offsets.
     pub jitter: f64,
-    /// How deep method 3 divides.
+    /// The maximum subdivision depth of method 3.
     pub aa_level: u32,
-    /// The difference at which method 3 divides.
+    /// The difference above which method 3 subdivides.
     pub aa_threshold: f64,
 }
 
-/// A density: a pigment whose colours are factors on those of its medium.
+/// A density: a pigment whose colours scale the coefficients of its medium.
 #[derive(Clone, Debug)]
 pub struct Density(pub Pigment);
 
@@ -93,20 +93,20 @@ impl Default for Density {
 }
 
 impl Density {
-    /// The density of a block, white unless it says more.
+    /// Reads the block of a density; the default is white.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args) -> Parse<Density> {
         args.open()?;
         let base = Density::known(args)?;
         Ok(Density(base.0.read_on(args, Family::Density)?))
     }
 
-    /// Reads `density_map { ... }` behind its word.
+    /// Reads `density_map { ... }` after the keyword.
     ///
     /// # Errors
-    /// A malformed entry, or none.
+    /// A malformed entry, or no entries.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Density>> {
         Map::read("density_map", keys, args, &mut |args| {
             let base = Density::known(args)?;
@@ -122,7 +122,7 @@ impl Density {
 
 impl Media {
     fn new(at: Span, version: f64) -> Self {
-        let is_old = version < FIRST_WITH_SAMPLES;
+        let is_old = version < NEW_DEFAULTS_VERSION;
         Media {
             at,
             absorption: Rgb::BLACK,
@@ -149,7 +149,7 @@ impl Media {
         }
     }
 
-    /// The medium of a block.
+    /// Reads the block of a medium.
     ///
     /// # Errors
     /// A malformed value, or one out of bounds.
@@ -171,7 +171,7 @@ impl Media {
 
     fn read_item(&mut self, args: &mut dyn Args) -> Parse<()> {
         if let Some(step) = transform_step(args)? {
-            // Only the densities that stand before it.
+            // A transform affects only the densities before it.
             self.transform(&step);
             return Ok(());
         }
@@ -202,7 +202,7 @@ impl Media {
 }
 
 impl Media {
-    /// The same in a unit of length in which all lengths are larger by a factor: what it does is less over each unit.
+    /// Converts the coefficients to a smaller unit of length, in which all lengths are larger by `factor`.
     pub(crate) fn change_unit(&mut self, factor: f64) {
         for color in [
             &mut self.absorption,
@@ -213,7 +213,7 @@ impl Media {
         }
     }
 
-    /// Moves its densities.
+    /// Transforms the densities.
     pub fn transform(&mut self, step: &Step) {
         for density in &mut self.densities {
             density.0.transform(step);
@@ -276,14 +276,14 @@ impl Sampling {
             Word::Intervals => self.intervals = count(word, args)?,
             Word::AaLevel => self.aa_level = count(word, args)?,
             Word::Samples => {
-                let least = count(word, args)?;
-                let has_most = args.comma()? || args.at_expression()?;
+                let min = count(word, args)?;
+                let has_max = args.comma()? || args.at_expression()?;
                 self.samples = [
-                    least,
-                    if has_most {
-                        counted(word, args)?
+                    min,
+                    if has_max {
+                        count_value(word, args)?
                     } else {
-                        least
+                        min
                     },
                 ];
             }
@@ -316,10 +316,10 @@ impl Sampling {
     }
 }
 
-/// The number after `word`, whole and 1 at least.
+/// Reads `word` and the number after it, truncated and at least 1.
 fn count(word: Word, args: &mut dyn Args) -> Parse<u32> {
     args.accept(word)?;
-    counted(word, args)
+    count_value(word, args)
 }
 
 #[allow(
@@ -327,9 +327,9 @@ fn count(word: Word, args: &mut dyn Args) -> Parse<u32> {
     clippy::cast_sign_loss,
     reason = "the number is checked"
 )]
-fn counted(word: Word, args: &mut dyn Args) -> Parse<u32> {
+fn count_value(word: Word, args: &mut dyn Args) -> Parse<u32> {
     let number = args.float()?.trunc();
-    if (1.0..=MOST).contains(&number) {
+    if (1.0..=MAX_COUNT).contains(&number) {
         return Ok(number as u32);
     }
     Err(out_of_bounds(
@@ -354,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn all_words_of_a_medium_are_read() {
+    fn all_parameters_of_media_are_read() {
         let media = read(
             "{ method 2 intervals 3 samples 2, 5 confidence 0.8 variance 0.01 ratio 0.7 jitter 0.3 aa_level 4 \
              aa_threshold 0.2 absorption rgb 0.1 emission 0.2 scattering { 5, rgb 0.3 eccentricity 0.2 \
@@ -384,7 +384,7 @@ mod tests {
     }
 
     #[test]
-    fn values_out_of_bounds_are_told() {
+    fn values_out_of_bounds_are_reported() {
         for (text, message) in [
             ("{ method 4 }", "`method` of a medium is 1, 2 or 3"),
             (

@@ -1,4 +1,4 @@
-//! `media` as rays need it: what it does to light at a point.
+//! Participating media prepared for rendering: coefficients at a point, and phase functions.
 
 use super::{Media, Phase, Sampling, Scattering};
 use crate::base::color::Rgb;
@@ -7,34 +7,34 @@ use crate::scene::pattern::{Settings, SurfacePoint};
 use crate::scene::texture::PreparedPigment;
 use glam::DVec3;
 
-/// A medium ready for rays.
+/// A medium prepared for ray queries.
 #[derive(Debug)]
 pub struct PreparedMedia {
     absorption: Rgb,
     emission: Rgb,
     scattering: Scattering,
     densities: Vec<PreparedPigment>,
-    /// What it does where it is the same everywhere.
-    even: Option<Effect>,
-    /// Whether photons are kept in it.
+    /// The coefficients of a homogeneous medium.
+    homogeneous: Option<Effect>,
+    /// Photons are stored in the medium.
     pub collects: bool,
-    /// How a ray is sampled.
+    /// Sampling along rays.
     pub sampling: Sampling,
 }
 
-/// What media do to light over a unit of length.
+/// Coefficients of media, per unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// The share that is taken away.
+    /// Extinction coefficient.
     pub extinction: Rgb,
-    /// What is given.
+    /// Emitted radiance.
     pub emission: Rgb,
-    /// The share of light from elsewhere that is scattered, into all directions together.
+    /// Scattering coefficient, over all directions.
     pub scattering: Rgb,
 }
 
 impl Effect {
-    /// None.
+    /// Coefficients of empty space.
     pub const NONE: Effect = Effect {
         extinction: Rgb::BLACK,
         emission: Rgb::BLACK,
@@ -43,7 +43,7 @@ impl Effect {
 }
 
 impl Media {
-    /// The form for drawing, with the transforms of what holds the medium.
+    /// Prepares the medium for rendering; `after` are the transforms of its container.
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedMedia {
         let densities = self.densities.iter();
@@ -55,54 +55,54 @@ impl Media {
             densities: densities
                 .map(|density| PreparedPigment::new(&density.0, after, settings))
                 .collect(),
-            even: None,
+            homogeneous: None,
             sampling: self.sampling,
         };
         let is_plain = |density: &PreparedPigment| matches!(density, PreparedPigment::Plain(_));
         if media.densities.iter().all(is_plain) {
-            media.even = Some(media.effect(DVec3::ZERO));
+            media.homogeneous = Some(media.coefficients(DVec3::ZERO));
         }
         media
     }
 }
 
 impl PreparedMedia {
-    /// Whether the scene gives it a density.
+    /// Returns true if the scene gives it a density.
     #[must_use]
     pub fn has_density(&self) -> bool {
         !self.densities.is_empty()
     }
 
-    /// Whether it is the same everywhere.
+    /// Returns true if the medium is homogeneous.
     #[must_use]
     pub fn is_even(&self) -> bool {
-        self.even.is_some()
+        self.homogeneous.is_some()
     }
 
-    /// Whether it takes light away anywhere.
+    /// Returns true if the medium attenuates light.
     #[must_use]
     pub fn takes_light(&self) -> bool {
         let scattered = self.scattering.color * self.scattering.extinction;
         self.absorption != Rgb::BLACK || scattered != Rgb::BLACK
     }
 
-    /// Adds what it does at a point.
+    /// Adds the coefficients at a point.
     #[inline]
     pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
-        let effect = match &self.even {
-            Some(effect) => *effect,
-            None => self.effect(point),
+        let coefficients = match &self.homogeneous {
+            Some(coefficients) => *coefficients,
+            None => self.coefficients(point),
         };
-        sum.extinction += effect.extinction;
-        sum.emission += effect.emission;
-        sum.scattering += effect.scattering;
+        sum.extinction += coefficients.extinction;
+        sum.emission += coefficients.emission;
+        sum.scattering += coefficients.scattering;
     }
 
-    fn effect(&self, point: DVec3) -> Effect {
-        let spot = SurfacePoint::at(point);
+    fn coefficients(&self, point: DVec3) -> Effect {
+        let surface_point = SurfacePoint::at(point);
         let mut density = Rgb::WHITE;
         for factor in &self.densities {
-            density *= factor.color(&spot).rgb;
+            density *= factor.color(&surface_point).rgb;
             if density == Rgb::BLACK {
                 break;
             }
@@ -115,8 +115,8 @@ impl PreparedMedia {
         }
     }
 
-    /// How much more light it scatters towards a viewer than into all directions on average; `cosine` is that between the
-    /// directions from the viewer to the point and from there to the light.
+    /// The phase function, relative to isotropic scattering; `cosine` is of the angle between the directions from the
+    /// viewer to the point and from the point to the light.
     #[must_use]
     pub fn phase(&self, cosine: f64) -> f64 {
         match self.scattering.phase {
@@ -143,21 +143,21 @@ mod tests {
     }
 
     #[test]
-    fn densities_multiply_and_extinction_is_what_is_absorbed_and_scattered() {
+    fn densities_multiply_and_extinction_is_absorption_plus_scattering() {
         let media = prepare(
             "{ absorption 0.5 emission 2 scattering { 1, 0.25 extinction 2 }
                density { rgb 0.5 } density { gradient <1,0,0> } }",
         );
-        let mut effect = Effect::NONE;
-        media.add_effect(DVec3::new(0.5, 0.0, 0.0), &mut effect);
-        assert_eq!(effect.extinction, Rgb::splat(0.25));
-        assert_eq!(effect.emission, Rgb::splat(0.5));
-        assert_eq!(effect.scattering, Rgb::splat(0.0625));
+        let mut coefficients = Effect::NONE;
+        media.add_effect(DVec3::new(0.5, 0.0, 0.0), &mut coefficients);
+        assert_eq!(coefficients.extinction, Rgb::splat(0.25));
+        assert_eq!(coefficients.emission, Rgb::splat(0.5));
+        assert_eq!(coefficients.scattering, Rgb::splat(0.0625));
         assert!(media.has_density() && !media.is_even());
     }
 
     #[test]
-    fn what_only_gives_or_scatters_without_extinction_takes_no_light() {
+    fn emission_and_scattering_without_extinction_do_not_attenuate() {
         for text in ["{ emission 1 }", "{ scattering { 1, 1 extinction 0 } }"] {
             assert!(!prepare(text).takes_light(), "{text}");
         }
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn types_1_and_5_scatter_as_much_as_they_take() {
+    fn types_1_and_5_conserve_energy() {
         for text in ["1, 1", "5, 1 eccentricity 0.6", "5, 1 eccentricity -0.3"] {
             let media = prepare(&format!("{{ scattering {{ {text} }} }}"));
             let steps = 2000;

@@ -1,5 +1,4 @@
-//! `interior`: what fills an object: how it bends light and how light fades in it.
-//!
+//! `interior`: refraction, attenuation and media inside an object.
 
 mod media;
 mod medium;
@@ -14,33 +13,35 @@ use crate::base::source::Diagnostic;
 use crate::scene::texture::Finish;
 use std::sync::Arc;
 
-/// The power of the cosine for `caustics 1`; old finishes give the power itself.
-const CAUSTICS: f32 = 45.0;
-/// From this `fade_power` on, light fades exponentially.
+/// The exponent of the cosine for `caustics 1`; old finishes give the exponent itself.
+const CAUSTICS_POWER: f32 = 45.0;
+/// From this `fade_power` on, attenuation is exponential.
 const EXPONENTIAL_POWER: f64 = 1000.0;
 
-/// What fills an object. The default is the atmosphere: light goes straight and does not fade.
+/// The interior of an object. The default does not refract or attenuate light.
 #[derive(Clone, Debug)]
 pub struct Interior {
     /// The index of refraction.
     pub ior: f32,
-    /// Whether the scene says so, and not that it is 0. Otherwise it is that of the atmosphere, and so is the dispersion (measured).
+    /// The scene states an index of refraction other than 0. Otherwise the index and the dispersion are those of the
+    /// atmosphere (measured).
     pub has_ior: bool,
-    /// The distance over which light fades to the mean of full light and `fade_color`; 0 for no fading.
+    /// The distance over which light fades to the mean of white and `fade_color`; 0 for no attenuation.
     pub fade_distance: f32,
-    /// How fast light fades; from 1000 on exponentially. With 0 all light is halved towards `fade_color`.
+    /// The exponent of the attenuation, which is exponential from 1000 on. With 0, light fades halfway to `fade_color`
+    /// at any distance.
     pub fade_power: f32,
-    /// The colour to which light fades.
+    /// The limit of the attenuation at great distances.
     pub fade_color: Rgb,
-    /// How much more light bends that is bluer: the ratio of the indices of violet and red light.
+    /// The dispersion: the ratio of the indices of violet and red light.
     pub dispersion: f32,
-    /// Into how many colours white light is split.
+    /// The number of spectral samples of white light.
     pub dispersion_samples: u32,
-    /// The power of the cosine by which light gathers behind the surface; 0 for no gathering.
+    /// The exponent of the cosine of the approximate caustics behind the surface; 0 for no caustics.
     pub caustics: f32,
-    /// What fills the object and glows, swallows light or scatters it.
+    /// The media inside the object.
     pub media: Vec<Media>,
-    /// `refraction` of an old finish: a factor on all light that comes through the surface.
+    /// `refraction` of an old finish: a factor on all light transmitted by the surface.
     pub refraction: f32,
 }
 
@@ -62,7 +63,7 @@ impl Default for Interior {
 }
 
 impl Interior {
-    /// The interior of an object that has been moved by these steps already: they do not move its media.
+    /// The interior of an object to which these steps have been applied already: they do not move its media.
     #[must_use]
     pub fn after(mut self, steps: &[Step]) -> Self {
         if !(steps.is_empty() || self.media.is_empty()) {
@@ -72,7 +73,7 @@ impl Interior {
         self
     }
 
-    /// Moves its media; distances of fading stay as they are.
+    /// Transforms the media; `fade_distance` does not change.
     pub fn transform(&mut self, step: &Step) {
         for media in &mut self.media {
             media.transform(step);
@@ -81,10 +82,10 @@ impl Interior {
 }
 
 impl Interior {
-    /// The interior of a block.
+    /// Reads the block of an interior.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args) -> Parse<Interior> {
         args.open()?;
         let mut interior = match declared::<Interior>(args)? {
@@ -104,7 +105,7 @@ impl Interior {
         match word {
             Word::Ior => {
                 let ior = number(word, args)?;
-                self.say_ior(ior);
+                self.set_ior(ior);
             }
             Word::FadeDistance => self.fade_distance = number(word, args)?,
             Word::FadePower => self.fade_power = number(word, args)?,
@@ -112,7 +113,7 @@ impl Interior {
                 args.accept(word)?;
                 self.fade_color = args.color()?.rgb;
             }
-            Word::Caustics => self.caustics = CAUSTICS * number(word, args)?,
+            Word::Caustics => self.caustics = CAUSTICS_POWER * number(word, args)?,
             Word::Dispersion => self.dispersion = number(word, args)?,
             Word::DispersionSamples => self.dispersion_samples = dispersion_samples(args)?,
             Word::Media => {
@@ -132,7 +133,7 @@ impl Interior {
         Ok(())
     }
 
-    /// The factor on light that has gone `distance` inside.
+    /// The transmittance over `distance` inside.
     #[must_use]
     #[allow(
         clippy::cast_possible_truncation,
@@ -146,16 +147,16 @@ impl Interior {
         let power = f64::from(self.fade_power);
         self.fade_color.map(|c| {
             let c = f64::from(c);
-            let kept = if power < EXPONENTIAL_POWER {
+            let transmittance = if power < EXPONENTIAL_POWER {
                 c + (1.0 - c) / (1.0 + depth.powf(power))
             } else {
                 (-(1.0 - c) * depth).exp()
             };
-            kept as f32
+            transmittance as f32
         })
     }
 
-    /// The factor on light on its way from a source: as in POV-Ray it does not fade by powers that are not positive.
+    /// The transmittance of shadow rays over `distance`; as in POV-Ray, powers of 0 and below do not attenuate them.
     #[must_use]
     pub fn fade_on_light(&self, distance: f64) -> Rgb {
         if self.fade_power > 0.0 {
@@ -165,37 +166,37 @@ impl Interior {
         }
     }
 
-    /// Takes over `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes have them.
+    /// Takes `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes write them.
     pub fn take_from_finishes<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
         for finish in finishes {
             if let Some(ior) = finish.ior {
-                self.say_ior(ior);
+                self.set_ior(ior);
             }
             self.refraction = finish.refraction.unwrap_or(self.refraction);
             self.caustics = finish.caustics.unwrap_or(self.caustics);
         }
     }
 
-    /// Takes an index of refraction; 0 is as if the scene said none.
-    fn say_ior(&mut self, ior: f32) {
+    /// Sets the index of refraction; 0 counts as none.
+    fn set_ior(&mut self, ior: f32) {
         self.has_ior = ior != 0.0;
         self.ior = if self.has_ior { ior } else { 1.0 };
     }
 
-    /// How much more bluer light bends, without regard to what an interior without `ior` says.
+    /// The dispersion; 1 for an interior without `ior`, whose own value is ignored.
     #[must_use]
     pub fn effective_dispersion(&self) -> f32 {
         if self.has_ior { self.dispersion } else { 1.0 }
     }
 
-    /// Whether light fades at all.
+    /// Returns true if the interior attenuates light.
     #[must_use]
     pub fn fades(&self) -> bool {
         self.fade_distance != 0.0
     }
 }
 
-/// Bounds of `dispersion_samples`; the upper one is more than any picture is worth.
+/// Bounds of `dispersion_samples`; the upper one only limits the cost.
 const DISPERSION_SAMPLES: std::ops::RangeInclusive<f64> = 2.0..=4096.0;
 
 #[allow(
@@ -246,8 +247,8 @@ mod tests {
     }
 
     #[test]
-    fn an_ior_of_0_is_as_none() {
-        // POV-Ray 3.7 draws the same picture without it, also where a finish says so.
+    fn an_ior_of_0_counts_as_none() {
+        // POV-Ray 3.7 renders the same picture without it, also if a finish sets it.
         let mut args = TextArgs::new("{ I ior 0 }").with("I", read("{ ior 1.5 }").unwrap());
         let named = Interior::read(&mut args).unwrap();
         let mut finished = read("{ ior 1.5 }").unwrap();
@@ -270,7 +271,7 @@ mod tests {
 
     #[test]
     fn fade_power_0_halves_light() {
-        // POV-Ray 3.7 shows half of what is behind a clear sphere with `fade_distance 1`.
+        // POV-Ray 3.7 shows the background of a clear sphere with `fade_distance 1` at half its brightness.
         assert_eq!(
             read("{ fade_distance 1 }").unwrap().fade(2.0),
             Rgb::splat(0.5)
@@ -278,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn light_of_a_source_does_not_fade_by_power_0() {
+    fn power_0_does_not_attenuate_shadow_rays() {
         let interior = read("{ fade_distance 1 }").unwrap();
         assert_eq!(interior.fade_on_light(2.0), Rgb::WHITE);
         let interior = read("{ fade_distance 2 fade_power 1 }").unwrap();
@@ -292,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn light_can_be_split_in_two_colours_at_least() {
+    fn dispersion_samples_are_at_least_2() {
         let interior = read("{ dispersion 1.1 dispersion_samples 9.5 caustics 0.5 }").unwrap();
         assert_eq!((interior.dispersion, interior.dispersion_samples), (1.1, 9));
         assert_eq!(interior.effective_dispersion(), 1.0);

@@ -1,11 +1,11 @@
-//! Algebraic surfaces: polynomials, multiplied by a field strength and cut off at [`LIMIT`](super::LIMIT).
+//! Algebraic surfaces: polynomials, multiplied by a field strength and clamped to [`LIMIT`](super::LIMIT).
 //!
-//! Named after the curves and surfaces of Lawrence, "A Catalog of Special Plane Curves" (1972), and the like; where
-//! POV-Ray's polynomial differs from the one of the books, it is POV-Ray's.
+//! Most are named after curves and surfaces in Lawrence, "A Catalog of Special Plane Curves" (1972), and similar books.
+//! Where POV-Ray's polynomial differs from the published one, this is POV-Ray's.
 
 use super::{Internal, limited};
 
-/// The rows of this list.
+/// The functions of this group.
 pub(super) static LIST: &[Internal] = &[
     Internal::new(4, "f_bicorn", 2, bicorn),
     Internal::new(5, "f_bifolia", 2, bifolia),
@@ -164,8 +164,8 @@ fn devils_curve(p: &[f64]) -> f64 {
     limited(p[3] * (y * y - 0.25 * y - (x + z) * (x + z) + 0.36 * x))
 }
 
-/// A torus about the y axis, moved by `p[6]` along x and `p[7]` along y, and inverted in a sphere of radius `p[8]` about
-/// the origin. The last term has no part in that: POV-Ray has it.
+/// A torus about the y axis, translated by `p[6]` along x and `p[7]` along y, and inverted in a sphere of radius `p[8]`
+/// about the origin. The last term is not part of the inversion; it matches POV-Ray.
 fn dupin_cyclid(p: &[f64]) -> f64 {
     let [x, y, z] = squares(p);
     let (major, minor, k) = (p[4] * p[4], p[5] * p[5], p[8] * p[8]);
@@ -177,9 +177,9 @@ fn dupin_cyclid(p: &[f64]) -> f64 {
     limited(p[3] * (-torus - 8.0 * k * p[7] * (major - minor) * p[1] * sum))
 }
 
-/// Enneper's surface with two of its constants left out and the divisor kept from zero, as POV-Ray has it.
+/// Enneper's surface without two of its constants, and with a bound that keeps the divisor from zero, as in POV-Ray.
 fn enneper(p: &[f64]) -> f64 {
-    /// The least divisor.
+    /// The least magnitude of the divisor.
     const FLAT: f64 = 0.2;
     let [x, y, z] = squares(p);
     let height = if p[2].abs() < FLAT { FLAT } else { p[2] };

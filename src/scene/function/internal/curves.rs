@@ -1,14 +1,14 @@
-//! Plane curves, drawn along the z axis or turned about the y axis: with the switch above zero, the curve's x is the
-//! distance from the axis less an offset, and the curve is turned by an angle in degrees.
+//! Plane curves, extruded along the z axis or revolved about the y axis. With the switch above zero they are revolved:
+//! the curve's x is the distance from the axis minus an offset, and the curve is rotated by an angle in degrees.
 
 use super::{Internal, limited};
 
-/// The rows of this list.
+/// The functions of this group.
 pub(super) static LIST: &[Internal] = &[
     Internal::new(0, "f_algbr_cyl1", 5, |p| {
         let (x, y) = plane(p, 5);
         let value = p[3] * (x * x * x.abs() - x * x + y * y);
-        // Below zero the limit ties both bounds to one, and the order decides which.
+        // With a negative limit the bounds are swapped, and the order of `min` and `max` decides the value.
         value.min(p[4]).max(-p[4])
     }),
     Internal::new(1, "f_algbr_cyl2", 5, |p| {
@@ -69,7 +69,7 @@ pub(super) static LIST: &[Internal] = &[
     }),
 ];
 
-/// The point in the plane of the curve; the switch is the parameter `at`, and offset and angle follow it.
+/// The point in the plane of the curve; parameter `at` is the switch, followed by the offset and the angle.
 fn plane(p: &[f64], at: usize) -> (f64, f64) {
     let [x, y, z] = [p[0], p[1], p[2]];
     if p[at] <= 0.0 {

@@ -1,11 +1,11 @@
-//! Surfaces where densities that fall off with distance reach a level.
+//! Level sets of densities that fall off with distance.
 
 use super::Internal;
 
-/// The rows of this list.
+/// The functions of this group.
 pub(super) static LIST: &[Internal] = &[
     Internal::new(6, "f_blob", 5, |p| {
-        -(ball(p, -p[3] / 2.0, p[5]) * p[4] + ball(p, p[3] / 2.0, p[7]) * p[6])
+        -(blob_density(p, -p[3] / 2.0, p[5]) * p[4] + blob_density(p, p[3] / 2.0, p[7]) * p[6])
     }),
     Internal::new(7, "f_blob2", 4, |p| {
         let bell = |x: f64| (-p[4] * (x * x + p[1] * p[1] + p[2] * p[2])).exp();
@@ -38,15 +38,16 @@ fn size_sq(p: &[f64]) -> f64 {
     p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
 }
 
-/// The density of a component of `blob` at `x` on the x axis, of the inverse radius.
-fn ball(p: &[f64], x: f64, inverse_radius: f64) -> f64 {
+/// The density of a `blob` component of this inverse radius, centred at `x` on the x axis.
+fn blob_density(p: &[f64], x: f64, inverse_radius: f64) -> f64 {
     let out = p[0] - x;
     let distance_sq = out * out + p[1] * p[1] + p[2] * p[2];
     let density = (1.0 - distance_sq * inverse_radius * inverse_radius).max(0.0);
     density * density
 }
 
-/// The squared sizes of a point in three ellipsoids along the axes, which are 1 long and of the eccentricity `p[3]` across.
+/// The quadratic forms of three ellipsoids along the axes: the coordinate along the axis has weight 1, the others
+/// `p[3]`.
 fn ellipsoids(p: &[f64]) -> [f64; 3] {
     let [x, y, z] = [p[0] * p[0], p[1] * p[1], p[2] * p[2]];
     let across = p[3];
@@ -61,6 +62,6 @@ fn ellipsoids(p: &[f64]) -> [f64; 3] {
 fn quantum(p: &[f64]) -> f64 {
     let size_sq = size_sq(p);
     let angular = 3.0 * p[1] * p[1] - size_sq;
-    // POV-Ray's two thirds have eight digits.
+    // POV-Ray rounds two thirds to eight digits.
     1.2 - 1.6 * angular * angular * (-2.0 * 0.666_666_66 * size_sq.sqrt()).exp()
 }

@@ -1,8 +1,8 @@
-//! `internal(n)`: the functions behind the names of functions.inc.
+//! `internal(n)`: the built-in functions that functions.inc names.
 //!
-//! Each is a formula of a point and of the extra parameters that functions.inc describes. The formulas were found from
-//! the shapes' mathematics and by fitting, and compared with the values that POV-Ray 3.7 prints at many points.
-//! Most of the algebraic surfaces are cut off at `LIMIT`: they grow fast away from the surface.
+//! Each is a formula of a point and of the extra parameters that functions.inc describes. The formulas come from the
+//! mathematics of the shapes and from fitting, and agree with values that POV-Ray 3.7 prints at many points. Most of
+//! the algebraic surfaces are clamped to `LIMIT`, because they grow fast away from the surface.
 
 mod algebraic;
 mod curves;
@@ -12,16 +12,16 @@ mod solids;
 
 use std::fmt;
 
-/// Where POV-Ray cuts off the values of most algebraic surfaces.
+/// POV-Ray clamps the values of most algebraic surfaces to this magnitude.
 const LIMIT: f64 = 10.0;
 
 /// A built-in function.
 pub struct Internal {
-    /// As `internal(n)` writes it.
+    /// The `n` of `internal(n)`.
     pub number: u16,
     /// Its name in functions.inc.
     pub name: &'static str,
-    /// How many parameters it takes beside the point.
+    /// The number of parameters after the point.
     extra: usize,
     formula: fn(&[f64]) -> f64,
 }
@@ -33,7 +33,7 @@ impl fmt::Debug for Internal {
 }
 
 impl Internal {
-    /// A row of the lists: `N` is three for the point and one for each further parameter.
+    /// A function of a point and `extra` further parameters.
     const fn new(
         number: u16,
         name: &'static str,
@@ -48,20 +48,20 @@ impl Internal {
         }
     }
 
-    /// How many arguments it takes.
+    /// The number of parameters, including the point.
     #[must_use]
     pub fn parameters(&self) -> usize {
         3 + self.extra
     }
 
-    /// What no value of it exceeds, in either direction, if such a number is known.
+    /// Bound of the magnitude of all values, if known.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         let is_limited = |list: &[Internal]| list.iter().any(|known| known.number == self.number);
         is_limited(algebraic::LIST).then_some(LIMIT)
     }
 
-    /// The value for these arguments; zero if they are too few.
+    /// The value for these arguments; zero if there are too few.
     #[must_use]
     pub fn value(&self, arguments: &[f64]) -> f64 {
         match arguments.get(..self.parameters()) {
@@ -71,10 +71,10 @@ impl Internal {
     }
 }
 
-/// The number of `f_noise3d`, whose noise is that of the scene.
+/// The number of `f_noise3d`, which uses the noise generator of the scene.
 pub const NOISE_3D: u16 = 76;
 
-/// All of them.
+/// All built-in functions, by group.
 static LISTS: [&[Internal]; 5] = [
     algebraic::LIST,
     curves::LIST,
@@ -90,7 +90,7 @@ pub fn of_number(number: f64) -> Option<&'static Internal> {
     all.find(|internal| f64::from(internal.number) == number.trunc())
 }
 
-/// A value within the limit.
+/// The value clamped to the limit.
 fn limited(value: f64) -> f64 {
     value.clamp(-LIMIT, LIMIT)
 }
@@ -106,10 +106,10 @@ mod tests {
     }
 
     #[test]
-    fn every_number_of_functions_inc_is_there_once() {
+    fn every_number_of_functions_inc_exists_once() {
         let mut numbers: Vec<u16> = LISTS.into_iter().flatten().map(|i| i.number).collect();
         numbers.sort_unstable();
-        // 77 calls a pattern inside POV-Ray; no name stands for it.
+        // 77 calls a pattern inside POV-Ray and has no name.
         let expected: Vec<u16> = (0..=78).filter(|n| *n != 77).collect();
         assert_eq!(numbers, expected);
         assert!(of_number(77.0).is_none() && of_number(-1.0).is_none());
@@ -138,13 +138,16 @@ mod tests {
                 0.913_278_597_911,
             ),
         ];
-        for (found, expected) in known {
-            assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
+        for (actual, expected) in known {
+            assert!(
+                (actual - expected).abs() < 1e-11,
+                "{actual}, not {expected}"
+            );
         }
     }
 
     #[test]
-    fn nothing_fails_at_any_arguments() {
+    fn extreme_arguments_do_not_panic() {
         let odd = [0.0, -0.0, 1.0, -3.0, 1e300, f64::INFINITY, f64::NAN];
         for internal in LISTS.into_iter().flatten() {
             for (i, start) in odd.iter().enumerate() {

@@ -1,22 +1,22 @@
-//! Noise, and landscapes made of it: Musgrave's multifractals (Ebert et al., "Texturing and Modeling", 1994, chapter 16)
-//! and a ridge of POV-Ray's own.
+//! Noise, and landscapes from noise: Musgrave's multifractals (Ebert et al., "Texturing and Modeling", 1994, chapter
+//! 16) and POV-Ray's `f_ridge`.
 //!
-//! POV-Ray computes the sizes of the octaves of `f_ridged_mf` once in a run, for whatever `H` and lacunarity come first;
-//! here every call has its own.
+//! POV-Ray computes the octave weights of `f_ridged_mf` once per run, from the `H` and lacunarity of the first call;
+//! here every call computes its own.
 
 use super::Internal;
 use crate::base::math::noise::NoiseGenerator;
 use glam::DVec3;
 
-/// More octaves are not summed; these are far below the last bit of any sum.
-const MOST_OCTAVES: f64 = 1000.0;
+/// Limit on octaves; further ones are far below the last bit of any sum.
+const MAX_OCTAVES: f64 = 1000.0;
 
-/// The rows of this list.
+/// The functions of this group.
 pub(super) static LIST: &[Internal] = &[
     Internal::new(29, "f_hetero_mf", 6, hetero_mf),
     Internal::new(58, "f_ridge", 6, ridge),
     Internal::new(59, "f_ridged_mf", 6, ridged_mf),
-    // Where a scene is read, its own generator takes this place.
+    // When a scene is parsed, the scene's own generator replaces this function.
     Internal::new(super::NOISE_3D, "f_noise3d", 0, |p| {
         NoiseGenerator::default().noise(point(p))
     }),
@@ -29,7 +29,7 @@ fn point(p: &[f64]) -> DVec3 {
     DVec3::new(p[0], p[1], p[2])
 }
 
-/// The generator of a parameter: its last two bits.
+/// The generator selected by the last two bits of a parameter.
 fn generator(number: f64) -> NoiseGenerator {
     #[allow(
         clippy::cast_possible_truncation,
@@ -38,8 +38,8 @@ fn generator(number: f64) -> NoiseGenerator {
     NoiseGenerator::of_number(f64::from(number as i32 & 3))
 }
 
-/// `H, lacunarity, octaves, offset, T, generator`: each octave counts as much as the height below it to the power T; for
-/// the part of an octave at the end T is 1.
+/// `H, lacunarity, octaves, offset, T, generator`: each octave is weighted by the sum of the previous ones to the power
+/// T; for a fractional last octave T is 1.
 fn hetero_mf(p: &[f64]) -> f64 {
     let [_, _, _, h, lacunarity, octaves, offset, power, number] = *p else {
         return 0.0;
@@ -51,7 +51,7 @@ fn hetero_mf(p: &[f64]) -> f64 {
         reason = "a float that does not fit goes to the nearest bound"
     )]
     let power = power.max(0.0) as i32;
-    let octaves = octaves.min(MOST_OCTAVES);
+    let octaves = octaves.min(MAX_OCTAVES);
     let (mut at, mut frequency) = (point(p), 1.0);
     let mut value = signed(at);
     let mut next = || {
@@ -71,8 +71,8 @@ fn hetero_mf(p: &[f64]) -> f64 {
     value
 }
 
-/// `H, lacunarity, octaves, offset, gain, generator`: the octaves are folded at zero, squared, and weighted by the one
-/// before.
+/// `H, lacunarity, octaves, offset, gain, generator`: the octaves are folded at zero, squared, and weighted by the
+/// previous one.
 fn ridged_mf(p: &[f64]) -> f64 {
     let [_, _, _, h, lacunarity, octaves, offset, gain, number] = *p else {
         return 0.0;
@@ -82,7 +82,7 @@ fn ridged_mf(p: &[f64]) -> f64 {
         let signal = offset - (2.0 * noise.noise(at) - 1.0).abs();
         signal * signal
     };
-    let octaves = octaves.min(MOST_OCTAVES);
+    let octaves = octaves.min(MAX_OCTAVES);
     let (mut at, mut frequency) = (point(p), 1.0);
     let mut signal = folded(at);
     let mut value = signal;
@@ -97,8 +97,8 @@ fn ridged_mf(p: &[f64]) -> f64 {
     value
 }
 
-/// `lambda, octaves, omega, offset, ridge, generator`: the mean of octaves, each folded at `ridge`, where it is 0, and then
-/// stretched so that one end of its range stays and the other moves by `offset`.
+/// `lambda, octaves, omega, offset, ridge, generator`: the weighted mean of octaves, each folded at `ridge`, where it
+/// is 0. The mean is then rescaled by `offset`, which keeps one end of its range.
 fn ridge(p: &[f64]) -> f64 {
     let [_, _, _, lambda, octaves, omega, offset, fold, number] = *p else {
         return 0.0;
@@ -113,7 +113,7 @@ fn ridge(p: &[f64]) -> f64 {
         };
         side.abs()
     };
-    let octaves = octaves.min(MOST_OCTAVES);
+    let octaves = octaves.min(MAX_OCTAVES);
     let (mut at, mut size) = (point(p), 1.0);
     let (mut sum, mut sizes) = (folded(at), 1.0);
     let mut add = |part: f64| {

@@ -1,9 +1,9 @@
-//! Solids by distance: zero on the surface, below inside, and growing about as fast as the point goes away.
+//! Solids as approximate signed distances: zero on the surface, negative inside, growing about as fast as the distance.
 
 use super::Internal;
 use std::f64::consts::PI;
 
-/// The rows of this list.
+/// The functions of this group.
 pub(super) static LIST: &[Internal] = &[
     Internal::new(9, "f_comma", 1, comma),
     Internal::new(17, "f_ellipsoid", 3, |p| {
@@ -38,7 +38,8 @@ fn hypot3(a: f64, b: f64, c: f64) -> f64 {
     (a * a + b * b + c * c).sqrt()
 }
 
-/// The size of a point in a cross section: 0 is a square, 1 a circle, 2 a square on its tip, and so between them.
+/// The norm of a point for a cross section of this kind: 0 is a square, 1 a circle, 2 a square on its tip; values in
+/// between give superellipses.
 fn section(a: f64, b: f64, kind: f64) -> f64 {
     let (a, b) = (a.abs(), b.abs());
     if kind == 0.0 {
@@ -51,19 +52,19 @@ fn section(a: f64, b: f64, kind: f64) -> f64 {
     (a.powf(power) + b.powf(power)).powf(1.0 / power)
 }
 
-/// A sphere with a tail that runs round half a circle to a point.
+/// A sphere with a tail that tapers to a point along half a circle.
 fn comma(p: &[f64]) -> f64 {
-    /// Where POV-Ray takes a point of the y axis to, which has no angle.
-    const BESIDE: f64 = 1e-4;
+    /// POV-Ray moves points on the y axis, which have no angle, to this x.
+    const AXIS_OFFSET: f64 = 1e-4;
     let [x, y, z, size] = *p else { return 0.0 };
-    let x = if x == 0.0 && z == 0.0 { BESIDE } else { x };
+    let x = if x == 0.0 && z == 0.0 { AXIS_OFFSET } else { x };
     let head = hypot3(x - size / 2.0, y, z) - size / 2.0;
     let out = hypot2(x + size / 4.0, z) - 0.75 * size;
     let tail = hypot2(out, y) - size / 2.0 * (z.atan2(x) / 2.0).cos();
     head.min(tail.max(-z))
 }
 
-/// A thread wound about a torus, with grooves.
+/// A grooved thread wound around a torus.
 fn helical_torus(p: &[f64]) -> f64 {
     let (x, y, z) = (p[0], p[1], p[2]);
     let [
@@ -90,7 +91,7 @@ fn helical_torus(p: &[f64]) -> f64 {
     let column = radius + major - minor;
     let thread = (high * high + spread * wound * wound).sqrt();
     let groove = period * (depth * wound).atan2(high) + phase * around;
-    // Where the thread is no number, `min` gives the column.
+    // If the thread is NaN, the column alone counts.
     let body = thread.min(from_axis + minor) - fatness * groove.cos();
     if thread.is_nan() {
         return column - threshold;
@@ -98,7 +99,7 @@ fn helical_torus(p: &[f64]) -> f64 {
     body.min(column) - threshold
 }
 
-/// Threads that wind about the y axis; their cross section lies in a plane through the axis.
+/// Helices about the y axis; their cross section lies in a plane through the axis.
 fn helix1(p: &[f64]) -> f64 {
     let (x, y, z) = (p[0], p[1], p[2]);
     let [count, period, minor, major, shape, kind, turn] = p[3..10] else {
@@ -114,7 +115,7 @@ fn helix1(p: &[f64]) -> f64 {
     (section(out, up, kind) - minor).min(radius + major - minor)
 }
 
-/// A thread that winds about the y axis; its cross section lies in a plane across the axis and turns with it.
+/// A helix about the y axis; its cross section lies in a plane perpendicular to the axis and turns with the helix.
 fn helix2(p: &[f64]) -> f64 {
     let (x, y, z) = (p[0], p[1], p[2]);
     let (sin, cos) = (p[4] * y).sin_cos();
@@ -122,10 +123,10 @@ fn helix2(p: &[f64]) -> f64 {
     section(out, side, p[8]) - p[5]
 }
 
-/// Half the height of a triangle of side 1, doubled.
+/// The height of an equilateral triangle of side 1.
 const HALF_ROOT_3: f64 = 0.866_025_403_784_438_6;
 
-/// The distance from the centre of the nearest hexagon of a honeycomb, by its sides.
+/// The hexagonal distance from the centre of the nearest cell of a honeycomb.
 fn hex_x(p: &[f64]) -> f64 {
     let (x, y) = (p[0], p[1]);
     let width = 2.0 * HALF_ROOT_3;
@@ -148,7 +149,7 @@ fn hex_x(p: &[f64]) -> f64 {
     nearest
 }
 
-/// The distance to the nearest line of three sets of parallel ones.
+/// The distance to the nearest line of three families of parallel lines.
 fn hex_y(p: &[f64]) -> f64 {
     let (half, tilted) = (p[1] / 2.0, p[0] * HALF_ROOT_3);
     let distance = |at: f64| (at - 1.5 * (at / 1.5).round()).abs();
@@ -188,23 +189,23 @@ fn polynomial(coefficients: &[f64], y: f64) -> f64 {
     sum
 }
 
-/// A solid of revolution about the y axis; its radius is a polynomial.
+/// A solid of revolution about the y axis; its radius is a polynomial in y.
 fn poly4(p: &[f64]) -> f64 {
     /// POV-Ray's lower bound of the radius.
     const LEAST: f64 = -5.0;
     hypot2(p[0], p[2]) - polynomial(&p[3..8], p[1]).max(LEAST)
 }
 
-/// Tubes round the y axis, at a distance that is a polynomial.
+/// Tubes around the y axis, at a distance from it that is a polynomial in y.
 fn polytubes(p: &[f64]) -> f64 {
-    /// What POV-Ray gives without tubes.
+    /// POV-Ray's value without tubes.
     const FAR: f64 = 10_000.0;
-    /// More tubes than stand beside each other in any picture.
-    const MOST: f64 = 10_000.0;
+    /// Limit on tubes, more than any picture can show.
+    const MAX_TUBES: f64 = 10_000.0;
     let radius = polynomial(&p[4..9], p[1]);
     let mut nearest = FAR;
     let mut tube = 0.0;
-    while tube < p[3].trunc().min(MOST) {
+    while tube < p[3].trunc().min(MAX_TUBES) {
         let (sin, cos) = (2.0 * PI * tube / p[3]).sin_cos();
         nearest = nearest.min(hypot2(p[0] - radius * sin, p[2] - radius * cos));
         tube += 1.0;
@@ -213,13 +214,13 @@ fn polytubes(p: &[f64]) -> f64 {
 }
 
 fn rounded_box(p: &[f64]) -> f64 {
-    /// What POV-Ray takes away, so that no radius leaves the surface without an inside.
-    const SKIN: f64 = 1e-6;
+    /// POV-Ray subtracts this, so that the solid has an inside even without a radius.
+    const OFFSET: f64 = 1e-6;
     let beyond = |axis: usize| (p[axis].abs() - (p[4 + axis] - p[3])).max(0.0);
-    hypot3(beyond(0), beyond(1), beyond(2)) - p[3] - SKIN
+    hypot3(beyond(0), beyond(1), beyond(2)) - p[3] - OFFSET
 }
 
-/// A thread that winds outwards from the origin in the xz plane, within a sphere.
+/// A spiral thread from the origin outwards in the xz plane, clipped by a sphere.
 fn spiral(p: &[f64]) -> f64 {
     let (x, y, z) = (p[0], p[1], p[2]);
     let [apart, thick, limit, _, _, kind] = p[3..9] else {
