@@ -1,8 +1,8 @@
-//! Axis-aligned boxes that hold things.
+//! Axis-aligned bounding boxes.
 
 use glam::{DAffine3, DVec3};
 
-/// A box with faces along the axes; `min > max` on some axis means it is empty.
+/// An axis-aligned bounding box. It is empty if `min > max` on some axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The corner with the smallest coordinates.
@@ -12,18 +12,18 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box that holds nothing.
+    /// The empty box.
     pub const EMPTY: Bounds = Bounds {
         min: DVec3::INFINITY,
         max: DVec3::NEG_INFINITY,
     };
-    /// The box that holds all space.
+    /// The unbounded box: all of space.
     pub const EVERYTHING: Bounds = Bounds {
         min: DVec3::NEG_INFINITY,
         max: DVec3::INFINITY,
     };
 
-    /// The box between two opposite corners, given in any order.
+    /// The box spanned by two opposite corners, in any order.
     #[must_use]
     pub fn new(a: DVec3, b: DVec3) -> Self {
         Bounds {
@@ -32,19 +32,19 @@ impl Bounds {
         }
     }
 
-    /// Whether no point lies in the box.
+    /// True if the box contains no point.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.min.cmpgt(self.max).any()
     }
 
-    /// Whether every side is finite.
+    /// True if both corners are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The smallest box that holds both.
+    /// The smallest box that contains both.
     #[must_use]
     pub fn union(&self, other: &Bounds) -> Bounds {
         Bounds {
@@ -53,7 +53,7 @@ impl Bounds {
         }
     }
 
-    /// What the two share, perhaps empty.
+    /// The overlap of both boxes, possibly empty.
     #[must_use]
     pub fn intersection(&self, other: &Bounds) -> Bounds {
         Bounds {
@@ -62,7 +62,7 @@ impl Bounds {
         }
     }
 
-    /// The smallest box that holds this one and a point.
+    /// The smallest box that contains this one and `point`.
     #[must_use]
     pub fn with_point(&self, point: DVec3) -> Bounds {
         Bounds {
@@ -71,13 +71,14 @@ impl Bounds {
         }
     }
 
-    /// The point in the middle.
+    /// The centre of the box.
     #[must_use]
     pub fn centre(&self) -> DVec3 {
         0.5 * (self.min + self.max)
     }
 
-    /// The box around the eight transformed corners; everything stays everything and nothing, nothing.
+    /// The bounds of the eight transformed corners. An empty box stays empty, one that is not finite becomes
+    /// [`Bounds::EVERYTHING`].
     #[must_use]
     pub fn transformed(&self, to_from: &DAffine3) -> Bounds {
         if self.is_empty() {
@@ -86,14 +87,14 @@ impl Bounds {
         if !self.is_finite() {
             return Bounds::EVERYTHING;
         }
-        (0..8).fold(Bounds::EMPTY, |sum, corner| {
+        (0..8).fold(Bounds::EMPTY, |bounds, corner| {
             let pick = |bit: u8, low: f64, high: f64| if corner & bit == 0 { low } else { high };
             let point = DVec3::new(
                 pick(1, self.min.x, self.max.x),
                 pick(2, self.min.y, self.max.y),
                 pick(4, self.min.z, self.max.z),
             );
-            sum.with_point(to_from.transform_point3(point))
+            bounds.with_point(to_from.transform_point3(point))
         })
     }
 }

@@ -1,18 +1,19 @@
-//! Exact rescaling by powers of two, so that squares neither overflow nor vanish whatever unit a scene is drawn in.
+//! Exact rescaling by powers of two, so that squares neither overflow nor underflow, whatever the scale of the scene.
 //!
-//! A product with a power of two only moves the exponent: a scene and the same scene scaled by 2^k give the same bits.
+//! Multiplying by a power of two only changes the exponent: a scene and its copy scaled by 2^k give the same bits.
 
 use super::Ray;
 use glam::DVec3;
 
-/// Lengths between 2^-200 and 2^200 can be squared and multiplied freely.
+/// Comfortable lengths lie between 2^-200 and 2^200: their squares and products stay in range.
 const COMFORTABLE_LENGTH: f64 = f64::from_bits((1023 + 200) << 52);
-/// Squares of comfortable lengths.
+/// Upper limit of the squares of comfortable lengths; the lower limit is its reciprocal.
 pub(crate) const COMFORTABLE_SQUARE: f64 = f64::from_bits((1023 + 400) << 52);
-/// Squared distances up to here do not overflow when they meet a comfortable square.
+/// Squared distances below this do not overflow when multiplied by a comfortable square.
 pub(crate) const FAR_SQUARE: f64 = f64::from_bits((1023 + 800) << 52);
 
-/// The power of two `p` with `1 <= |x| / p < 2`; 1 for zero, infinity and NaN; the least normal one for subnormals.
+/// The power of two `p` with `1 <= |x| / p < 2`. It is 1 for zero, infinity and NaN, and the smallest normal number for
+/// subnormals.
 pub(crate) fn power_of_two(x: f64) -> f64 {
     let exponent = x.to_bits() & f64::INFINITY.to_bits();
     if x == 0.0 || exponent == f64::INFINITY.to_bits() {
@@ -22,7 +23,7 @@ pub(crate) fn power_of_two(x: f64) -> f64 {
     }
 }
 
-/// The unit vector along `v` at any scale, or `None` for the zero vector and for what is not finite.
+/// `v` normalised, at any scale; `None` for the zero vector and for one that is not finite.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let size = v.abs().max_element();
     if size == 0.0 || !v.is_finite() {
@@ -32,8 +33,8 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some(near_one / near_one.length())
 }
 
-/// Whether a body of this size and a ray can be worked on without rescaling: `dir_sq` is the square of the ray's
-/// direction, `origin_sq` the squared distance of its origin from the body. False for NaN.
+/// True if a shape of this size can be intersected with a ray without rescaling. `dir_sq` is the squared length of the
+/// ray's direction, `origin_sq` the squared distance of its origin from the shape. False for NaN.
 #[inline]
 pub(crate) fn is_comfortable(size: f64, dir_sq: f64, origin_sq: f64) -> bool {
     is_comfortable_size(size)
@@ -41,52 +42,54 @@ pub(crate) fn is_comfortable(size: f64, dir_sq: f64, origin_sq: f64) -> bool {
         && origin_sq < FAR_SQUARE
 }
 
-/// Whether a body of this size can be worked on without rescaling.
+/// True if a shape of this size can be intersected without rescaling.
 #[inline]
 pub(crate) fn is_comfortable_size(size: f64) -> bool {
     (1.0 / COMFORTABLE_LENGTH..COMFORTABLE_LENGTH).contains(&size)
 }
 
-/// A ray moved near a body and rescaled, with the way back for its parameter.
+/// A ray whose origin is moved close to a shape and whose lengths are rescaled, with the inverse map for `t`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RescaledRay {
-    /// The ray about the body, in units of `size`.
+    /// The ray relative to the shape's centre, in units of `size`.
     pub(crate) ray: Ray,
-    /// The power of two by which lengths were divided.
+    /// The power of two that all lengths are divided by.
     pub(crate) size: f64,
-    start: f64,
-    dir_size: f64,
+    /// Distance by which the origin was moved along the rescaled direction.
+    shift: f64,
+    /// The power of two that the direction is divided by.
+    dir_scale: f64,
 }
 
 impl RescaledRay {
-    /// Eases a ray whose origin is given from the body's centre. `None` for a ray that has no direction or cannot
-    /// come near the body in finite numbers.
-    pub(crate) fn new(about_body: &Ray, body_size: f64) -> Option<Self> {
-        let dir_size = power_of_two(about_body.dir.abs().max_element());
-        let dir = about_body.dir / dir_size;
-        let size = power_of_two(body_size);
-        let far = power_of_two(about_body.origin.abs().max_element());
+    /// Rescales a ray whose origin is relative to the centre of a shape of size `shape_size`. `None` if the direction
+    /// is zero or the moved origin is not finite.
+    pub(crate) fn new(about_centre: &Ray, shape_size: f64) -> Option<Self> {
+        let dir_scale = power_of_two(about_centre.dir.abs().max_element());
+        let dir = about_centre.dir / dir_scale;
+        let size = power_of_two(shape_size);
+        let far = power_of_two(about_centre.origin.abs().max_element());
         let dir_sq = dir.dot(dir);
         if dir_sq.is_nan() || dir_sq <= 0.0 {
             return None;
         }
-        let start = if far / size > COMFORTABLE_LENGTH {
-            -(about_body.origin / far).dot(dir) / dir_sq * far
+        let shift = if far / size > COMFORTABLE_LENGTH {
+            -(about_centre.origin / far).dot(dir) / dir_sq * far
         } else {
             0.0
         };
-        let origin = (about_body.origin + start * dir) / size;
+        let origin = (about_centre.origin + shift * dir) / size;
         origin.is_finite().then_some(RescaledRay {
             ray: Ray::new(origin, dir),
             size,
-            start,
-            dir_size,
+            shift,
+            dir_scale,
         })
     }
 
-    /// The parameter on the ray as it was given, of a parameter on the eased ray.
-    pub(crate) fn t(&self, eased_t: f64) -> f64 {
-        (self.start + eased_t * self.size) / self.dir_size
+    /// The `t` on the original ray for a `t` on the rescaled one.
+    pub(crate) fn t(&self, rescaled_t: f64) -> f64 {
+        (self.shift + rescaled_t * self.size) / self.dir_scale
     }
 }
 
@@ -116,10 +119,10 @@ mod tests {
     }
 
     #[test]
-    fn an_eased_ray_keeps_its_points() {
+    fn a_rescaled_ray_keeps_its_points() {
         let ray = Ray::new(DVec3::new(0.0, 0.0, -3e-200), DVec3::Z * 1e-90);
-        let eased = RescaledRay::new(&ray, 1e-200).unwrap();
-        let t = eased.t(2.0);
-        assert!((ray.at(t) - eased.ray.at(2.0) * eased.size).length() < 1e-215);
+        let rescaled = RescaledRay::new(&ray, 1e-200).unwrap();
+        let t = rescaled.t(2.0);
+        assert!((ray.at(t) - rescaled.ray.at(2.0) * rescaled.size).length() < 1e-215);
     }
 }

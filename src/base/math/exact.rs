@@ -1,10 +1,10 @@
-//! Polynomials with whole coefficients: every double is a whole number times a power of two, so signs and counts of
-//! roots are certain. For tests.
+//! Exact polynomials with integer coefficients, for tests: every double is an integer times a power of two, so signs
+//! and numbers of roots are certain.
 
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 
-/// `mantissa · 2^exponent` of a double.
+/// The `mantissa` and `exponent` of a double `mantissa · 2^exponent`.
 fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let exponent = i32::try_from((bits >> 52) & 0x7ff).unwrap();
@@ -18,12 +18,13 @@ fn parts(x: f64) -> (i64, i32) {
     (sign * mantissa, exponent.max(1) - 1075)
 }
 
-/// The power of two by which all of these become whole numbers.
+/// The smallest `shift >= 0` for which `x · 2^shift` is an integer for all of these numbers.
 pub(crate) fn shift(all: &[f64]) -> i32 {
     let needed = all.iter().filter(|x| **x != 0.0).map(|x| -parts(*x).1);
     needed.max().unwrap_or(0)
 }
 
+/// `x · 2^shift` as an integer.
 pub(crate) fn whole(x: f64, shift: i32) -> IBig {
     let (mantissa, exponent) = parts(x);
     if mantissa == 0 {
@@ -32,14 +33,14 @@ pub(crate) fn whole(x: f64, shift: i32) -> IBig {
     IBig::from(mantissa) << usize::try_from(exponent + shift).unwrap()
 }
 
-/// An exact polynomial by rising power, in units of `2^-scale` of its parameter.
+/// An exact polynomial with its coefficients by ascending power; its argument is in units of `2^-scale`.
 pub(crate) struct Exact {
     pub(crate) c: Vec<IBig>,
     pub(crate) scale: i32,
 }
 
 impl Exact {
-    /// The polynomial with these coefficients.
+    /// The polynomial with these coefficients, by ascending power.
     pub(crate) fn new(c: &[f64]) -> Exact {
         let shift = shift(c);
         let mut c: Vec<IBig> = c.iter().map(|c| whole(*c, shift)).collect();
@@ -49,27 +50,28 @@ impl Exact {
         Exact { c, scale: 0 }
     }
 
-    /// -1, 0 or 1.
+    /// The sign of the value at `t`: -1, 0 or 1.
     pub(crate) fn sign_at(&self, t: f64) -> i32 {
         sign_of(&self.c, self.scale, t)
     }
 
-    /// How many different real roots there are.
+    /// The number of distinct real roots.
     pub(crate) fn count(&self) -> usize {
         let chain = self.chain();
-        let leading = |c: &Vec<IBig>| sign(c.last().unwrap());
-        let far_back = |c: &Vec<IBig>| leading(c) * if c.len().is_multiple_of(2) { -1 } else { 1 };
-        changes(&chain, far_back) - changes(&chain, leading)
+        let at_infinity = |c: &Vec<IBig>| sign(c.last().unwrap());
+        let at_minus_infinity =
+            |c: &Vec<IBig>| at_infinity(c) * if c.len().is_multiple_of(2) { -1 } else { 1 };
+        changes(&chain, at_minus_infinity) - changes(&chain, at_infinity)
     }
 
-    /// How many different roots there are above `low`, up to and including `high`.
+    /// The number of distinct roots in `(low, high]`.
     pub(crate) fn count_between(&self, low: f64, high: f64) -> usize {
         let chain = self.chain();
         let at = |t: f64| changes(&chain, |c| sign_of(c, self.scale, t));
         at(low) - at(high)
     }
 
-    /// Sturm's chain.
+    /// The Sturm chain.
     fn chain(&self) -> Vec<Vec<IBig>> {
         let derivative = (1..).zip(&self.c[1..]).map(|(i, c)| c * i).collect();
         let mut chain = vec![self.c.clone(), derivative];
@@ -83,6 +85,7 @@ impl Exact {
     }
 }
 
+/// The number of sign changes along a Sturm chain, zeros skipped.
 fn changes(chain: &[Vec<IBig>], sign_of: impl Fn(&Vec<IBig>) -> i32) -> usize {
     let signs = chain.iter().map(sign_of).filter(|sign| *sign != 0);
     let signs: Vec<i32> = signs.collect();
@@ -107,7 +110,7 @@ pub(crate) fn sign(x: &IBig) -> i32 {
     i32::from(*x > IBig::ZERO) - i32::from(*x < IBig::ZERO)
 }
 
-/// Minus the remainder of a division, times a positive number; empty for zero.
+/// The negated remainder of a polynomial division, up to a positive factor; empty for zero.
 fn negative_remainder(dividend: &[IBig], divisor: &[IBig]) -> Vec<IBig> {
     let lead = divisor.last().unwrap();
     let mut rest = dividend.to_vec();

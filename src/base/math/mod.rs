@@ -1,4 +1,4 @@
-//! Transforms, rays, bounds and root finders: mathematics that knows nothing of scenes.
+//! Transforms, rays, bounds, root finders, noise and sampling: mathematics independent of the scene.
 
 mod bounds;
 pub(crate) mod conditioning;

@@ -1,8 +1,8 @@
-//! POV-Ray's solid noise: values and vectors that vary smoothly in space, and sums of them in octaves.
+//! POV-Ray's solid noise: scalar and vector noise, and turbulence, their sums over octaves.
 //!
-//! Lattice noise after Perlin ("An Image Synthesizer", SIGGRAPH 1985): each corner of a cell has a hashed offset and
-//! gradient, and smooth weights blend the eight. The tables, the hash and the order of sums are POV-Ray's, so that
-//! values agree to the bit wherever the processor does.
+//! Lattice noise after Perlin ("An Image Synthesizer", SIGGRAPH 1985): a hash gives each corner of a cell an offset and
+//! a gradient, and smooth weights blend the eight linear functions. The tables, the hash and the order of summation are
+//! POV-Ray's, so the values agree with it bit for bit.
 
 mod lattice;
 mod perlin;
@@ -12,18 +12,18 @@ use super::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec3;
 pub use perlin::Perlin;
 
-/// Most octaves that are summed.
-const MOST_OCTAVES: u32 = 10;
+/// POV-Ray's limit of octaves.
+const MAX_OCTAVES: u32 = 10;
 
-/// `noise_generator`: which noise the patterns use.
+/// `noise_generator`: the noise function of the patterns.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum NoiseGenerator {
-    /// 1: the noise of versions up to 3.1; flat where it is cut off at 0 and 1.
+    /// 1: the noise of versions up to 3.1; flat where it is clamped to 0 and 1.
     Original,
-    /// 2: the same, scaled to stay within 0 and 1.
+    /// 2: the same noise scaled into 0 to 1.
     #[default]
     RangeCorrected,
-    /// 3: gradient noise, with its tables.
+    /// 3: Perlin's gradient noise with its tables.
     Perlin(&'static Perlin),
 }
 
@@ -33,14 +33,14 @@ impl PartialEq for NoiseGenerator {
     }
 }
 
-/// How octaves of noise are summed; in single precision as POV-Ray keeps it.
+/// The octaves of turbulence. POV-Ray stores `lambda` and `omega` in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octaves {
-    /// `octaves`: how many are summed, 1 to 10.
+    /// `octaves`: the number of octaves, 1 to 10.
     pub count: u32,
-    /// `lambda`: the frequency of one relative to the one before.
+    /// `lambda`: the frequency of an octave relative to the previous one.
     pub lambda: f32,
-    /// `omega`: the size of one relative to the one before.
+    /// `omega`: the amplitude of an octave relative to the previous one.
     pub omega: f32,
 }
 
@@ -55,7 +55,7 @@ impl Default for Octaves {
 }
 
 impl Octaves {
-    /// Octaves as a scene writes them: their number is cut to what POV-Ray sums.
+    /// The number of octaves for the value written in a scene, clamped to POV-Ray's 1 to 10.
     #[must_use]
     #[allow(
         clippy::cast_possible_truncation,
@@ -63,19 +63,21 @@ impl Octaves {
         reason = "the number is cut to 1..=10"
     )]
     pub fn count_of(written: f64) -> u32 {
-        written.clamp(1.0, f64::from(MOST_OCTAVES)) as u32
+        written.clamp(1.0, f64::from(MAX_OCTAVES)) as u32
     }
 
-    /// The size and frequency of each octave but the first, for which both are 1.
-    fn above_the_first(self) -> impl Iterator<Item = (f64, f64)> + Clone {
+    /// The amplitude and frequency of each octave after the first, which has 1 for both.
+    fn after_first(self) -> impl Iterator<Item = (f64, f64)> + Clone {
         let (omega, lambda) = (f64::from(self.omega), f64::from(self.lambda));
-        let next = move |(size, frequency): &(f64, f64)| Some((size * omega, frequency * lambda));
+        let next = move |(amplitude, frequency): &(f64, f64)| {
+            Some((amplitude * omega, frequency * lambda))
+        };
         std::iter::successors(Some((omega, lambda)), next).take(self.count.max(1) as usize - 1)
     }
 }
 
 impl NoiseGenerator {
-    /// The generator that a scene names by number; the nearest one if there is none of it.
+    /// The generator of a number in a scene, clamped to 1 to 3.
     #[must_use]
     pub fn of_number(number: f64) -> Self {
         if number < 2.0 {
@@ -99,8 +101,8 @@ impl NoiseGenerator {
         )
     }
 
-    /// The sum of octaves of noise, each through a function. The first has the size 1; each has half the size of the one
-    /// before and twice its frequency.
+    /// The sum of `count` octaves of noise, `each` applied to every one. The first octave has amplitude 1 and the given
+    /// frequency; amplitudes halve and frequencies double from octave to octave.
     pub(crate) fn octaves(
         self,
         point: DVec3,
@@ -120,7 +122,7 @@ impl NoiseGenerator {
         )
     }
 
-    /// The sums of the lattice as noise from 0 to 1.
+    /// Maps the raw lattice sum to noise from 0 to 1.
     #[inline(always)]
     fn scaled(self, sum: f64) -> f64 {
         let noise = match self {
@@ -131,7 +133,7 @@ impl NoiseGenerator {
         noise.clamp(0.0, 1.0)
     }
 
-    /// Such noise about a half, as octaves sum it.
+    /// Maps the raw lattice sum to the noise that turbulence sums: for generators 2 and 3 stretched to -0.5 to 1.5.
     #[inline(always)]
     fn centred(self, sum: f64) -> f64 {
         match self {
@@ -140,7 +142,7 @@ impl NoiseGenerator {
         }
     }
 
-    /// Octaves of noise; the first is cut to 0 and 1, the sum is not.
+    /// Turbulence: a sum of octaves. The first octave is clamped to 0 and 1, the sum is not.
     #[must_use]
     pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
         with_widest(
@@ -155,18 +157,18 @@ impl NoiseGenerator {
         )
     }
 
-    /// The octaves of a lattice whose sums are given by frequency.
+    /// Turbulence from the raw lattice sums `at` each frequency.
     #[inline(always)]
     fn summed(self, octaves: &Octaves, at: impl Fn(f64) -> f64) -> f64 {
         let mut value = self.centred(at(1.0)).clamp(0.0, 1.0);
-        for (size, frequency) in octaves.above_the_first() {
-            value += size * self.centred(at(frequency));
+        for (amplitude, frequency) in octaves.after_first() {
+            value += amplitude * self.centred(at(frequency));
         }
         value
     }
 }
 
-/// A sum of the lattice.
+/// Kernel of the raw lattice sum at a point.
 struct Scalar(DVec3);
 
 impl SimdKernel for Scalar {
@@ -178,7 +180,7 @@ impl SimdKernel for Scalar {
     }
 }
 
-/// The work of [`NoiseGenerator::octaves`].
+/// Kernel of [`NoiseGenerator::octaves`].
 struct HalvedOctaves<T> {
     generator: NoiseGenerator,
     point: DVec3,
@@ -193,22 +195,22 @@ impl<T: Fn(f64) -> f64> SimdKernel for HalvedOctaves<T> {
     #[inline(always)]
     fn run<F: F64x4>(self) -> f64 {
         let point = lattice::spread::<F>(self.point);
-        let (mut size, mut frequency) = (1.0, self.frequency);
+        let (mut amplitude, mut frequency) = (1.0, self.frequency);
         let mut sum = 0.0;
         for _ in 0..self.count {
             let noise = match self.generator {
                 NoiseGenerator::Perlin(perlin) => perlin.noise(self.point * frequency),
                 _ => lattice::scalar(lattice::at_frequency(point, frequency)),
             };
-            sum += size * (self.each)(self.generator.scaled(noise));
-            size *= 0.5;
+            sum += amplitude * (self.each)(self.generator.scaled(noise));
+            amplitude *= 0.5;
             frequency *= 2.0;
         }
         sum
     }
 }
 
-/// Octaves of noise.
+/// Kernel of [`NoiseGenerator::turbulence`].
 struct Turbulence<'a>(NoiseGenerator, DVec3, &'a Octaves);
 
 impl SimdKernel for Turbulence<'_> {
@@ -226,7 +228,7 @@ impl SimdKernel for Turbulence<'_> {
     }
 }
 
-/// Noise in three components, each about -0.5 to 0.5; the same for all generators.
+/// Vector noise, each component about -0.5 to 0.5; the same for all generators.
 #[must_use]
 pub fn vector_noise(point: DVec3) -> DVec3 {
     with_widest(
@@ -235,7 +237,7 @@ pub fn vector_noise(point: DVec3) -> DVec3 {
     )
 }
 
-/// Octaves of vector noise.
+/// Vector turbulence: a sum of octaves of vector noise.
 #[must_use]
 pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
     with_widest(
@@ -244,7 +246,7 @@ pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
     )
 }
 
-/// The vector of a lattice.
+/// Kernel of [`vector_noise`].
 struct Vector(DVec3);
 
 impl SimdKernel for Vector {
@@ -252,11 +254,11 @@ impl SimdKernel for Vector {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
-        of_lanes(lattice::vector(lattice::spread::<F>(self.0)))
+        from_lanes(lattice::vector(lattice::spread::<F>(self.0)))
     }
 }
 
-/// Octaves of vectors.
+/// Kernel of [`vector_turbulence`].
 struct VectorTurbulence<'a>(DVec3, &'a Octaves);
 
 impl SimdKernel for VectorTurbulence<'_> {
@@ -267,21 +269,21 @@ impl SimdKernel for VectorTurbulence<'_> {
         let VectorTurbulence(point, octaves) = self;
         let point = lattice::spread::<F>(point);
         let mut sum = lattice::vector(point);
-        for (size, frequency) in octaves.above_the_first() {
+        for (amplitude, frequency) in octaves.after_first() {
             let octave = lattice::vector(lattice::at_frequency(point, frequency));
-            sum = sum + F::splat(size) * octave;
+            sum = sum + F::splat(amplitude) * octave;
         }
-        of_lanes(sum)
+        from_lanes(sum)
     }
 }
 
 #[inline(always)]
-fn of_lanes<F: F64Lanes>(lanes: F) -> DVec3 {
+fn from_lanes<F: F64Lanes>(lanes: F) -> DVec3 {
     let [x, y, z, _] = lanes.to_array();
     DVec3::new(x, y, z)
 }
 
-/// `3t² - 2t³`, which leaves 0 and reaches 1 without a slope.
+/// The smoothstep `3t² - 2t³`, with zero slope at 0 and 1.
 #[must_use]
 #[inline]
 pub fn smooth(t: f64) -> f64 {
@@ -292,7 +294,7 @@ pub fn smooth(t: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The points of the facts, appendix A.
+    /// The points of appendix A of the collected POV-Ray facts.
     const POINTS: [DVec3; 3] = [
         DVec3::new(0.3, 0.2, 0.1),
         DVec3::new(-1.7, 2.25, 0.6),
@@ -301,7 +303,7 @@ mod tests {
 
     #[test]
     fn the_generators_are_those_of_pov_ray() {
-        // Facts, appendix A; ten digits are printed there.
+        // Facts, appendix A, which prints ten digits.
         let expected = [
             [0.209_924_647_6, 0.801_849_110_5, 0.392_921_149_1],
             [0.373_438_962_5, 0.663_396_605_6, 0.463_080_863_8],

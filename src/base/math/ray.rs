@@ -2,18 +2,18 @@
 
 use glam::{DAffine3, DVec3};
 
-/// A ray of points `origin + t · dir`. World rays have unit directions; rays in object space do not,
-/// so that `t` means the same in both.
+/// A ray with the points `origin + t · dir`. World-space rays have unit directions. Object-space rays need not, so that
+/// `t` is the same in both spaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// The point at `t = 0`.
     pub origin: DVec3,
-    /// The direction; its length is the distance of one unit of `t`.
+    /// The direction; its length is the distance covered per unit of `t`.
     pub dir: DVec3,
 }
 
 impl Ray {
-    /// A ray from `origin` along `dir`.
+    /// The ray from `origin` along `dir`.
     #[must_use]
     pub fn new(origin: DVec3, dir: DVec3) -> Self {
         Ray { origin, dir }
@@ -25,7 +25,7 @@ impl Ray {
         self.origin + t * self.dir
     }
 
-    /// The same ray in object space, with the same `t`.
+    /// The ray transformed to object space, with the same `t`.
     #[must_use]
     pub fn to_object(&self, object_from_world: &DAffine3) -> Ray {
         Ray {

@@ -1,8 +1,8 @@
-//! Single precision bounds of double precision numbers, and parts of them.
+//! Conservative rounding of doubles to single precision, and a fast `floor` and remainder.
 
 use super::simd::F64Lanes;
 
-/// The largest single precision number that is not above `x`; NaN for NaN.
+/// The largest `f32` that is not above `x`; NaN for NaN.
 #[inline]
 pub(crate) fn f32_below(x: f64) -> f32 {
     let near = nearest(x);
@@ -13,7 +13,7 @@ pub(crate) fn f32_below(x: f64) -> f32 {
     }
 }
 
-/// The smallest single precision number that is not below `x`; NaN for NaN.
+/// The smallest `f32` that is not below `x`; NaN for NaN.
 #[inline]
 pub(crate) fn f32_above(x: f64) -> f32 {
     let near = nearest(x);
@@ -24,25 +24,25 @@ pub(crate) fn f32_above(x: f64) -> f32 {
     }
 }
 
-/// What loose bounds are at least away from their number: small against anything near one, and large enough for a
-/// millionth of it to be a normal number, since arithmetic with others takes a hundred times as long.
+/// Minimum distance of a loose bound from its number. It is negligible next to 1, and a millionth of it is still a
+/// normal number: arithmetic with subnormals takes a hundred times as long.
 const LOOSE: f32 = 1e-30;
 
-/// A single precision number a little below `x`, without the care of [`f32_below`]; NaN for infinity too.
+/// An `f32` slightly below `x`, cheaper than [`f32_below`]; NaN for positive infinity too.
 #[inline(always)]
 pub(crate) fn loose_below(x: f64) -> f32 {
     let near = nearest(x);
     near - near.abs() * f32::EPSILON - LOOSE
 }
 
-/// A single precision number a little above `x`, without the care of [`f32_above`].
+/// An `f32` slightly above `x`, cheaper than [`f32_above`]; NaN for negative infinity too.
 #[inline(always)]
 pub(crate) fn loose_above(x: f64) -> f32 {
     let near = nearest(x);
     near + near.abs() * f32::EPSILON + LOOSE
 }
 
-/// The nearest single precision number.
+/// The nearest `f32`.
 #[inline]
 #[allow(
     clippy::cast_possible_truncation,
@@ -52,44 +52,42 @@ pub(crate) fn nearest(x: f64) -> f32 {
     x as f32
 }
 
-/// Numbers from here on have no parts.
-const WHOLE: f64 = 4_503_599_627_370_496.0;
+/// 2^52: doubles from here on are integers.
+const TWO_POW_52: f64 = 4_503_599_627_370_496.0;
 
-/// The largest whole number that is not above `x`: `x.floor()`, but for the sign of nothing, in a few instructions on any
-/// machine.
+/// The largest integer not above `x`: `x.floor()` up to the sign of zero, in a few instructions on any machine.
 #[inline]
 pub(crate) fn floor(x: f64) -> f64 {
-    if x.abs() < WHOLE {
-        // Adding as much leaves no room for parts: what is left is the nearest whole number.
-        let near = (x + WHOLE.copysign(x)) - WHOLE.copysign(x);
+    if x.abs() < TWO_POW_52 {
+        // The sum has no fraction bits left, so it is rounded to the nearest integer.
+        let near = (x + TWO_POW_52.copysign(x)) - TWO_POW_52.copysign(x);
         if near > x { near - 1.0 } else { near }
     } else {
         x
     }
 }
 
-/// [`floor`] of four numbers.
+/// [`floor`] in lanes.
 #[inline(always)]
 pub(crate) fn floor_of<F: F64Lanes>(x: F) -> F {
-    let whole = F::splat(WHOLE);
-    let away = F::select(x.lt(F::splat(0.0)), -whole, whole);
+    let limit = F::splat(TWO_POW_52);
+    let away = F::select(x.lt(F::splat(0.0)), -limit, limit);
     let near = x + away - away;
     let below = F::select(x.lt(near), near - F::splat(1.0), near);
-    F::select(x.abs().lt(whole), below, x)
+    F::select(x.abs().lt(limit), below, x)
 }
 
-/// What is left of `x` after whole multiples of a whole number `m` up to 1,024: `x.rem_euclid(m)`, but for the sign of
-/// nothing, without a loop over bits.
+/// `x.rem_euclid(m)` up to the sign of zero, for an integer `m` up to 1,024, without the bitwise loop of `fmod`.
 #[inline]
 pub(crate) fn remainder(x: f64, m: f64) -> f64 {
-    /// Multiples of `m` up to here are exact.
-    const MOST: f64 = 1e12;
-    if x.abs() >= MOST || x.is_nan() {
+    /// Below this the multiples of `m` are exact.
+    const MAX_EXACT: f64 = 1e12;
+    if x.abs() >= MAX_EXACT || x.is_nan() {
         return x.rem_euclid(m);
     }
     let size = x.abs();
     let left = size - floor(size / m) * m;
-    // Rounding may have made one multiple too many of it, never one too few.
+    // Rounding may subtract one multiple too many, never one too few.
     let left = if left < 0.0 { left + m } else { left };
     if x < 0.0 && left > 0.0 {
         m - left
@@ -125,7 +123,7 @@ mod tests {
         assert_eq!(f32_below(f64::NEG_INFINITY), f32::NEG_INFINITY);
     }
 
-    /// Numbers of all sizes and signs, whole ones and their neighbours among them.
+    /// Numbers of all magnitudes and signs, integers and their neighbours among them.
     fn numbers() -> impl Iterator<Item = f64> {
         let near = |x: f64| [x, x.next_up(), x.next_down(), x + 0.5, x * 1.3, x * 0.7];
         let sizes = (-60..60)
@@ -152,8 +150,8 @@ mod tests {
     fn remainders_are_those_of_the_standard_library() {
         for x in numbers() {
             for m in [1.0, 2.0, 3.0, 6.0, 1000.0] {
-                let (own, known) = (remainder(x, m), x.rem_euclid(m));
-                assert!(is_same(own, known), "{x} by {m}: {own}, not {known}");
+                let (fast, exact) = (remainder(x, m), x.rem_euclid(m));
+                assert!(is_same(fast, exact), "{x} by {m}: {fast}, not {exact}");
             }
         }
     }

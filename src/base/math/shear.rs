@@ -1,27 +1,27 @@
-//! The shear of six parameters, and other transforms whose inverse is known without elimination.
+//! The shear with six parameters, and other transforms whose inverse has a closed form.
 
 use super::Transform;
 use glam::{DAffine3, DMat3, DVec3};
 
-/// A shear: each coordinate moves with the two others. `x' = x + xy·y + xz·z`, and so on.
+/// A shear that displaces each coordinate in proportion to the other two: `x' = x + xy·y + xz·z`, and so on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shear {
-    /// How far x moves with y.
+    /// Displacement of x per unit of y.
     pub xy: f64,
-    /// How far x moves with z.
+    /// Displacement of x per unit of z.
     pub xz: f64,
-    /// How far y moves with x.
+    /// Displacement of y per unit of x.
     pub yx: f64,
-    /// How far y moves with z.
+    /// Displacement of y per unit of z.
     pub yz: f64,
-    /// How far z moves with x.
+    /// Displacement of z per unit of x.
     pub zx: f64,
-    /// How far z moves with y.
+    /// Displacement of z per unit of y.
     pub zy: f64,
 }
 
 impl Shear {
-    /// The matrix on columns.
+    /// The matrix for column vectors.
     #[must_use]
     pub fn matrix(&self) -> DMat3 {
         DMat3::from_cols(
@@ -31,7 +31,7 @@ impl Shear {
         )
     }
 
-    /// The determinant; where it is zero there is no inverse.
+    /// The determinant; if it is zero there is no inverse.
     #[must_use]
     pub fn determinant(&self) -> f64 {
         let Shear {
@@ -45,7 +45,7 @@ impl Shear {
         1.0 - xy * yx - xz * zx - yz * zy + xy * yz * zx + xz * yx * zy
     }
 
-    /// The inverse matrix, the cofactors by the determinant.
+    /// The inverse matrix: the adjugate divided by the determinant. `None` if it is not finite.
     #[must_use]
     pub fn inverse(&self) -> Option<DMat3> {
         let Shear {
@@ -67,7 +67,7 @@ impl Shear {
 }
 
 impl Transform {
-    /// A shear, or `None` where it flattens space.
+    /// The transform of a shear; `None` if it is singular.
     #[must_use]
     pub fn shear(shear: &Shear) -> Option<Self> {
         Some(Transform {
@@ -76,7 +76,7 @@ impl Transform {
         })
     }
 
-    /// The mirror image in a plane through the origin, which undoes itself. `None` for a normal of no length.
+    /// The reflection in a plane through the origin, its own inverse. `None` for a zero normal.
     #[must_use]
     pub fn mirror(normal: DVec3) -> Option<Self> {
         let normal = normal.try_normalize()?;
@@ -92,8 +92,8 @@ impl Transform {
         })
     }
 
-    /// A matrix of sixteen numbers by column, as OpenGL has it; `None` if the last row is not 0, 0, 0, 1 or there is no
-    /// inverse. The twelve numbers of `matrix` in a scene are the same without that row.
+    /// The transform of a 4×4 matrix in column-major order, as in OpenGL. `None` if the last row is not 0, 0, 0, 1 or
+    /// the matrix is singular. The twelve numbers of `matrix` in a scene are the same without that row.
     #[must_use]
     pub fn column_major(m: &[f64; 16]) -> Option<Self> {
         let is_affine = [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
@@ -112,8 +112,8 @@ mod tests {
         transform.world_from_object.inverse()
     }
 
-    /// The largest difference of two matrices, in units of the larger one.
-    fn apart(a: &DAffine3, b: &DAffine3) -> f64 {
+    /// The largest difference of two matrices relative to the largest entry of `a`, or to 1.
+    fn relative_difference(a: &DAffine3, b: &DAffine3) -> f64 {
         let pairs = a.to_cols_array().into_iter().zip(b.to_cols_array());
         let size = a
             .to_cols_array()
@@ -122,13 +122,13 @@ mod tests {
         pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
     }
 
-    /// Each component between two positive numbers.
+    /// A vector with each component between `least` and `most`.
     fn size(rng: &mut Random, least: f64, most: f64) -> DVec3 {
         let mut component = || least + (most - least) * rng.share();
         DVec3::new(component(), component(), component())
     }
 
-    fn any_shear(rng: &mut Random) -> Shear {
+    fn random_shear(rng: &mut Random) -> Shear {
         let (a, b) = (rng.vector(0.4), rng.vector(0.4));
         Shear {
             xy: a.x,
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn known_inverses_are_the_numeric_ones() {
+    fn closed_form_inverses_match_the_numeric_ones() {
         let mut rng = Random::new(11);
         for _ in 0..1000 {
             let by = rng.vector(5.0);
@@ -152,11 +152,11 @@ mod tests {
                 Transform::rotation(100.0 * by),
                 Transform::axis_rotation(by, 50.0),
                 Transform::mirror(by).unwrap(),
-                Transform::shear(&any_shear(&mut rng)).unwrap(),
+                Transform::shear(&random_shear(&mut rng)).unwrap(),
             ];
             for one in all {
                 assert!(
-                    apart(&one.object_from_world, &numeric(&one)) < 1e-14,
+                    relative_difference(&one.object_from_world, &numeric(&one)) < 1e-14,
                     "{one:?}"
                 );
             }
@@ -167,7 +167,7 @@ mod tests {
     fn the_determinant_of_a_shear_is_that_of_its_matrix() {
         let mut rng = Random::new(12);
         for _ in 0..1000 {
-            let shear = any_shear(&mut rng);
+            let shear = random_shear(&mut rng);
             assert!((shear.determinant() - shear.matrix().determinant()).abs() < 1e-14);
         }
         let flat = Shear {
@@ -221,7 +221,7 @@ mod tests {
         assert_eq!(Transform::column_major(&perspective), None);
     }
 
-    /// A number of twice the digits: the sum of both.
+    /// A double-double number: the sum of both parts.
     type Double = (f64, f64);
     type Square = [[Double; 4]; 4];
 
@@ -252,7 +252,7 @@ mod tests {
         std::array::from_fn(|row| std::array::from_fn(|column| (columns[column][row], 0.0)))
     }
 
-    /// The inverse to twice the digits, from a near one: Newton's `X (2 - M X)`.
+    /// The inverse in double-double precision by Newton's iteration `X (2 - M X)` from an approximation.
     fn inverse(matrix: &Square, near: &Square) -> Square {
         let mut inverse = *near;
         for _ in 0..3 {
@@ -268,10 +268,10 @@ mod tests {
         inverse
     }
 
-    /// The largest error of a matrix, in units of the largest number of the exact one.
-    fn error(found: &DAffine3, exact: &Square) -> f64 {
-        let found = square(found);
-        let pairs = found.iter().flatten().zip(exact.iter().flatten());
+    /// The largest error of a matrix relative to the largest entry of the exact one.
+    fn error(matrix: &DAffine3, exact: &Square) -> f64 {
+        let matrix = square(matrix);
+        let pairs = matrix.iter().flatten().zip(exact.iter().flatten());
         let size = exact
             .iter()
             .flatten()
@@ -283,8 +283,9 @@ mod tests {
         most / size
     }
 
-    /// Which inverse of a composed transform is nearer to the exact one, of 1,000 with 32 steps each: the product of the
-    /// inverses in reverse order, or the inverse of the product. Measured: 4.6e-16 and 1.35e-15 of the largest number.
+    /// Compares two inverses of a composed transform, of 1,000 with 32 steps each: the product of the inverses in
+    /// reverse order, and the numeric inverse of the product. Measured errors: 4.6e-16 and 1.35e-15 of the largest
+    /// entry.
     #[test]
     fn multiplied_inverses_are_better_than_the_inverse_of_the_product() {
         let mut rng = Random::new(13);
@@ -299,7 +300,7 @@ mod tests {
                     Transform::translation(by),
                     Transform::rotation(90.0 * by),
                     Transform::scaling(scale),
-                    Transform::shear(&any_shear(&mut rng)).unwrap(),
+                    Transform::shear(&random_shear(&mut rng)).unwrap(),
                 ] {
                     whole = whole.then(&step);
                     exact = product(&square(&step.world_from_object), &exact);

@@ -1,19 +1,19 @@
-//! SIMD lanes, dispatched at run time to the widest instructions of the machine.
+//! SIMD lanes, dispatched at run time to the widest instruction set of the machine.
 //!
-//! Every x86-64 has registers of 128 bits (SSE2); most machines have 256 (AVX2). A [`SimdKernel`] is written once over the
-//! lane traits [`F64Lanes`] and [`F32x8`] and compiled for each level; [`SimdLevel::run`] picks the level. All levels, and
-//! the scalar `f64`, give the same bits: they differ in how many numbers one instruction takes, and none fuses a product
-//! with a sum.
+//! Every x86-64 machine has 128-bit registers (SSE2), most have 256-bit registers (AVX2). A [`SimdKernel`] is written
+//! once over the lane traits [`F64Lanes`] and [`F32x8`] and compiled for each level; [`SimdLevel::run`] selects the
+//! level. All levels and the scalar `f64` give the same bits: they differ only in the number of lanes per instruction,
+//! and none uses fused multiply-add.
 //!
 //! The lane types are private: outside of this module they exist only as the type parameter of a kernel that
 //! [`SimdLevel::run`] has started, so safe code cannot execute AVX2 on a machine without it.
 //!
-//! AVX-512 is not used. Its masks for lanes of 256 bits took 2 to 8 % off the time of tracing spheres on a Zen 5, but with
-//! it the compiler copies 64 bytes at a time, also where they have just been written as twice 32: an Intel Xeon stalls
-//! there, and tracing took 10 to 25 % longer than with AVX2 in all scenes of the bench but the mirrors.
+//! AVX-512 is not used. Its masks for 256-bit lanes made tracing spheres 2 to 8 % faster on a Zen 5. But it lets the
+//! compiler copy 64 bytes at a time, even where they have just been written as twice 32. An Intel Xeon then stalls on
+//! store forwarding: tracing was 10 to 25 % slower than with AVX2 in all benchmark scenes but the mirrors.
 //!
-//! Only code inlined into a kernel is compiled for its level: hot functions say `#[inline(always)]`, and closures, which
-//! do not inherit the level, are avoided in them.
+//! Only code inlined into a kernel is compiled for its level: hot functions are `#[inline(always)]` and avoid closures,
+//! which do not inherit the level.
 #![allow(
     unsafe_code,
     reason = "functions for a level known only at run time cannot be called otherwise"
@@ -32,30 +32,30 @@ pub(crate) mod vec3;
 pub(crate) use lanes::{F32x8, F64Lanes, F64x4};
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// Lanes that every machine of the target has.
+/// The lanes that every machine of the target supports.
 #[cfg(target_arch = "x86_64")]
 type Baseline = sse2::F64x4Sse2;
 #[cfg(not(target_arch = "x86_64"))]
 type Baseline = portable::F64x4Portable;
 
-/// Level of instructions, and the proof that the machine has them: wide levels are made by [`with_widest`] alone. Within
-/// code compiled for a level the answer is a constant, so a kernel tests nothing.
+/// An instruction set level, and the proof that the machine supports it: only [`with_widest`] creates wide levels.
+/// The level is a constant within code compiled for it, so kernels do not test it at run time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SimdLevel {
     is_wide: bool,
 }
 
-/// Computation over lanes, written once for all levels.
+/// A computation over lanes, written once for all levels.
 pub(crate) trait SimdKernel {
     type Output;
     fn run<F: F64x4>(self) -> Self::Output;
 }
 
 impl SimdLevel {
-    /// The baseline of the target.
+    /// The baseline level of the target.
     pub(crate) const NARROW: SimdLevel = SimdLevel { is_wide: false };
 
-    /// The level of this machine.
+    /// The widest level of this machine.
     #[cfg(test)]
     pub(crate) fn widest() -> Self {
         SimdLevel {
@@ -63,7 +63,7 @@ impl SimdLevel {
         }
     }
 
-    /// Runs a kernel in the lanes of this level.
+    /// Runs a kernel with the lanes of this level.
     #[inline(always)]
     pub(crate) fn run<K: SimdKernel>(self, kernel: K) -> K::Output {
         #[cfg(target_arch = "x86_64")]
@@ -76,8 +76,8 @@ impl SimdLevel {
     }
 }
 
-/// Not inlined: most machines never come here, and compiling each kernel once, instead of into each of its callers, takes
-/// minutes off a build.
+/// Not inlined: most machines never run it, and compiling each kernel once instead of in each caller saves minutes of
+/// build time.
 #[inline(never)]
 fn run_baseline<K: SimdKernel>(kernel: K) -> K::Output {
     kernel.run::<Baseline>()
@@ -90,20 +90,20 @@ fn run_wide<K: SimdKernel>(kernel: K) -> K::Output {
     kernel.run::<avx2::F64x4Avx2>()
 }
 
-/// Instructions of a machine.
+/// The instruction set of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Machine {
-    /// Those of the target.
+    /// The instructions that every machine of the target supports.
     Baseline,
-    /// AVX2, and the bit instructions that came with it.
+    /// AVX2 with the bit manipulation instructions (BMI1, BMI2, LZCNT).
     Avx2,
 }
 
 impl Machine {
-    /// This machine. The answer is cached: every ray needs it.
+    /// The instruction set of this machine, cached because every ray needs it.
     #[inline]
     fn detected() -> Self {
-        /// 0 until it is known.
+        /// 0 until detected.
         static DETECTED: AtomicU8 = AtomicU8::new(0);
         match DETECTED.load(Ordering::Relaxed) {
             1 => Machine::Baseline,
@@ -130,7 +130,7 @@ impl Machine {
     }
 }
 
-/// Runs `work` compiled for the widest level of the machine.
+/// Runs `work` in a copy compiled for the widest level of the machine.
 #[inline(always)]
 pub(crate) fn with_widest<R>(work: impl FnOnce(SimdLevel) -> R) -> R {
     match Machine::detected() {
@@ -143,7 +143,7 @@ pub(crate) fn with_widest<R>(work: impl FnOnce(SimdLevel) -> R) -> R {
     }
 }
 
-/// Not inlined, so that its caller passes the captures of `work` by reference and grows by one call alone.
+/// Not inlined, so that the caller passes the captures of `work` by reference and grows by a single call.
 #[inline(never)]
 fn with_baseline<R>(work: impl FnOnce(SimdLevel) -> R) -> R {
     work(SimdLevel::NARROW)

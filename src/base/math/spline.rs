@@ -1,15 +1,15 @@
-//! `spline`: curves through points of one to five components over a parameter.
+//! `spline`: curves over a parameter through points of one to five components.
 //!
 //! With keys t₀ < t₁ < ... and values P₀, P₁, ...:
-//! * linear: straight from point to point;
-//! * quadratic: in [tᵢ, tᵢ₊₁] the parabola through Pᵢ₋₁, Pᵢ and Pᵢ₊₁; in the first interval that of the second;
+//! * linear: straight segments;
+//! * quadratic: in [tᵢ, tᵢ₊₁] the parabola through Pᵢ₋₁, Pᵢ and Pᵢ₊₁; the first interval uses that of the second;
 //! * natural: piecewise cubic with continuous second derivatives, which are zero at both ends;
-//! * cubic: piecewise cubic whose slope at a point is the mean of the slopes of the two chords that meet there. It runs
-//!   from the second to the last but one point only.
+//! * cubic: piecewise cubic whose slope at a point is the mean of the slopes of the two adjacent chords. It only runs
+//!   from the second to the last but one point.
 //!
-//! Outside of its range a curve keeps its first or last value. All of this was measured with POV-Ray 3.7.
+//! Outside of its range a curve has its first or last value. All of this was measured with POV-Ray 3.7.
 
-/// How a spline runs between its points.
+/// The interpolation of a spline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SplineKind {
     /// `linear_spline`.
@@ -23,25 +23,25 @@ pub enum SplineKind {
     Natural,
 }
 
-/// Five components; those beyond the spline's length are zero.
+/// Five components; those beyond the spline's number of components are zero.
 type Point = [f64; 5];
 
-/// A curve through points.
+/// A curve through points at ascending keys.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spline {
     kind: SplineKind,
     keys: Vec<f64>,
     points: Vec<Point>,
-    /// The second derivatives of the natural spline.
-    bends: Vec<Point>,
+    /// The second derivatives of the natural spline at the points.
+    second_derivatives: Vec<Point>,
     len: u8,
 }
 
 impl Spline {
-    /// The curve of `base` with further points, as another kind.
+    /// The spline `base` with `further` points `(key, point, len)`, of another kind.
     ///
-    /// A point at the key of an earlier one replaces it, but for the last: there the earlier one stays, as in
-    /// POV-Ray. `len` is the number of components that the scene gives.
+    /// A point replaces an earlier one with the same key. Only at the last key does the earlier point stay, as in
+    /// POV-Ray. `len` is the number of components given in the scene.
     #[must_use]
     pub fn new(base: &Spline, kind: SplineKind, further: &[(f64, Point, u8)]) -> Self {
         let mut spline = base.clone();
@@ -50,7 +50,7 @@ impl Spline {
             spline.insert(key, point);
             spline.len = spline.len.max(len);
         }
-        spline.bends = spline.bends_of_points();
+        spline.second_derivatives = spline.solve_second_derivatives();
         spline
     }
 
@@ -66,31 +66,31 @@ impl Spline {
         self.points.insert(at, point);
     }
 
-    /// How the curve runs if nothing else is asked for.
+    /// The interpolation that [`Spline::at`] uses.
     #[must_use]
     pub fn kind(&self) -> SplineKind {
         self.kind
     }
 
-    /// The number of components of its values, 2 to 5: a spline of floats gives vectors of two equal ones.
+    /// The number of components of its values, 2 to 5: a spline of floats gives vectors of two equal components.
     #[must_use]
     pub fn components(&self) -> u8 {
         self.len.max(2)
     }
 
-    /// Whether it has no point.
+    /// True if the spline has no points.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.keys.is_empty()
     }
 
-    /// The point of the curve at `t`; zero on an empty one.
+    /// The point at `t`; zero for an empty spline.
     #[must_use]
     pub fn at(&self, t: f64) -> Point {
         self.at_as(self.kind, t)
     }
 
-    /// The point at `t` of the curve of another kind through the same points.
+    /// The point at `t` with another interpolation of the same points.
     #[must_use]
     pub fn at_as(&self, kind: SplineKind, t: f64) -> Point {
         let (Some(&first), Some(&last)) = (self.points.first(), self.points.last()) else {
@@ -104,7 +104,7 @@ impl Spline {
             SplineKind::Cubic if count > 2 => return self.cubic(t),
             _ => {}
         }
-        // Written so that what is no number is at the end.
+        // The comparisons are such that NaN gives the last point.
         if t <= self.keys[0] {
             return first;
         }
@@ -120,12 +120,13 @@ impl Spline {
         }
     }
 
-    /// The interval in which `t` lies, which is between the first and the last key.
+    /// The index of the interval that contains `t`, which is between the first and the last key.
     fn interval(&self, t: f64) -> usize {
         let above = self.keys.partition_point(|&key| key < t);
         above.clamp(1, self.keys.len() - 1) - 1
     }
 
+    /// The linear interpolation in interval `i`.
     fn chord(&self, i: usize, t: f64) -> Point {
         let (a, b) = (self.keys[i], self.keys[i + 1]);
         let u = (t - a) / (b - a);
@@ -133,30 +134,32 @@ impl Spline {
         std::array::from_fn(|c| p[c] + (q[c] - p[c]) * u)
     }
 
-    /// Through the points beside `i` and itself, by Newton's divided differences.
+    /// The parabola through the points `i - 1`, `i` and `i + 1`, by Newton's divided differences.
     fn parabola(&self, i: usize, t: f64) -> Point {
         let [a, b, c] = [i - 1, i, i + 1].map(|at| self.keys[at]);
         let (p, q, r) = (self.points[i - 1], self.points[i], self.points[i + 1]);
         std::array::from_fn(|n| {
             let left = (q[n] - p[n]) / (b - a);
             let right = (r[n] - q[n]) / (c - b);
-            let bend = (right - left) / (c - a);
-            p[n] + (t - a) * (left + (t - b) * bend)
+            let second = (right - left) / (c - a);
+            p[n] + (t - a) * (left + (t - b) * second)
         })
     }
 
+    /// The natural spline in interval `i`.
     fn natural(&self, i: usize, t: f64) -> Point {
         let h = self.keys[i + 1] - self.keys[i];
         let a = (self.keys[i + 1] - t) / h;
         let b = (t - self.keys[i]) / h;
         let (p, q) = (self.points[i], self.points[i + 1]);
-        let (from, to) = (self.bends[i], self.bends[i + 1]);
+        let (from, to) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         std::array::from_fn(|c| {
-            let bend = (a * a * a - a) * from[c] + (b * b * b - b) * to[c];
-            a * p[c] + b * q[c] + bend * (h * h) / 6.0
+            let correction = (a * a * a - a) * from[c] + (b * b * b - b) * to[c];
+            a * p[c] + b * q[c] + correction * (h * h) / 6.0
         })
     }
 
+    /// The cubic spline at `t`.
     fn cubic(&self, t: f64) -> Point {
         let count = self.keys.len();
         if t <= self.keys[1] {
@@ -182,34 +185,34 @@ impl Spline {
     }
 
     /// Solves the tridiagonal system of the natural spline: hᵢ₋₁ Mᵢ₋₁ + 2(hᵢ₋₁ + hᵢ) Mᵢ + hᵢ Mᵢ₊₁ = 6(sᵢ - sᵢ₋₁).
-    fn bends_of_points(&self) -> Vec<Point> {
+    fn solve_second_derivatives(&self) -> Vec<Point> {
         let count = self.keys.len();
-        let mut bends = vec![[0.0; 5]; count];
+        let mut second_derivatives = vec![[0.0; 5]; count];
         if count < 3 {
-            return bends;
+            return second_derivatives;
         }
         // Forward: Mᵢ = rightᵢ - upperᵢ Mᵢ₊₁.
         let mut upper = vec![0.0; count];
         for i in 1..count - 1 {
             let before = self.keys[i] - self.keys[i - 1];
-            let behind = self.keys[i + 1] - self.keys[i];
-            let pivot = 2.0 * (before + behind) - before * upper[i - 1];
-            upper[i] = behind / pivot;
+            let after = self.keys[i + 1] - self.keys[i];
+            let pivot = 2.0 * (before + after) - before * upper[i - 1];
+            upper[i] = after / pivot;
             let (p, q, r) = (self.points[i - 1], self.points[i], self.points[i + 1]);
-            let previous = bends[i - 1];
-            bends[i] = std::array::from_fn(|c| {
-                let jump = (r[c] - q[c]) / behind - (q[c] - p[c]) / before;
+            let previous = second_derivatives[i - 1];
+            second_derivatives[i] = std::array::from_fn(|c| {
+                let jump = (r[c] - q[c]) / after - (q[c] - p[c]) / before;
                 (6.0 * jump - before * previous[c]) / pivot
             });
         }
         for i in (1..count - 1).rev() {
-            let next = bends[i + 1];
+            let next = second_derivatives[i + 1];
             let factor = upper[i];
-            for (bend, next) in bends[i].iter_mut().zip(next) {
-                *bend -= factor * next;
+            for (value, next) in second_derivatives[i].iter_mut().zip(next) {
+                *value -= factor * next;
             }
         }
-        bends
+        second_derivatives
     }
 }
 
@@ -226,10 +229,10 @@ mod tests {
     }
 
     fn close(spline: &Spline, t: f64, expected: f64) {
-        let found = spline.at(t)[0];
+        let value = spline.at(t)[0];
         assert!(
-            (found - expected).abs() < 1e-6,
-            "at {t}: {found}, not {expected}"
+            (value - expected).abs() < 1e-6,
+            "at {t}: {value}, not {expected}"
         );
     }
 
@@ -257,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn few_points_give_the_curve_that_they_can() {
+    fn one_to_three_points_fall_back_to_simpler_curves() {
         use SplineKind::{Cubic, Linear, Natural, Quadratic};
         for kind in [Linear, Quadratic, Cubic, Natural] {
             close(&spline(kind, &[(1.0, 4.0)]), 7.0, 4.0);
@@ -278,7 +281,7 @@ mod tests {
 
     /// Printed by POV-Ray 3.7.
     #[test]
-    fn equal_keys_replace_but_for_the_last() {
+    fn equal_keys_replace_except_at_the_last() {
         use SplineKind::Linear;
         close(
             &spline(Linear, &[(0.0, 0.0), (1.0, 10.0), (1.0, 20.0)]),
@@ -295,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_gives_the_last_point() {
+    fn nan_gives_the_last_point() {
         let points = [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0), (3.0, 4.0)];
         assert_eq!(spline(SplineKind::Natural, &points).at(f64::NAN)[0], 4.0);
         assert_eq!(spline(SplineKind::Cubic, &points).at(f64::NAN)[0], 3.0);

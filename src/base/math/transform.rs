@@ -1,29 +1,30 @@
-//! Transforms as lecture notes on ray tracing build them: a model matrix from elementary steps, with its inverse
-//! kept beside it as the product of the elementary inverses.
+//! Transforms: a model matrix composed of elementary steps, stored with its inverse, which is the product of the
+//! elementary inverses.
 //!
-//! Points are columns: `p' = M · p`. The step written first acts first, so `then` multiplies from the left.
-//! `rotate <a,b,c>` is Rz(c)·Ry(b)·Rx(a), angles in degrees. Inverses are never found by elimination, except for
-//! `matrix`, which has no other: coincident surfaces then get the same bits by every way that leads to them.
+//! Points are column vectors: `p' = M · p`. The step written first is applied first, so `then` multiplies from the
+//! left. `rotate <a,b,c>` is Rz(c)·Ry(b)·Rx(a), angles in degrees. Only `matrix` is inverted numerically, because it
+//! has no other inverse. With the others, coincident surfaces get the same bits whichever sequence of steps placed
+//! them.
 
 use glam::{DAffine3, DMat3, DVec3};
 use std::cell::Cell;
 use std::sync::Arc;
 
-/// A transform from object to world space with its inverse.
+/// An affine transform from object to world space, with its inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
-    /// Takes points of the object to the world.
+    /// Maps object space to world space.
     pub world_from_object: DAffine3,
-    /// Takes points of the world to the object.
+    /// Maps world space to object space.
     pub object_from_world: DAffine3,
 }
 
-/// One transform as a scene writes it.
+/// A transform as written in a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// `translate`.
     Translate(DVec3),
-    /// `scale`, by axis, none of them zero.
+    /// `scale` per axis; no factor is zero.
     Scale(DVec3),
     /// `rotate`, degrees about x, then y, then z.
     Rotate(DVec3),
@@ -31,13 +32,13 @@ pub enum Step {
     General(Arc<Transform>),
 }
 
-/// Transforms kept one by one of one object or texture.
-const KEPT_STEPS: usize = 1_000;
+/// The number of steps of an object or texture at which they are merged into one.
+const MAX_STEPS: usize = 1_000;
 
-/// Makes one step of those from `start` on, if they are very many. A loop that turns a thing a little further in each
-/// round copies all its steps each time, which takes a time that grows with the square of their number.
+/// Merges the steps from `start` on into one if there are very many. A loop that rotates an object a little further
+/// in each iteration copies all its steps each time, which takes quadratic time.
 pub fn shorten(steps: &mut Vec<Step>, start: usize) {
-    if steps.len() - start < KEPT_STEPS {
+    if steps.len() - start < MAX_STEPS {
         return;
     }
     let sum = steps
@@ -47,7 +48,7 @@ pub fn shorten(steps: &mut Vec<Step>, start: usize) {
 }
 
 impl Transform {
-    /// The transform that moves nothing.
+    /// The identity.
     pub const IDENTITY: Transform = Transform {
         world_from_object: DAffine3::IDENTITY,
         object_from_world: DAffine3::IDENTITY,
@@ -62,7 +63,7 @@ impl Transform {
         }
     }
 
-    /// A scaling by axis. No component may be zero.
+    /// A scaling per axis. No component may be zero.
     #[must_use]
     pub fn scaling(by: DVec3) -> Self {
         Transform {
@@ -71,7 +72,7 @@ impl Transform {
         }
     }
 
-    /// A rotation by degrees about x, then y, then z.
+    /// A rotation about x, then y, then z, in degrees.
     #[must_use]
     pub fn rotation(degrees: DVec3) -> Self {
         Transform::orthogonal(rotation(degrees))
@@ -83,14 +84,15 @@ impl Transform {
         Transform::orthogonal(axis_rotation(axis, degrees))
     }
 
-    fn orthogonal(turn: DMat3) -> Self {
+    /// The transform of an orthogonal matrix, whose inverse is its transpose.
+    fn orthogonal(matrix: DMat3) -> Self {
         Transform {
-            world_from_object: DAffine3::from_mat3(turn),
-            object_from_world: DAffine3::from_mat3(turn.transpose()),
+            world_from_object: DAffine3::from_mat3(matrix),
+            object_from_world: DAffine3::from_mat3(matrix.transpose()),
         }
     }
 
-    /// A general matrix, or `None` where it has no inverse.
+    /// The transform of a general matrix; `None` if it is singular.
     #[must_use]
     pub fn matrix(world_from_object: DAffine3) -> Option<Self> {
         let det = world_from_object.matrix3.determinant();
@@ -113,7 +115,7 @@ impl Transform {
         }
     }
 
-    /// The transform that undoes this one.
+    /// The inverse transform.
     #[must_use]
     pub fn inverse(&self) -> Self {
         Transform {
@@ -122,7 +124,7 @@ impl Transform {
         }
     }
 
-    /// All steps in the order in which they are written.
+    /// The composition of all steps, the first one applied first.
     #[must_use]
     pub fn from_steps(steps: &[Step]) -> Self {
         steps
@@ -130,14 +132,14 @@ impl Transform {
             .fold(Transform::IDENTITY, |sum, step| sum.then(&step.transform()))
     }
 
-    /// The world normal of an object normal, not normalised: the inverse transpose applied to it.
+    /// The world-space normal of an object-space normal, by the inverse transpose; not normalised.
     #[must_use]
     pub fn normal(&self, object_normal: DVec3) -> DVec3 {
         normal_from_inverse(&self.object_from_world, object_normal)
     }
 }
 
-/// The world normal of an object normal by the inverse transpose, not normalised.
+/// The world-space normal of an object-space normal, by the inverse transpose; not normalised.
 #[must_use]
 pub fn normal_from_inverse(object_from_world: &DAffine3, object_normal: DVec3) -> DVec3 {
     let rows = &object_from_world.matrix3;
@@ -161,25 +163,26 @@ impl Step {
     }
 }
 
-/// The matrix of `rotate`: Rz·Ry·Rx on columns, degrees.
+/// The matrix of `rotate` for column vectors: Rz·Ry·Rx, angles in degrees. The last one of each thread is cached.
 #[must_use]
 pub fn rotation(degrees: DVec3) -> DMat3 {
     thread_local! {
-        /// The last one: the parts of a combination are turned alike one after the other.
+        /// The last rotation: the parts of a CSG object often have the same one.
         static LAST: Cell<(DVec3, DMat3)> = const { Cell::new((DVec3::ZERO, DMat3::IDENTITY)) };
     }
-    let (last, turn) = LAST.get();
-    // Zeros of either sign turn by nothing, but leave zeros of either sign.
+    let (last, matrix) = LAST.get();
+    // Compares bits: 0.0 and -0.0 give matrices with zeros of different sign.
     let bits = |degrees: DVec3| degrees.to_array().map(f64::to_bits);
     if bits(last) == bits(degrees) {
-        return turn;
+        return matrix;
     }
-    let turn = new_rotation(degrees);
-    LAST.set((degrees, turn));
-    turn
+    let matrix = uncached_rotation(degrees);
+    LAST.set((degrees, matrix));
+    matrix
 }
 
-fn new_rotation(degrees: DVec3) -> DMat3 {
+/// [`rotation`] without the cache.
+fn uncached_rotation(degrees: DVec3) -> DMat3 {
     let (sx, cx) = degrees.x.to_radians().sin_cos();
     let (sy, cy) = degrees.y.to_radians().sin_cos();
     let (sz, cz) = degrees.z.to_radians().sin_cos();
@@ -189,15 +192,15 @@ fn new_rotation(degrees: DVec3) -> DMat3 {
     about_z * (about_y * about_x)
 }
 
-/// The matrix that turns by `degrees` about `axis` through the origin (Rodrigues); identity for a zero axis.
+/// The matrix of a rotation by `degrees` about `axis` (Rodrigues' formula); the identity for a zero axis.
 #[must_use]
 pub fn axis_rotation(axis: DVec3, degrees: f64) -> DMat3 {
     let Some(k) = axis.try_normalize() else {
         return DMat3::IDENTITY;
     };
     let (s, c) = degrees.to_radians().sin_cos();
-    let turn = |v: DVec3| v * c + k.cross(v) * s + k * (k.dot(v) * (1.0 - c));
-    DMat3::from_cols(turn(DVec3::X), turn(DVec3::Y), turn(DVec3::Z))
+    let rotated = |v: DVec3| v * c + k.cross(v) * s + k * (k.dot(v) * (1.0 - c));
+    DMat3::from_cols(rotated(DVec3::X), rotated(DVec3::Y), rotated(DVec3::Z))
 }
 
 #[cfg(test)]
@@ -209,16 +212,16 @@ mod tests {
     }
 
     #[test]
-    fn very_many_steps_become_one_that_moves_alike() {
+    fn very_many_steps_become_one_equivalent_step() {
         let step = Step::Rotate(DVec3::new(0.0, 0.0, 0.36));
-        let mut few = vec![step.clone(); KEPT_STEPS - 1];
-        shorten(&mut few, 0);
-        assert_eq!(few.len(), KEPT_STEPS - 1);
-        let mut many = vec![Step::Scale(DVec3::splat(2.0))];
-        many.extend(vec![step; KEPT_STEPS]);
-        shorten(&mut many, 1);
-        assert_eq!(many.len(), 2);
-        let turned = many[1].transform().world_from_object;
+        let mut below_limit = vec![step.clone(); MAX_STEPS - 1];
+        shorten(&mut below_limit, 0);
+        assert_eq!(below_limit.len(), MAX_STEPS - 1);
+        let mut at_limit = vec![Step::Scale(DVec3::splat(2.0))];
+        at_limit.extend(vec![step; MAX_STEPS]);
+        shorten(&mut at_limit, 1);
+        assert_eq!(at_limit.len(), 2);
+        let turned = at_limit[1].transform().world_from_object;
         assert!(close(turned.transform_point3(DVec3::X), DVec3::X));
     }
 
@@ -240,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn the_step_written_first_acts_first() {
+    fn the_step_written_first_is_applied_first() {
         let steps = [Step::Scale(DVec3::splat(2.0)), Step::Translate(DVec3::X)];
         let transform = Transform::from_steps(&steps);
         assert_eq!(
@@ -256,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn the_normal_of_a_scaled_circle_goes_by_the_inverse_transpose() {
+    fn the_normal_of_a_scaled_circle_uses_the_inverse_transpose() {
         let squash = Transform::scaling(DVec3::new(2.0, 1.0, 1.0));
         assert_eq!(
             squash.normal(DVec3::new(1.0, 1.0, 0.0)),

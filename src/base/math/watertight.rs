@@ -1,12 +1,11 @@
-//! A ray against triangles, without gaps along shared edges.
+//! Ray/triangle intersection without gaps along shared edges.
 //!
-//! After Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection": the corners are sheared so that the ray
-//! runs along an axis, and each edge gets the sign of `x₁·y₂ − y₁·x₂`. Rounding is monotone, so that sign is right or
-//! zero, and it is the exact opposite for the neighbour on the other side of the edge. Zero counts as inside: a ray
-//! through an edge hits at least one of the two triangles.
+//! After Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection": the vertices are sheared so that the ray
+//! is parallel to an axis, and each edge gets the sign of `x₁·y₂ − y₁·x₂`. Rounding is monotone, so this sign is
+//! correct or zero, and it is exactly opposite for the neighbour across the edge. Zero counts as inside: a ray through
+//! an edge hits at least one of the two triangles.
 //!
-//! Error bound: no gap at all; the place of a hit lies within 2 roundings of the plane of the triangle
-//! (`shape/roundings.rs`).
+//! Error bound: no gaps; a hit point lies within 2 roundings of the plane of the triangle (`shape/roundings.rs`).
 
 mod four;
 
@@ -15,26 +14,27 @@ pub(crate) use four::{RayFrames4, RaysAndTriangle, TriangleHits4};
 use super::{Ray, conditioning::power_of_two};
 use glam::{DVec2, DVec3};
 
-/// A ray prepared for many triangles.
+/// A ray prepared for intersection with many triangles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayFrame {
     ray: Ray,
-    /// The axis along which the ray is longest.
+    /// The axis of the largest component of the direction.
     along: usize,
+    /// The other two components of the direction divided by the largest.
     shear: DVec2,
 }
 
-/// Where a ray meets a triangle.
+/// A hit of a ray on a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TriangleHit {
     /// The parameter on the ray.
     pub(crate) t: f64,
-    /// The weights of the three corners, which add up to one.
+    /// The barycentric coordinates of the hit point.
     pub(crate) weights: [f64; 3],
 }
 
 impl RayFrame {
-    /// Prepares a ray. A ray without direction meets nothing.
+    /// Prepares a ray. A ray with a zero direction hits nothing.
     #[inline]
     pub(crate) fn new(ray: &Ray) -> Self {
         let length = ray.dir.abs();
@@ -53,7 +53,7 @@ impl RayFrame {
         }
     }
 
-    /// The corners with the ray along an axis: across it, and along it.
+    /// The vertices relative to the sheared ray: their coordinates across it and along it.
     #[inline]
     fn sheared(&self, corners: &[DVec3; 3]) -> ([DVec2; 3], [f64; 3]) {
         let mut flat = [DVec2::ZERO; 3];
@@ -66,10 +66,10 @@ impl RayFrame {
         (flat, depth)
     }
 
-    /// Where the whole line crosses a triangle, for counting: of the triangles around an edge or a corner on the line
-    /// only those count that a line beside it would cross, so that every line crosses a closed surface an even number
-    /// of times. The line beside it is the ray displaced by `(ε, ε²)` for a vanishing `ε` (Edelsbrunner and Mücke 1990,
-    /// "Simulation of Simplicity").
+    /// The crossing of the whole line with a triangle, for counting crossings. Where the line passes through an edge or
+    /// a vertex, the triangles around it count as crossed if the line displaced by `(ε, ε²)` for a vanishing `ε`
+    /// crosses them (Edelsbrunner and Mücke 1990, "Simulation of Simplicity"). So every line crosses a closed surface
+    /// an even number of times.
     #[inline]
     pub(crate) fn crossing(&self, corners: &[DVec3; 3]) -> Option<TriangleHit> {
         let (mut flat, depth) = self.sheared(corners);
@@ -93,7 +93,7 @@ impl RayFrame {
         t.is_finite().then_some(TriangleHit { t, weights })
     }
 
-    /// Where the whole line meets a triangle; edges and corners belong to it.
+    /// The hit of the whole line on a triangle; edges and vertices belong to the triangle.
     #[inline]
     pub(crate) fn hit(&self, corners: &[DVec3; 3]) -> Option<TriangleHit> {
         let (flat, depth) = self.sheared(corners);
@@ -117,8 +117,9 @@ impl RayFrame {
         t.is_finite().then_some(TriangleHit { t, weights })
     }
 
-    /// A triangle in a plane across an axis gets the bits of a box face or plane there; any other a mean of the depths
-    /// of its corners, which cannot leave them however thin it is.
+    /// The `t` of a hit. For a triangle perpendicular to an axis it has the same bits as for a box face or a plane
+    /// there. For any other it is a weighted mean of the vertex depths, which stays between them however thin the
+    /// triangle is.
     #[inline]
     fn parameter(&self, corners: &[DVec3; 3], depth: &[f64; 3], weights: &[f64; 3]) -> f64 {
         let [a, b, c] = *corners;
@@ -133,7 +134,7 @@ impl RayFrame {
     }
 }
 
-/// Twice the signed areas that the origin spans with the edges opposite to each corner.
+/// Twice the signed area of the triangle of the ray and each edge; edge `i` is opposite to vertex `i`.
 #[inline]
 fn edge_signs(flat: &[DVec2; 3]) -> [f64; 3] {
     let [a, b, c] = *flat;
@@ -144,8 +145,8 @@ fn edge_signs(flat: &[DVec2; 3]) -> [f64; 3] {
     ]
 }
 
-/// On which side of the edge from `p` to `q` the displaced ray passes; `edge` is the rounded `p.x·q.y − p.y·q.x`.
-/// `None` if the edge is seen as a point.
+/// The side of the edge from `p` to `q` on which the displaced ray passes; `edge` is the rounded `p.x·q.y − p.y·q.x`.
+/// `None` if the edge projects to a point.
 #[inline]
 fn is_left(edge: f64, p: DVec2, q: DVec2) -> Option<bool> {
     if edge == 0.0 {
@@ -154,14 +155,14 @@ fn is_left(edge: f64, p: DVec2, q: DVec2) -> Option<bool> {
     Some(edge > 0.0)
 }
 
-/// The same where the two products round to the same number: the parts that rounding cut off decide, and where those
-/// agree, too, the displacement.
+/// [`is_left`] if both products round to the same number: their rounding errors decide, and if these are equal, too,
+/// the displacement.
 #[cold]
 fn is_left_close(p: DVec2, q: DVec2) -> Option<bool> {
     let (one, other) = (p.x * q.y, p.y * q.x);
-    let (cut_one, cut_other) = (p.x.mul_add(q.y, -one), p.y.mul_add(q.x, -other));
-    if cut_one != cut_other {
-        return Some(cut_one > cut_other);
+    let (error_one, error_other) = (p.x.mul_add(q.y, -one), p.y.mul_add(q.x, -other));
+    if error_one != error_other {
+        return Some(error_one > error_other);
     }
     let along = q - p;
     if along.y != 0.0 {
@@ -173,7 +174,7 @@ fn is_left_close(p: DVec2, q: DVec2) -> Option<bool> {
     }
 }
 
-/// The corners in units where their products can be represented; `None` if they all lie on the ray.
+/// The vertices rescaled so that their products are representable; `None` if they all lie on the ray.
 #[cold]
 fn rescaled(flat: &[DVec2; 3]) -> Option<[DVec2; 3]> {
     let size = flat
@@ -182,6 +183,7 @@ fn rescaled(flat: &[DVec2; 3]) -> Option<[DVec2; 3]> {
     (size > 0.0 && size.is_finite()).then(|| flat.map(|p| p / power_of_two(size)))
 }
 
+/// The two components other than `along`, in cyclic order.
 #[inline]
 fn across(v: DVec3, along: usize) -> DVec2 {
     match along {

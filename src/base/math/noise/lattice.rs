@@ -1,29 +1,28 @@
-//! Lattice noise: a linear function at each corner of a cell, chosen by a hash and blended by smooth weights.
+//! Lattice noise: a linear function at each corner of a cell, selected by a hash and blended with smooth weights.
 //!
-//! Corners of a cell are worked on four at a time, and the three components of vectors together; the sums are POV-Ray's,
-//! in its order.
+//! Scalar noise evaluates four corners per operation, vector noise its three components. Sums are in POV-Ray's order.
 
 use super::tables::{RANDOM, RANDOMS};
 use crate::base::math::sampling::hash::{SIZE, TABLE, wrapped};
 use crate::base::math::simd::{F64Lanes, F64x4};
 use glam::DVec3;
 
-/// What is missing to 1 where a negative coordinate is taken to the cell below, as in POV-Ray.
+/// POV-Ray subtracts `1 - EPSILON` from negative coordinates before it truncates them to a cell.
 const EPSILON: f64 = 1e-10;
-/// Moves cells about the origin into the positive; it also decides which entries they hash to.
+/// Offset that makes cells near the origin positive. The hash, and so the noise, depends on it.
 const ORIGIN: i32 = 10_000;
-/// Cells so far out have no numbers of 32 bits.
+/// From this coordinate on a cell index may not fit into 32 bits.
 const FAR: f64 = 1e9;
-/// The lane of a point that holds a half.
+/// Lane of a [`spread`] point that holds 0.5.
 const HALF: u32 = 0b0001;
-/// A hash chooses among so many entries of the random table.
+/// The number of entries of the random table that a hash selects from.
 const CHOICES: usize = 256;
-/// How far behind the choice for a component of a vector the one for the next lies.
+/// Distance in the random table between the entries of two successive components of a vector.
 const COMPONENT: usize = 4;
-/// Half of the entries of the random table for the three components of a vector, side by side.
-static VECTORS: [[f64; 4]; RANDOMS - 2 * COMPONENT] = vectors();
+/// Random table entries for the three components of a vector side by side, halved.
+static VECTOR_COEFFICIENTS: [[f64; 4]; RANDOMS - 2 * COMPONENT] = vector_coefficients();
 
-const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
+const fn vector_coefficients() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
     let mut table = [[0.0; 4]; RANDOMS - 2 * COMPONENT];
     let mut i = 0;
     while i < table.len() {
@@ -38,58 +37,58 @@ const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
     table
 }
 
-/// A point as the lattice takes it, in front of its coordinates a half: what the constant of a corner is multiplied by.
+/// A point in lanes: 0.5, the factor of a corner's constant term, then the coordinates.
 #[inline(always)]
 pub(super) fn spread<F: F64Lanes>(point: DVec3) -> F {
     F::from_array(&[0.5, point.x, point.y, point.z])
 }
 
-/// Such a point at another frequency.
+/// A [`spread`] point with its coordinates scaled by `frequency`.
 #[inline(always)]
 pub(super) fn at_frequency<F: F64Lanes>(point: F, frequency: f64) -> F {
     point * F::select(F::mask_from_bits(HALF), F::splat(1.0), F::splat(frequency))
 }
 
-/// A point in a cell of the lattice. The bits of the number of a corner are x, y, z.
-struct Place<F> {
-    /// Where the coefficients of the corners begin.
+/// A point within its lattice cell. Bits 0, 1 and 2 of a corner's number are x, y and z: set for the high side.
+struct CellPoint<F> {
+    /// Index of the first coefficient of each corner.
     first: [usize; 8],
-    /// How far the point lies above the low corner, behind a half.
+    /// 0.5, then the offset of the point from the low corner.
     low: F,
-    /// The same above the high corner.
+    /// 0.5, then the offset from the high corner.
     high: F,
-    /// The weights of the four low corners along z, then of the high ones.
+    /// Weights of the four corners at low z, then of the four at high z.
     weights: [F; 2],
 }
 
-impl<F: F64Lanes> Place<F> {
+impl<F: F64Lanes> CellPoint<F> {
     #[inline(always)]
     fn new(point: F) -> Self {
         let ([_, x, y, z], low) = cells(point);
-        let of_high = smooth(low);
-        let [_, x0, y0, z0] = (F::splat(1.0) - of_high).to_array();
-        let [_, x1, y1, z1] = of_high.to_array();
+        let high_weights = smooth(low);
+        let [_, x0, y0, z0] = (F::splat(1.0) - high_weights).to_array();
+        let [_, x1, y1, z1] = high_weights.to_array();
         let flat = F::from_array(&[x0, x1, x0, x1]) * F::from_array(&[y0, y0, y1, y1]);
-        Place {
-            first: choices([x, y, z]),
+        CellPoint {
+            first: corner_coefficients([x, y, z]),
             low,
             high: low - F::from_array(&[0.0, 1.0, 1.0, 1.0]),
             weights: [flat * F::splat(z0), flat * F::splat(z1)],
         }
     }
 
-    /// The terms of the linear function of a corner.
+    /// The four terms of a corner's linear function.
     #[inline(always)]
     fn products<const CORNER: u32>(&self) -> F {
         let is_high = F::mask_from_bits(const { CORNER << 1 });
-        let place = F::select(is_high, self.high, self.low);
-        coefficients::<F>(self.first[CORNER as usize]) * place
+        let offset = F::select(is_high, self.high, self.low);
+        coefficients::<F>(self.first[CORNER as usize]) * offset
     }
 }
 
-/// Where the coefficients of the corners of a cell begin.
+/// Index of the first coefficient of each corner of a cell.
 #[inline(always)]
-fn choices([x, y, z]: [usize; 3]) -> [usize; 8] {
+fn corner_coefficients([x, y, z]: [usize; 3]) -> [usize; 8] {
     let (near, far) = (entry(x), entry(x + 1));
     let rows = [
         entry(near ^ y),
@@ -111,20 +110,20 @@ fn smooth<F: F64Lanes>(t: F) -> F {
     t * t * (F::splat(3.0) - F::splat(2.0) * t)
 }
 
-/// The coefficients of a corner: the constant, x, y, z.
+/// The coefficients of a corner: constant, x, y, z.
 #[inline(always)]
 fn coefficients<F: F64Lanes>(first: usize) -> F {
     F::from_array(RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]))
 }
 
-/// An entry of the hash table; what goes in is below twice its size.
+/// An entry of the hash table; `number` is below twice the table's size.
 #[inline(always)]
 fn entry(number: usize) -> usize {
     usize::from(TABLE[number % (2 * SIZE)]) % SIZE
 }
 
-/// The cells of coordinates, wrapped, and how far the coordinates lie above them.
-// Arrays are not mapped here: where that is not inlined it costs as much as the noise.
+/// The wrapped cell of each coordinate, and the offsets of the coordinates within the cells.
+// No `array::map`: where the compiler does not inline it, it costs as much as the noise itself.
 #[inline(always)]
 fn cells<F: F64Lanes>(point: F) -> ([usize; 4], F) {
     let below = point - F::splat(1.0 - EPSILON);
@@ -142,6 +141,7 @@ fn cells<F: F64Lanes>(point: F) -> ([usize; 4], F) {
     }
 }
 
+/// [`cells`] for coordinates beyond [`FAR`] and NaN.
 #[cold]
 #[allow(
     clippy::cast_possible_truncation,
@@ -153,23 +153,23 @@ fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
     (cells, std::array::from_fn(|i| point[i] - whole[i]))
 }
 
-/// The sum over the corners of the cell of a point.
+/// The raw scalar noise: the sum over the corners of the cell.
 #[inline(always)]
 pub(super) fn scalar<F: F64x4>(point: F) -> f64 {
-    let place = Place::new(point);
+    let cell = CellPoint::new(point);
     let near = F::transpose([
-        place.products::<0b000>(),
-        place.products::<0b001>(),
-        place.products::<0b010>(),
-        place.products::<0b011>(),
+        cell.products::<0b000>(),
+        cell.products::<0b001>(),
+        cell.products::<0b010>(),
+        cell.products::<0b011>(),
     ]);
     let far = F::transpose([
-        place.products::<0b100>(),
-        place.products::<0b101>(),
-        place.products::<0b110>(),
-        place.products::<0b111>(),
+        cell.products::<0b100>(),
+        cell.products::<0b101>(),
+        cell.products::<0b110>(),
+        cell.products::<0b111>(),
     ]);
-    let [low, high] = place.weights;
+    let [low, high] = cell.weights;
     added(added(0.0, low * linear(near)), high * linear(far))
 }
 
@@ -178,21 +178,21 @@ fn linear<F: F64Lanes>([constant, x, y, z]: [F; 4]) -> F {
     constant + x + y + z
 }
 
-/// A sum with four more terms, one after the other.
+/// Adds four terms to a sum, one after the other.
 #[inline(always)]
 fn added<F: F64Lanes>(sum: f64, terms: F) -> f64 {
     let [a, b, c, d] = terms.to_array();
     sum + a + b + c + d
 }
 
-/// The same sum for the three components of a vector. Each corner is a neighbour of the one before.
+/// The vector noise: the same sum for three components. Each corner is adjacent to the previous one, as in POV-Ray.
 #[inline(always)]
 pub(super) fn vector<F: F64Lanes>(point: F) -> F {
-    let place = Place::new(point);
+    let cell = CellPoint::new(point);
     let corners = Corners {
-        first: place.first,
-        ends: [doubled(place.low), doubled(place.high)],
-        weights: [place.weights[0].to_array(), place.weights[1].to_array()],
+        first: cell.first,
+        offsets: [doubled(cell.low), doubled(cell.high)],
+        weights: [cell.weights[0].to_array(), cell.weights[1].to_array()],
     };
     F::splat(0.0)
         + corners.vector::<0b000>()
@@ -205,35 +205,37 @@ pub(super) fn vector<F: F64Lanes>(point: F) -> F {
         + corners.vector::<0b100>()
 }
 
-/// The corners of the cell of a point, for the components of a vector side by side.
+/// The corners of a cell, with the components of vector noise side by side.
 struct Corners<F> {
     first: [usize; 8],
-    /// Twice how far the point lies above the low corner and above the high one.
-    ends: [[F; 3]; 2],
+    /// Twice the offsets of the point from the low and from the high corner.
+    offsets: [[F; 3]; 2],
     weights: [[f64; 4]; 2],
 }
 
 impl<F: F64Lanes> Corners<F> {
-    /// What a corner adds to a vector. The coefficients are halves of those of POV-Ray and the place is doubled, both
-    /// without rounding: of the constant a half is needed.
+    /// The contribution of a corner. The coefficients are half of POV-Ray's and the offsets doubled, both exactly,
+    /// because the constant term is needed halved.
     #[inline(always)]
     fn vector<const CORNER: usize>(&self) -> F {
         let [dx, dy, dz] = const { [CORNER & 1, CORNER >> 1 & 1, CORNER >> 2] };
         let first = self.first[CORNER];
-        let coefficients = VECTORS[first..].first_chunk().unwrap_or(&[[0.0; 4]; 4]);
+        let coefficients = VECTOR_COEFFICIENTS[first..]
+            .first_chunk()
+            .unwrap_or(&[[0.0; 4]; 4]);
         let [constant, of_x, of_y, of_z] = coefficients;
         let linear = F::from_array(constant)
-            + F::from_array(of_x) * self.ends[dx][0]
-            + F::from_array(of_y) * self.ends[dy][1]
-            + F::from_array(of_z) * self.ends[dz][2];
+            + F::from_array(of_x) * self.offsets[dx][0]
+            + F::from_array(of_y) * self.offsets[dy][1]
+            + F::from_array(of_z) * self.offsets[dz][2];
         F::splat(self.weights[dz][CORNER % 4]) * linear
     }
 }
 
-/// Twice the coordinates of a place, each in all lanes.
+/// Twice the coordinates of a point, each broadcast to all lanes.
 #[inline(always)]
-fn doubled<F: F64Lanes>(place: F) -> [F; 3] {
-    let [_, x, y, z] = (place + place).to_array();
+fn doubled<F: F64Lanes>(point: F) -> [F; 3] {
+    let [_, x, y, z] = (point + point).to_array();
     [F::splat(x), F::splat(y), F::splat(z)]
 }
 

@@ -1,5 +1,4 @@
-//! Noise generator 3: gradient noise as Perlin published it ("An Image Synthesizer", SIGGRAPH 1985), with POV-Ray's
-//! tables.
+//! Noise generator 3: Perlin's gradient noise ("An Image Synthesizer", SIGGRAPH 1985) with POV-Ray's tables.
 
 use super::smooth;
 use crate::base::math::rounding::floor;
@@ -7,21 +6,21 @@ use crate::base::math::sampling::hash::{bits, next};
 use glam::DVec3;
 use std::sync::LazyLock;
 
-/// Gradients; the lattice repeats after so many cells.
+/// The number of gradients, and the period of the lattice in cells.
 const COUNT: usize = 2048;
-/// The lattice is shifted by this, so that its symmetry about the origin does not show.
+/// Offset of the lattice, so that its symmetry about the origin is out of sight.
 const SHIFT: f64 = 10_000_000.023_157_213;
-/// Shorter vectors are not taken for gradients.
+/// Random vectors shorter than this, squared, are rejected as gradients.
 const SHORTEST_SQ: f64 = 1e-5;
 
-/// The gradients and the permutation that spreads them over the lattice.
+/// The gradients, and the permutation that hashes lattice points to them.
 #[derive(Debug)]
 pub struct Perlin {
     gradients: Vec<DVec3>,
     permutation: Vec<u16>,
 }
 
-/// The tables, made when first asked for.
+/// The tables, built on first use.
 pub(super) fn tables() -> &'static Perlin {
     static TABLES: LazyLock<Perlin> = LazyLock::new(Perlin::new);
     &TABLES
@@ -54,7 +53,7 @@ impl Perlin {
         permutation.truncate(COUNT);
         permutation.extend_from_within(..COUNT);
         gradients.extend_from_within(..COUNT);
-        // Sums of an entry below 2049 and a cell reach two places further.
+        // An entry below 2049 plus a cell may index up to two entries past the end.
         permutation.extend_from_within(..2);
         gradients.extend_from_within(..2);
         Perlin {
@@ -84,11 +83,11 @@ impl Perlin {
     }
 }
 
-/// One coordinate on the lattice.
+/// A coordinate on the lattice.
 struct Axis {
-    /// The cell and the next one.
+    /// The cell and its successor.
     cell: [usize; 2],
-    /// How far the coordinate is above either.
+    /// Offset of the coordinate from either.
     above: [f64; 2],
     weight: f64,
 }
@@ -101,7 +100,7 @@ impl Axis {
     )]
     #[inline(always)]
     fn new(t: f64) -> Self {
-        /// Whole numbers up to here are integers too.
+        /// Integral doubles below this convert to `i64` exactly.
         const NEAR: f64 = 1e15;
         let floor = floor(t);
         let cell = if floor.abs() < NEAR {
@@ -118,8 +117,8 @@ impl Axis {
     }
 }
 
-fn mix(share: f64, from: f64, to: f64) -> f64 {
-    from + share * (to - from)
+fn mix(weight: f64, from: f64, to: f64) -> f64 {
+    from + weight * (to - from)
 }
 
 #[cfg(test)]

@@ -1,25 +1,25 @@
-//! The random table of POV-Ray's noise, made when the program is compiled.
+//! The random table of POV-Ray's noise, computed at compile time.
 
-/// Entries of the random table, which is read up to twelve places behind the index that a hash gives.
+/// The number of entries of the random table. It is read up to eleven entries beyond the index from a hash.
 pub(super) const RANDOMS: usize = 267;
-/// Decimal digits to which the random table is rounded.
+/// Significant decimal digits of the entries.
 const DIGITS: u32 = 6;
 
-/// Random numbers from -1 to 1, of six digits each.
+/// Random numbers from -1 to 1, rounded to six significant digits.
 pub(super) static RANDOM: [f64; RANDOMS] = randoms();
 
 const fn randoms() -> [f64; RANDOMS] {
     let mut table = [0.0; RANDOMS];
     let mut i = 0;
     while i < RANDOMS {
-        table[i] = rounded(2 * crc_of(i) as i64 - 65535, 65535);
+        table[i] = rounded(2 * crc(i) as i64 - 65535, 65535);
         i += 1;
     }
     table
 }
 
-/// The CRC-16 (reflected polynomial 0xA001) of three equal numbers, in the bytes of a big-endian machine.
-const fn crc_of(index: usize) -> u16 {
+/// The CRC-16 (reflected polynomial 0xA001) of the double `0.12345 · index` three times in a row, in big-endian bytes.
+const fn crc(index: usize) -> u16 {
     let bytes = (0.12345 * index as f64).to_bits().to_be_bytes();
     let mut crc: u16 = 0;
     let mut i = 0;
@@ -46,13 +46,13 @@ const fn rounded(numerator: i64, denominator: i64) -> f64 {
         return 0.0;
     }
     let mut power = 1;
-    let mut places = 0;
+    let mut decimals = 0;
     while size * power < denominator {
         power *= 10;
-        places += 1;
+        decimals += 1;
     }
-    // The first digit stands at `places`; five more follow.
-    if places > 0 {
+    // The first significant digit is decimal number `decimals`; five more follow.
+    if decimals > 0 {
         power *= 10_i64.pow(DIGITS - 1);
     }
     let digits = (2 * size * power + denominator) / (2 * denominator);

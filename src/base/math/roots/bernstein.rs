@@ -1,58 +1,61 @@
-//! Sign changes of a polynomial of any degree, by halving its Bernstein form (Lane and Riesenfeld 1981, "Bounds on a
-//! polynomial"; Rouillier and Zimmermann 2004, "Efficient isolation of polynomial's real roots").
+//! Sign changes of a polynomial of any degree by subdivision of its Bernstein form (Lane and Riesenfeld 1981, "Bounds
+//! on a polynomial"; Rouillier and Zimmermann 2004, "Efficient isolation of polynomial's real roots").
 //!
-//! The coefficients in the Bernstein basis of an interval change sign at least as often as the polynomial has roots
-//! there: no change means no root, one change one root. Everything else is halved. The value at a halving point is
-//! shared by both halves, so that the number of changes found is always right for the signs at the ends.
+//! The Bernstein coefficients of an interval change sign at least as often as the polynomial has roots there: no change
+//! means no root, one change means one root. With more changes the interval is bisected. Both halves share the value
+//! at the midpoint, so the number of sign changes is always consistent with the signs at the ends.
 //!
-//! The form on -1..1 costs no digits, and halving takes means only. A stretch where all coefficients are within the
-//! rounding of the polynomial is not halved again: a touching or multiple root may come as none or as pairs, and a
-//! change is never missed that a polynomial farther than that rounding from this one must have. Error bound: that rounding
-//! is 4 roundings of the sum of the coefficients for each degree, and a place is off by as much over the slope there.
+//! Conversion to the Bernstein form on -1..1 loses no digits, and bisection only takes means. An interval whose
+//! coefficients are all within the polynomial's rounding error is not bisected: a double or multiple root may give no
+//! sign change or a pair of them. A sign change that rounding cannot hide is never missed.
+//!
+//! Error bound: the rounding error is 4 epsilon times the number of coefficients times the sum of their absolute
+//! values. The error of a root is that divided by the slope there.
 
 use super::polynomial::{Roots, bracketed};
 use smallvec::SmallVec;
 
-/// The coefficients of one stretch, up to `N` of them without the heap.
+/// The Bernstein coefficients of an interval; up to `N` of them stay off the heap.
 type Form<const N: usize> = SmallVec<[f64; N]>;
 
-/// Enough for most, and less to be copied.
-const FEW: usize = 12;
-/// Enough for all polynomials that scenes can write.
-const ALL: usize = 36;
+/// Inline capacity that suffices for most polynomials and is cheap to copy.
+const SMALL: usize = 12;
+/// Inline capacity for every polynomial a scene can contain.
+const LARGE: usize = 36;
 
-/// By how many roundings, for each degree, a value may be off.
+/// Rounding error of a value per coefficient, relative to the sum of the absolute coefficients.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
-/// More halvings than the interval has digits.
-const MAX_HALVINGS: u32 = 60;
+/// More bisections than the interval has binary digits.
+const MAX_BISECTIONS: u32 = 60;
 
-/// Halving of one polynomial, given by rising power.
-struct Halving<'c> {
+/// Bisection of a polynomial.
+struct Bisection<'c> {
+    /// Coefficients by ascending power.
     powers: &'c [f64],
-    /// What may be taken for zero.
+    /// Values up to this size may be zero but for rounding.
     noise: f64,
-    places: Roots,
+    roots: Roots,
 }
 
-/// The places in `-1 <= x <= 1` where a polynomial, by rising power, changes sign; in order.
+/// The sign changes in `-1 <= x <= 1`, sorted, of a polynomial with coefficients by ascending power.
 pub(crate) fn sign_changes(powers: &[f64]) -> Roots {
     let size: f64 = powers.iter().map(|c| c.abs()).sum();
     let degree = f64::from(u32::try_from(powers.len()).unwrap_or(u32::MAX));
-    let mut halving = Halving {
+    let mut bisection = Bisection {
         powers,
         noise: ROUNDINGS * degree * size,
-        places: Roots::new(),
+        roots: Roots::new(),
     };
-    if powers.len() <= FEW {
-        halving.search(bernstein_form::<FEW>(powers), -1.0, 1.0, MAX_HALVINGS);
+    if powers.len() <= SMALL {
+        bisection.search(bernstein_form::<SMALL>(powers), -1.0, 1.0, MAX_BISECTIONS);
     } else {
-        halving.search(bernstein_form::<ALL>(powers), -1.0, 1.0, MAX_HALVINGS);
+        bisection.search(bernstein_form::<LARGE>(powers), -1.0, 1.0, MAX_BISECTIONS);
     }
-    halving.places
+    bisection.roots
 }
 
-impl Halving<'_> {
+impl Bisection<'_> {
     fn search<const N: usize>(&mut self, mut form: Form<N>, low: f64, high: f64, depth: u32) {
         let changes = form
             .windows(2)
@@ -69,7 +72,7 @@ impl Halving<'_> {
         if changes == 1 || is_noise {
             if is_change {
                 let is_rising = is_negative(form[0]);
-                self.places
+                self.roots
                     .push(bracketed(self.powers, low, high, is_rising));
             }
             return;
@@ -81,12 +84,12 @@ impl Halving<'_> {
     }
 }
 
-/// Zero counts as positive.
+/// True below zero; zero counts as positive.
 fn is_negative(x: f64) -> bool {
     x < 0.0
 }
 
-/// De Casteljau's scheme: gives the form of the first half and leaves that of the second.
+/// De Casteljau's algorithm: returns the form of the left half and leaves that of the right half in `form`.
 fn halve<const N: usize>(form: &mut Form<N>) -> Form<N> {
     let mut left = Form::with_capacity(form.len());
     for last in (0..form.len()).rev() {
@@ -98,25 +101,25 @@ fn halve<const N: usize>(form: &mut Form<N>) -> Form<N> {
     left
 }
 
-/// The Bernstein coefficients on -1..1. By Horner's rule: `f·x + c` in a form of one degree more, where a product with
-/// `x` mixes neighbours with weights between -1 and 1.
+/// The Bernstein coefficients on -1..1, by Horner's rule: each step `f·x + c` raises the degree by one, and the product
+/// with `x` blends neighbouring coefficients with weights between -1 and 1.
 fn bernstein_form<const N: usize>(powers: &[f64]) -> Form<N> {
     let mut form = Form::<N>::new();
     for c in powers.iter().rev() {
         let len = form.len();
         let degree = to_f64(len);
         form.push(0.0);
-        // From the end, so that each finds its neighbours as they were.
+        // From the end, since each coefficient needs the old values of its neighbours.
         for j in (0..=len).rev() {
-            let share = if degree > 0.0 {
+            let weight = if degree > 0.0 {
                 to_f64(j) / degree
             } else {
                 0.0
             };
-            // x has the coefficients -1 and 1.
-            let before = if j > 0 { share * form[j - 1] } else { 0.0 };
+            // The Bernstein coefficients of x are -1 and 1.
+            let before = if j > 0 { weight * form[j - 1] } else { 0.0 };
             let after = if j < len {
-                (1.0 - share) * form[j]
+                (1.0 - weight) * form[j]
             } else {
                 0.0
             };

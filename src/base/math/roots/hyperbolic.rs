@@ -1,11 +1,11 @@
-//! The inverses of the hyperbolic functions, to the last bit as the C library of Debian gives them.
+//! The inverse hyperbolic functions, equal to the last bit to those of Debian's C library.
 //!
-//! Rust's own take another path through the logarithm. The formulas are those of Sun's fdlibm (1993): each range of the
-//! argument has the one that does not cancel.
+//! Rust's own compute the logarithm differently. The formulas are those of Sun's fdlibm (1993), which has one without
+//! cancellation for each range of the argument.
 
 use std::f64::consts::LN_2;
 
-/// Above this the one beside x² is lost.
+/// Above this x² + 1 rounds to x².
 const LARGE: f64 = 268_435_456.0;
 
 /// The inverse of `sinh`.
@@ -24,7 +24,7 @@ pub(crate) fn asinh(x: f64) -> f64 {
     value.copysign(x)
 }
 
-/// The inverse of `cosh`; not a number below 1.
+/// The inverse of `cosh`; NaN below 1.
 pub(crate) fn acosh(x: f64) -> f64 {
     if x < 1.0 {
         f64::NAN
@@ -38,7 +38,7 @@ pub(crate) fn acosh(x: f64) -> f64 {
     }
 }
 
-/// The inverse of `tanh`; infinite at ±1, not a number beyond.
+/// The inverse of `tanh`; infinite at ±1, NaN beyond.
 pub(crate) fn atanh(x: f64) -> f64 {
     let a = x.abs();
     let value = if a < 1.0 / LARGE {
@@ -71,11 +71,11 @@ mod tests {
             (atanh(0.1), 0.100_335_347_731_075_58),
             (atanh(-0.3), -0.309_519_604_203_111_75),
         ];
-        for (found, expected) in known {
+        for (value, expected) in known {
             assert_eq!(
-                found.to_bits(),
+                value.to_bits(),
                 f64::to_bits(expected),
-                "{found} {expected}"
+                "{value} {expected}"
             );
         }
         assert!(acosh(0.5).is_nan() && atanh(1.5).is_nan() && asinh(f64::NAN).is_nan());

@@ -1,35 +1,36 @@
-//! Sign changes of a smooth function that is no polynomial, from enclosures of its values and of its slopes on whole
-//! stretches (Moore 1966, "Interval Analysis", and the mean value form of Caprani and Madsen 1980): a stretch whose
-//! values keep away from zero has none, a monotone one has one if its ends differ, every other is halved.
+//! Sign changes of a smooth function that is not a polynomial, by interval arithmetic on its values and slopes (Moore
+//! 1966, "Interval Analysis", and the mean value form of Caprani and Madsen 1980). An interval on which the value
+//! bounds exclude zero has no sign change, a monotone one has one if the signs at its ends differ, and any other is
+//! bisected.
 //!
-//! Error bound: the last digit of a place, or as far as the rounding of the function reaches; the bounds of a stretch are
-//! widened by 8 roundings, so that a pair of changes is lost only if the function's own rounding hides it.
+//! Error bound: a root is exact to its last digit, or to the rounding error of the function. The bounds of an interval
+//! are widened by 8 epsilon, so a pair of roots is lost only if the function's own rounding hides it.
 
 use super::polynomial::Roots;
 
-/// More halvings than a stretch has digits.
-const MAX_HALVINGS: u32 = 52;
-/// More steps towards one root than it takes to halve a stretch to its last digit.
+/// More bisections than an interval has binary digits.
+const MAX_BISECTIONS: u32 = 52;
+/// More iterations for a root than bisection of an interval down to its last digit takes.
 const MAX_STEPS: u32 = 120;
-/// Above the rounding of the products that bound a change of the function.
+/// Factor that covers the rounding of the products that bound the function's change.
 const ROUNDING: f64 = 1.0 + 8.0 * f64::EPSILON;
 
-/// The least and the most that a quantity can be.
+/// Lower and upper bound of a quantity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval {
     pub(crate) low: f64,
     pub(crate) high: f64,
 }
 
-/// A function of one variable that can bound itself.
+/// A function of one variable with bounds over intervals.
 pub(crate) trait IntervalFunction {
-    /// Its value at a place.
+    /// The value at `x`.
     fn value(&self, x: f64) -> f64;
-    /// Its slope there; need not be finite.
+    /// The derivative at `x`; may be infinite or NaN.
     fn slope(&self, x: f64) -> f64;
-    /// What holds all values between two places.
+    /// Bounds of the values between `from` and `to`.
     fn values(&self, from: f64, to: f64) -> Interval;
-    /// What holds all slopes between two places; may be infinite.
+    /// Bounds of the derivative between `from` and `to`; may be infinite.
     fn slopes(&self, from: f64, to: f64) -> Interval;
 }
 
@@ -50,23 +51,18 @@ impl Interval {
     }
 }
 
-/// Appends, in order, the places between `from` and `to` where the function changes sign, for known signs at both.
+/// Appends the sign changes between `from` and `to`, sorted. The signs at both ends are given.
 pub(crate) fn sign_changes(
     function: &impl IntervalFunction,
     (from, starts_negative): (f64, bool),
     (to, ends_negative): (f64, bool),
-    places: &mut Roots,
+    roots: &mut Roots,
 ) {
     let ends = [(from, starts_negative), (to, ends_negative)];
-    search(function, ends, MAX_HALVINGS, places);
+    search(function, ends, MAX_BISECTIONS, roots);
 }
 
-fn search(
-    function: &impl IntervalFunction,
-    ends: [(f64, bool); 2],
-    depth: u32,
-    places: &mut Roots,
-) {
+fn search(function: &impl IntervalFunction, ends: [(f64, bool); 2], depth: u32, roots: &mut Roots) {
     let [(from, starts_negative), (to, ends_negative)] = ends;
     let is_change = starts_negative != ends_negative;
     if !is_change && function.values(from, to).is_off_zero() {
@@ -76,7 +72,7 @@ fn search(
     let slopes = function.slopes(from, to);
     if slopes.is_one_sided() {
         if is_change {
-            places.push(bracketed(function, from, to, starts_negative));
+            roots.push(bracketed(function, from, to, starts_negative));
         }
         return;
     }
@@ -84,16 +80,16 @@ fn search(
     let change = 0.5 * (to - from) * slopes.high.max(-slopes.low) * ROUNDING;
     if value.abs() > change || depth == 0 || middle <= from || middle >= to {
         if is_change {
-            places.push(middle);
+            roots.push(middle);
         }
         return;
     }
     let half = (middle, value < 0.0);
-    search(function, [ends[0], half], depth - 1, places);
-    search(function, [half, ends[1]], depth - 1, places);
+    search(function, [ends[0], half], depth - 1, roots);
+    search(function, [half, ends[1]], depth - 1, roots);
 }
 
-/// The one place on a stretch that is monotone where the function changes sign.
+/// The sign change of a function that is monotone between `from` and `to`.
 pub(crate) fn exact_change(
     function: &impl IntervalFunction,
     [from, to]: [f64; 2],
@@ -102,7 +98,8 @@ pub(crate) fn exact_change(
     bracketed(function, from, to, is_rising)
 }
 
-/// Newton's iteration for the root of a monotone stretch, halving where a step leaves the stretch or gains too little.
+/// The root on a monotone interval by Newton's iteration, with a bisection step where Newton's leaves the bracket or
+/// does not halve the residual.
 fn bracketed(
     function: &impl IntervalFunction,
     mut low: f64,
@@ -111,8 +108,8 @@ fn bracketed(
 ) -> f64 {
     let mut x = 0.5 * (low + high);
     let mut last = f64::INFINITY;
-    // A step that is no longer says nothing but how the function is rounded.
-    let least = 2.0 * f64::EPSILON * low.abs().max(high.abs());
+    // Shorter steps only reflect the rounding of the function.
+    let min_step = 2.0 * f64::EPSILON * low.abs().max(high.abs());
     for _ in 0..MAX_STEPS {
         let value = function.value(x);
         if value == 0.0 {
@@ -125,7 +122,7 @@ fn bracketed(
         }
         let slope = function.slope(x);
         let newton = x - value / slope;
-        if slope.is_finite() && (newton - x).abs() <= least {
+        if slope.is_finite() && (newton - x).abs() <= min_step {
             return newton.max(low).min(high);
         }
         let gains = value.abs() < 0.5 * last;
@@ -143,14 +140,14 @@ fn bracketed(
     x
 }
 
-/// The place where a convex function, which is positive at `from`, becomes negative on the way to `to`: Newton's
-/// iteration, which stays on the near side. `None` if it turns up again before, or never falls.
+/// The first root between `from` and `to` of a convex function that is positive at `from`, by Newton's iteration, which
+/// never passes the root. `None` if the function does not decrease or reaches its minimum before zero.
 pub(crate) fn first_below_zero(
     value_and_slope: impl Fn(f64) -> (f64, f64),
     from: f64,
     to: f64,
 ) -> Option<f64> {
-    let ahead = (to - from).signum();
+    let dir = (to - from).signum();
     let mut x = from;
     for _ in 0..MAX_STEPS {
         let (value, slope) = value_and_slope(x);
@@ -158,8 +155,8 @@ pub(crate) fn first_below_zero(
             return Some(x);
         }
         let next = x - value / slope;
-        // Asked in the positive: NaN is a miss.
-        let is_falling = slope * ahead < 0.0 && (to - next) * ahead >= 0.0;
+        // Tests for true, so that NaN is a miss.
+        let is_falling = slope * dir < 0.0 && (to - next) * dir >= 0.0;
         if !is_falling {
             return None;
         }
@@ -195,34 +192,34 @@ mod tests {
         }
     }
 
-    fn places(level: f64, to: f64) -> Vec<f64> {
+    fn sine_roots(level: f64, to: f64) -> Vec<f64> {
         let sine = Sine(level);
-        let mut places = Roots::new();
+        let mut roots = Roots::new();
         let end = |x: f64| (x, sine.value(x) < 0.0);
-        sign_changes(&sine, end(1.0), end(to), &mut places);
-        places.to_vec()
+        sign_changes(&sine, end(1.0), end(to), &mut roots);
+        roots.to_vec()
     }
 
     #[test]
-    fn all_roots_are_found_in_order() {
-        let found = places(0.0, 10.0);
-        assert_eq!(found.len(), 3);
-        for (i, x) in (1..).zip(&found) {
+    fn all_rootsare_returned_in_order() {
+        let roots = sine_roots(0.0, 10.0);
+        assert_eq!(roots.len(), 3);
+        for (i, x) in (1..).zip(&roots) {
             assert!((x - std::f64::consts::PI * f64::from(i)).abs() < 2e-15);
         }
     }
 
     #[test]
-    fn a_touch_is_a_pair_or_nothing_and_takes_no_time() {
+    fn a_double_root_gives_a_pair_or_nothing_and_takes_no_time() {
         for level in [-1.0, -1.0 + 1e-15, -1.0 - 1e-15, -1.0 + 1e-12] {
-            assert_eq!(places(level, 10.0).len() % 2, 0);
+            assert_eq!(sine_roots(level, 10.0).len() % 2, 0);
         }
-        assert_eq!(places(-1.0 + 1e-12, 10.0).len(), 2);
-        assert!(places(-1.0 - 1e-12, 10.0).is_empty());
+        assert_eq!(sine_roots(-1.0 + 1e-12, 10.0).len(), 2);
+        assert!(sine_roots(-1.0 - 1e-12, 10.0).is_empty());
     }
 
     #[test]
-    fn a_convex_function_is_met_from_both_sides_or_missed() {
+    fn a_convex_function_has_a_root_from_both_sides_or_none() {
         let parabola = |level: f64| move |x: f64| (x * x - level, 2.0 * x);
         assert!(
             (first_below_zero(parabola(2.0), -9.0, 9.0).unwrap() + 2.0_f64.sqrt()).abs() < 1e-15

@@ -1,4 +1,4 @@
-//! Root finders and the intersections that rest on them.
+//! Root finders, and the ray intersections built on them.
 
 pub(super) mod bernstein;
 pub(crate) mod hyperbolic;

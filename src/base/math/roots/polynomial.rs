@@ -1,33 +1,33 @@
-//! Where a polynomial changes sign, up to degree four by the chain of its derivatives (Yuksel 2022, "High-performance
-//! polynomial root finding for graphics"): between the zeros of its derivative it is monotone, so a bracketed Newton
-//! iteration cannot miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
-//! Chains of higher degree cost more than halving ([`bernstein`]).
+//! Sign changes of a polynomial, up to degree four by the chain of its derivatives (Yuksel 2022, "High-performance
+//! polynomial root finding for graphics"): the polynomial is monotone between the roots of its derivative, so a
+//! bracketed Newton iteration cannot miss. Closed forms of the quartic lose one ray in four in the plane of a torus;
+//! this loses none. Above degree four, bisection ([`bernstein`]) costs less than the chain.
 //!
-//! Error bound: the value at a place that is found is within a few roundings of the sum of the coefficients, or the place
-//! within [`LAST_STEP`] squared of the zero; who wants more digits refines it on the shape itself, as torus and poly do. A
-//! pair of changes whose extreme between them is within that rounding of zero may be lost or found.
+//! Error bound: the residual at a root is within a few epsilon of the sum of the coefficients, or the root is within
+//! [`LAST_STEP`] squared of the exact one. Callers that need more digits refine it on the shape itself, as torus and
+//! poly do. A pair of roots whose extremum in between is zero within that rounding may be lost or reported.
 //!
-//! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 <= x <= 1` is searched; whoever asks has
-//! centred and scaled the polynomial so that its coefficients are of one size there.
+//! Coefficients are by ascending power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 <= x <= 1` is searched: the caller
+//! centres and scales the polynomial, so that its coefficients are of similar size.
 
 use super::bernstein;
 use smallvec::SmallVec;
 use std::ops::Deref;
 
-/// Places on a line, in order.
+/// Roots in ascending order.
 pub(crate) type Roots = SmallVec<[f64; 8]>;
 
-/// A Newton step below this ends the iteration: the step after it would be below the last digit.
+/// A Newton step below this ends the iteration: convergence is quadratic, the next step would not change a digit.
 const LAST_STEP: f64 = 1e-9;
 
-/// How near to an end a change may come from rounding.
+/// Sign changes this close to an end of the interval may be due to rounding.
 const ROUNDED_END: f64 = 1e-7;
 
-/// More halvings than a double has digits.
+/// More bisections than a double has binary digits.
 const MAX_STEPS: u32 = 80;
 
-/// The places in `-1 <= x <= 1` where a polynomial changes sign, in order. Where it only touches zero there is none. Zero
-/// counts as positive: at an end where it is zero it changes only if it is negative just beside.
+/// The sign changes of a polynomial in `-1 <= x <= 1`, sorted. Where it only touches zero there is none. Zero counts as
+/// positive: a zero at an end is a sign change only if the polynomial is negative next to it.
 pub(crate) fn sign_changes(c: &[f64]) -> Roots {
     match *c {
         [c0, c1, c2] => Roots::from_slice(&quadratic(c0, c1, c2)),
@@ -39,40 +39,42 @@ pub(crate) fn sign_changes(c: &[f64]) -> Roots {
     }
 }
 
+/// [`sign_changes`] of a cubic.
 fn cubic(c: &[f64; 4]) -> Roots {
-    between_turns(c, &quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
+    between_extrema(c, &quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
 }
 
-/// The same as [`sign_changes`] for a quartic.
+/// [`sign_changes`] of a quartic.
 pub(crate) fn quartic(c: &[f64; 5]) -> Roots {
-    between_turns(c, &cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
+    between_extrema(c, &cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
 }
 
-/// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
-/// they share: a change that only rounding makes or hides at an end is taken away or put there.
+/// [`sign_changes`] with given signs at both ends, so that adjacent intervals agree about their common end. A sign
+/// change that rounding creates or hides at an end is removed or added.
 pub(crate) fn sign_changes_between(c: &[f64], starts_negative: bool, ends_negative: bool) -> Roots {
-    let mut places = sign_changes(c);
+    let mut roots = sign_changes(c);
     if (value(c, -1.0) < 0.0) != starts_negative {
-        match places.first() {
+        match roots.first() {
             Some(first) if first + 1.0 < ROUNDED_END => {
-                places.remove(0);
+                roots.remove(0);
             }
-            _ => places.insert(0, -1.0),
+            _ => roots.insert(0, -1.0),
         }
     }
-    let is_odd = places.len() % 2 == 1;
+    let is_odd = roots.len() % 2 == 1;
     if is_odd != (starts_negative != ends_negative) {
-        match places.last() {
+        match roots.last() {
             Some(last) if 1.0 - last < ROUNDED_END => {
-                places.pop();
+                roots.pop();
             }
-            _ => places.push(1.0),
+            _ => roots.push(1.0),
         }
     }
-    places
+    roots
 }
 
-/// Whether the quartic is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.
+/// True if all Bernstein coefficients of the quartic are positive, which implies that it is positive for
+/// `-1 <= x <= 1`.
 pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
     let [c0, c1, c2, c3, c4] = *c;
     let (even, odd) = (c0 + c2 + c4, c1 + c3);
@@ -81,23 +83,24 @@ pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
     even > odd.abs() && inner_even > inner_odd.abs() && middle > 0.0
 }
 
-/// The changes of a polynomial whose derivative changes its sign at `stops`. The number of coefficients is known, so that
-/// they stay in registers.
-fn between_turns<const N: usize>(c: &[f64; N], stops: &[f64]) -> Roots {
-    let mut places = Roots::new();
+/// The sign changes of a polynomial whose derivative changes sign at `extrema`. `N` is a constant so that the
+/// coefficients stay in registers.
+fn between_extrema<const N: usize>(c: &[f64; N], extrema: &[f64]) -> Roots {
+    let mut roots = Roots::new();
     let mut low = -1.0;
     let mut is_low_negative = value(c, low) < 0.0;
-    for &high in stops.iter().chain(&[1.0]) {
+    for &high in extrema.iter().chain(&[1.0]) {
         let is_high_negative = value(c, high) < 0.0;
         if is_low_negative != is_high_negative {
-            places.push(bracketed(c, low, high, is_low_negative));
+            roots.push(bracketed(c, low, high, is_low_negative));
         }
         (low, is_low_negative) = (high, is_high_negative);
     }
-    places
+    roots
 }
 
-/// Newton's iteration for the one root between `low` and `high`, halving where a step would leave the bracket.
+/// The only root between `low` and `high` by Newton's iteration, with a bisection step where Newton's would leave the
+/// bracket.
 #[inline]
 pub(crate) fn bracketed<C>(c: &C, mut low: f64, mut high: f64, is_rising: bool) -> f64
 where
@@ -131,7 +134,7 @@ where
     x
 }
 
-/// The value at a place.
+/// The value at `x`.
 #[inline]
 pub(crate) fn value(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
@@ -144,36 +147,36 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
 }
 
 #[inline]
-fn quadratic(c0: f64, c1: f64, c2: f64) -> FewRoots {
+fn quadratic(c0: f64, c1: f64, c2: f64) -> UpToTwoRoots {
     let discriminant = c1 * c1 - 4.0 * c0 * c2;
     if discriminant <= 0.0 {
-        return FewRoots::default();
+        return UpToTwoRoots::default();
     }
     let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
     let (x, other) = (q / c2, c0 / q);
     let (first, second) = if x < other { (x, other) } else { (other, x) };
-    // Infinitely far from the other one if `c2` is zero, on the side that its sign tells.
+    // If `c2` is zero, one root is infinite, on the side given by the sign of zero.
     let rest = SignChange::of_slope(c2);
-    within([(first, rest.back()), (second, rest)])
+    within([(first, rest.reversed()), (second, rest)])
 }
 
-/// Two places at the most.
+/// At most two roots.
 #[derive(Default)]
-struct FewRoots {
-    places: [f64; 2],
+struct UpToTwoRoots {
+    roots: [f64; 2],
     len: usize,
 }
 
-impl Deref for FewRoots {
+impl Deref for UpToTwoRoots {
     type Target = [f64];
 
     #[inline]
     fn deref(&self) -> &[f64] {
-        &self.places[..self.len]
+        &self.roots[..self.len]
     }
 }
 
-/// The sense in which a polynomial changes sign.
+/// The direction of a sign change.
 #[derive(Clone, Copy, PartialEq)]
 enum SignChange {
     Down,
@@ -189,7 +192,7 @@ impl SignChange {
         }
     }
 
-    fn back(self) -> SignChange {
+    fn reversed(self) -> SignChange {
         match self {
             SignChange::Down => SignChange::Up,
             SignChange::Up => SignChange::Down,
@@ -197,22 +200,22 @@ impl SignChange {
     }
 }
 
-/// Those that lie in the searched range; not NaN. Since zero counts as positive, a way down begins on a zero, and a way
-/// up ends on one.
+/// The roots within the searched interval; NaN is dropped. Since zero counts as positive, a falling sign change may lie
+/// on the lower end and a rising one on the upper.
 #[inline]
-fn within<const N: usize>(all: [(f64, SignChange); N]) -> FewRoots {
-    let mut few = FewRoots::default();
-    for (x, way) in all {
-        let is_at_end = match way {
+fn within<const N: usize>(all: [(f64, SignChange); N]) -> UpToTwoRoots {
+    let mut inside = UpToTwoRoots::default();
+    for (x, direction) in all {
+        let is_at_end = match direction {
             SignChange::Down => x == -1.0,
             SignChange::Up => x == 1.0,
         };
         if -1.0 < x && x < 1.0 || is_at_end {
-            few.places[few.len] = x;
-            few.len += 1;
+            inside.roots[inside.len] = x;
+            inside.len += 1;
         }
     }
-    few
+    inside
 }
 
 #[cfg(test)]
@@ -234,23 +237,23 @@ mod tests {
     }
 
     #[test]
-    fn simple_roots_are_found_in_order() {
+    fn simple_roots_are_returned_in_order() {
         for roots in [
             &[-0.9, -0.2, 0.3, 0.8][..],
             &[0.1, 0.100_1],
             &[-0.5, 0.0, 0.25, 0.5, 0.75],
             &[0.7],
         ] {
-            let found = sign_changes(&product(roots));
-            assert_eq!(found.len(), roots.len(), "{roots:?}: {found:?}");
-            for (a, b) in found.iter().zip(roots) {
-                assert!((a - b).abs() < 1e-11, "{roots:?}: {found:?}");
+            let result = sign_changes(&product(roots));
+            assert_eq!(result.len(), roots.len(), "{roots:?}: {result:?}");
+            for (a, b) in result.iter().zip(roots) {
+                assert!((a - b).abs() < 1e-11, "{roots:?}: {result:?}");
             }
         }
     }
 
     #[test]
-    fn roots_outside_are_left_out_and_double_ones_come_in_pairs_or_not_at_all() {
+    fn roots_outside_are_dropped_and_double_ones_give_pairs_or_nothing() {
         assert_eq!(sign_changes(&product(&[-3.0, 0.5, 1.5, 7.0])).len(), 1);
         let double = sign_changes(&product(&[0.3, 0.3, 2.0, 3.0]));
         assert!(double.len().is_multiple_of(2));
@@ -265,8 +268,8 @@ mod tests {
     }
 
     #[test]
-    fn roots_at_the_ends_are_found_where_it_is_negative_within() {
-        // By the degree of what is multiplied with the roots: the closed forms, the chain and the halving.
+    fn roots_at_the_ends_count_where_the_polynomial_is_negative_within() {
+        // Factors of increasing degree exercise the closed forms, the derivative chain and bisection.
         for factor in [
             &[1.0][..],
             &[3.0, 1.0],
@@ -283,10 +286,10 @@ mod tests {
                 product
             };
             let near = |c: &[f64], expected: &[f64]| {
-                let found = sign_changes(&times(c));
-                assert_eq!(found.len(), expected.len(), "{c:?} {factor:?}: {found:?}");
-                for (a, b) in found.iter().zip(expected) {
-                    assert!((a - b).abs() < 1e-9, "{c:?} {factor:?}: {found:?}");
+                let result = sign_changes(&times(c));
+                assert_eq!(result.len(), expected.len(), "{c:?} {factor:?}: {result:?}");
+                for (a, b) in result.iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-9, "{c:?} {factor:?}: {result:?}");
                 }
             };
             near(&[-1.0, 0.0, 1.0], &[-1.0, 1.0]);
@@ -301,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quartic_called_positive_is() {
+    fn a_quartic_reported_positive_is_positive() {
         assert!(is_quartic_positive(&[1.0, 0.5, 0.1, -0.2, 0.1]));
         assert!(!is_quartic_positive(&[-0.1, 0.0, 1.0, 0.0, 0.0]));
         assert!(!is_quartic_positive(&[1.0, 0.0, 0.0, 2.0, 0.0]));

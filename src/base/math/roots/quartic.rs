@@ -1,26 +1,26 @@
-//! Where a quartic changes sign, by the quick way where there is one: most rays that meet a torus meet it where the
-//! quartic bends only one way, and there Newton's iteration from either end runs straight into the root: on a convex
-//! function it never passes it. Error bound: that of [`sign_changes`].
+//! Sign changes of a quartic with a fast path: for most rays that hit a torus the quartic is convex. Newton's iteration
+//! on a convex function never passes the root, so it converges from both ends. Error bound: as for
+//! [`polynomial::sign_changes`].
 
 use super::polynomial::{self, Roots, bracketed, sign_changes_between};
 
-/// A Newton step below this ends the iteration: the step after it would be below the last digit.
+/// A Newton step below this ends the iteration: convergence is quadratic, the next step would not change a digit.
 pub(crate) const LAST_STEP: f64 = 1e-9;
-/// With more steps the roots are so close to each other that the careful way is as fast.
+/// With more steps the roots are so close together that the general solver is as fast.
 pub(crate) const MAX_STEPS: u32 = 24;
 
-/// The same places in `-1 < x < 1` as [`polynomial::sign_changes`] finds, up to the last digits.
+/// The sign changes in `-1 < x < 1`, equal to those of [`polynomial::sign_changes`] up to the last digits.
 pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Roots {
-    if bends_up(c)
-        && let Some(places) = from_both_ends(c)
+    if is_convex(c)
+        && let Some(roots) = from_both_ends(c)
     {
-        return places;
+        return roots;
     }
     polynomial::quartic(c)
 }
 
-/// The same as [`sign_changes_between`], up to the last digits. The coefficients in the Bernstein basis change sign at
-/// least as often as the quartic: with none there is no root, and with one there is one.
+/// The roots of [`sign_changes_between`], up to the last digits. The Bernstein coefficients change sign at least as
+/// often as the quartic: no change means no root, one change means one root.
 pub(crate) fn quartic_changes_between(
     c: &[f64; 5],
     starts_negative: bool,
@@ -35,14 +35,14 @@ pub(crate) fn quartic_changes_between(
     match changes.count() {
         0 => Roots::new(),
         1 => Roots::from_slice(&[bracketed(c, -1.0, 1.0, starts_negative)]),
-        _ if !starts_negative && !ends_negative && bends_up(c) => {
+        _ if !starts_negative && !ends_negative && is_convex(c) => {
             from_both_ends(c).unwrap_or_else(|| polynomial::quartic(c))
         }
         _ => sign_changes_between(c, starts_negative, ends_negative),
     }
 }
 
-/// The coefficients in the Bernstein basis of `-1 <= x <= 1`.
+/// The Bernstein coefficients for `-1 <= x <= 1`.
 fn bernstein_form(c: &[f64; 5]) -> [f64; 5] {
     let [c0, c1, c2, c3, c4] = *c;
     let (even, odd) = (c0 + c2 + c4, c1 + c3);
@@ -56,22 +56,24 @@ fn bernstein_form(c: &[f64; 5]) -> [f64; 5] {
     ]
 }
 
-/// Whether the second derivative is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.
-fn bends_up(c: &[f64; 5]) -> bool {
+/// True if all Bernstein coefficients of the second derivative are positive, which implies that the quartic is convex
+/// for `-1 <= x <= 1`.
+fn is_convex(c: &[f64; 5]) -> bool {
     let [_, _, c2, c3, c4] = *c;
     let (even, odd) = (2.0 * c2 + 12.0 * c4, 6.0 * c3);
     even > odd.abs() && 2.0 * c2 > 12.0 * c4
 }
 
-/// The two roots of a quartic that bends up and is positive at both ends, or none; `None` if it takes too long to say.
+/// The two roots, or none, of a convex quartic that is positive at both ends. `None` if that takes too many steps or
+/// the premise does not hold.
 fn from_both_ends(c: &[f64; 5]) -> Option<Roots> {
-    let mut places = Roots::new();
+    let mut roots = Roots::new();
     for end in [-1.0, 1.0] {
         let mut x = end;
         let mut steps = 0;
         loop {
             let (value, slope) = value_and_slope(c, x);
-            // Asked in the positive: NaN takes the careful way.
+            // Tests for true, so that NaN is left to the general solver.
             if value <= 0.0 && steps > 0 {
                 break;
             }
@@ -79,7 +81,7 @@ fn from_both_ends(c: &[f64; 5]) -> Option<Roots> {
             if !is_above {
                 return None;
             }
-            // At the lowest point, or past it, without having met zero.
+            // At or past the minimum without a root.
             if slope * end <= 0.0 {
                 return Some(Roots::new());
             }
@@ -97,11 +99,12 @@ fn from_both_ends(c: &[f64; 5]) -> Option<Roots> {
                 break;
             }
         }
-        places.push(x);
+        roots.push(x);
     }
-    (places[0] < places[1]).then_some(places)
+    (roots[0] < roots[1]).then_some(roots)
 }
 
+/// The value and the derivative at `x`.
 fn value_and_slope(c: &[f64; 5], x: f64) -> (f64, f64) {
     let [c0, c1, c2, c3, c4] = *c;
     let (a, da) = (c4 * x + c3, c4);
@@ -117,7 +120,7 @@ mod tests {
     use crate::base::math::sampling::random::Random;
 
     #[test]
-    fn the_quick_way_finds_what_the_careful_way_finds() {
+    fn the_fast_path_matches_the_general_solver() {
         let mut rng = Random::new(11);
         let (mut quick, mut with_roots) = (0, 0);
         for _ in 0..200_000 {
@@ -134,7 +137,7 @@ mod tests {
             for (a, b) in fast.iter().zip(&slow) {
                 assert!((a - b).abs() < 1e-9, "{c:?}: {a} {b}");
             }
-            quick += u32::from(bends_up(&c) && from_both_ends(&c).is_some());
+            quick += u32::from(is_convex(&c) && from_both_ends(&c).is_some());
             with_roots += u32::from(fast.len() == 2);
         }
         assert!(
@@ -144,15 +147,15 @@ mod tests {
     }
 
     #[test]
-    fn a_double_root_is_left_to_the_careful_way() {
+    fn a_double_root_is_left_to_the_general_solver() {
         let square = [0.09, -0.6, 1.0, 0.0, 0.0];
-        assert!(bends_up(&square));
-        let places = quartic_sign_changes(&square);
-        assert!(places.len().is_multiple_of(2));
+        assert!(is_convex(&square));
+        let roots = quartic_sign_changes(&square);
+        assert!(roots.len().is_multiple_of(2));
     }
 
     #[test]
-    fn changes_between_known_signs_are_those_of_the_careful_way() {
+    fn changes_between_known_signs_match_the_general_solver() {
         let mut rng = Random::new(12);
         let mut counts = [0; 5];
         for _ in 0..200_000 {

@@ -1,9 +1,9 @@
-//! POV-Ray's hash table of 4096 numbers, which its noise, patterns and jitter draw from.
+//! POV-Ray's hash table of 4096 numbers, used by its noise, patterns and jitter.
 //!
-//! The table is a shuffle of 0 to 4095 by a linear congruential generator that starts at 0 (measured: the first
+//! The table is the numbers 0 to 4095, shuffled by a linear congruential generator with seed 0 (measured: the first
 //! values are 2291, 2574, 3654, 1557; the last is 3088).
 
-/// How many numbers there are.
+/// The number of entries.
 pub const SIZE: usize = 4096;
 
 /// The shuffled numbers, twice in a row, so that the sum of an entry and a small number needs no wrapping.
@@ -25,9 +25,9 @@ const fn table() -> [u16; 2 * SIZE] {
         i -= 1;
         state = next(state);
         let j = bits(state) as usize % SIZE;
-        let kept = table[i];
+        let swapped = table[i];
         table[i] = table[j];
-        table[j] = kept;
+        table[j] = swapped;
     }
     while i < SIZE {
         table[SIZE + i] = table[i];
@@ -36,25 +36,25 @@ const fn table() -> [u16; 2 * SIZE] {
     table
 }
 
-/// One step of the generator.
+/// The next state of the generator.
 #[must_use]
 pub const fn next(state: u32) -> u32 {
     state.wrapping_mul(1_812_433_253).wrapping_add(12345)
 }
 
-/// The 15 random bits of a state of the generator.
+/// The 15 random bits of a generator state.
 #[must_use]
 pub const fn bits(state: u32) -> u32 {
     (state >> 16) & 0x7fff
 }
 
-/// The entry for a number; only its lowest twelve bits count.
+/// The entry at the lowest twelve bits of `number`.
 #[must_use]
 pub fn hashed(number: i32) -> i32 {
     i32::from(TABLE[(number & 0xFFF) as usize])
 }
 
-/// A number below 4096 that belongs to a cell of space and looks random.
+/// The hash of a cell of space, below 4096.
 #[must_use]
 pub fn hashed_cell(cell: [i64; 3]) -> u32 {
     let [x, y, z] = cell.map(wrapped);
@@ -62,7 +62,7 @@ pub fn hashed_cell(cell: [i64; 3]) -> u32 {
     u32::from(TABLE[usize::from(TABLE[row]) ^ z])
 }
 
-/// The lowest twelve bits of a number.
+/// The lowest twelve bits of `number`.
 #[must_use]
 #[allow(
     clippy::cast_possible_truncation,

@@ -1,8 +1,9 @@
-//! POV-Ray's jitter: an offset for each place in the picture, always the same.
+//! POV-Ray's jitter: a fixed offset for each sample position on the image.
 
 use super::hash::hashed;
 use std::sync::LazyLock;
 
+/// POV-Ray's table of offsets, which it rounds to six decimals.
 static OFFSETS: LazyLock<[f64; 256]> = LazyLock::new(|| {
     let mut offsets = [0.0; 256];
     for (i, offset) in (0u32..).zip(offsets.iter_mut()) {
@@ -14,7 +15,7 @@ static OFFSETS: LazyLock<[f64; 256]> = LazyLock::new(|| {
     offsets
 });
 
-/// The offset at a point of the picture, each part from -0.5 to 0.5 (0.5 left out).
+/// The offset at an image position, each component from -0.5 to 0.5 (exclusive).
 #[must_use]
 pub fn jitter(x: f64, y: f64) -> (f64, f64) {
     #[allow(

@@ -1,9 +1,9 @@
-//! The random numbers of MT19937 (Matsumoto and Nishimura 1998) with its usual seed, and POV-Ray's way through them:
-//! a table of 32768, which streams read round and round.
+//! The random numbers of MT19937 (Matsumoto and Nishimura 1998) with its default seed. As in POV-Ray, the first 32768
+//! are a table that random streams read cyclically.
 
 use std::sync::LazyLock;
 
-/// How many numbers the table holds.
+/// The number of entries of the table.
 pub const SIZE: u32 = 1 << 15;
 
 const SEED: u32 = 5489;
@@ -12,13 +12,13 @@ const SHIFTED: usize = 397;
 
 static TABLE: LazyLock<Vec<f64>> = LazyLock::new(|| Twister::new().take(SIZE as usize).collect());
 
-/// The number of an index from 0 up to 1 (left out); only the lowest fifteen bits of the index count.
+/// Entry `index` modulo [`SIZE`], in `[0, 1)`.
 #[must_use]
 pub fn random(index: u32) -> f64 {
     TABLE[(index % SIZE) as usize]
 }
 
-/// The numbers of three indices that follow each other.
+/// The entries at three consecutive indices.
 #[must_use]
 pub fn three(first: u32) -> [f64; 3] {
     match TABLE[(first % SIZE) as usize..].first_chunk() {
@@ -27,12 +27,12 @@ pub fn three(first: u32) -> [f64; 3] {
     }
 }
 
-/// All numbers of the generator in turn, which go on behind the table.
+/// The sequence of the generator, which continues beyond the table.
 pub fn numbers() -> impl Iterator<Item = f64> {
     Twister::new()
 }
 
-/// The generator.
+/// The MT19937 generator.
 struct Twister {
     state: Vec<u32>,
     next: usize,
@@ -80,17 +80,18 @@ impl Iterator for Twister {
     }
 }
 
-/// A way through the table.
+/// A random stream: a cyclic walk through the table.
 ///
-/// POV-Ray's threads each walk through it as long as they draw, so that what a pixel gets depends on all that was
-/// drawn before. So do pictures here that are drawn in its order. Otherwise each sample starts a walk of its own.
+/// Each of POV-Ray's threads uses one stream for the whole render, so the numbers of a pixel depend on all pixels that
+/// the thread rendered before. Images rendered in POV-Ray's order do the same here. Otherwise each sample has a stream
+/// of its own.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stream {
     last: u32,
 }
 
 impl Stream {
-    /// The walk of a sample of the picture.
+    /// The stream of a sample at an image position.
     #[must_use]
     pub fn of_sample(x: f64, y: f64) -> Self {
         Stream {
@@ -105,14 +106,14 @@ impl Stream {
     }
 }
 
-/// Bits that look random and belong to a sample of the picture; 0 for the upper left pixel.
+/// A random seed for a sample at an image position; 0 for the upper left pixel.
 #[must_use]
 #[allow(
     clippy::cast_possible_truncation,
     reason = "the upper half of the mixed bits is taken"
 )]
 pub fn seed_of_sample(x: f64, y: f64) -> u32 {
-    // The finalizer of MurmurHash3 (Appleby 2011), which leaves 0 as it is.
+    // The finalizer of MurmurHash3 (Appleby 2011), which maps 0 to 0.
     let mut bits = (x + 0.0).to_bits() ^ (y + 0.0).to_bits().rotate_left(21);
     bits = (bits ^ (bits >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
     bits = (bits ^ (bits >> 33)).wrapping_mul(0xc4ce_b9fe_1a85_ec53);
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn the_walk_of_the_corner_begins_with_the_second_number() {
+    fn the_stream_of_the_corner_begins_with_the_second_number() {
         assert_eq!(Stream::of_sample(0.0, -0.0).next_number(), random(1));
         assert_ne!(seed_of_sample(1.0, 2.0), seed_of_sample(2.0, 1.0));
     }

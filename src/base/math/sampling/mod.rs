@@ -1,4 +1,4 @@
-//! Sequences and generators of random numbers.
+//! Random number generators, low-discrepancy sequences and POV-Ray's tables.
 
 pub mod chi_square;
 pub(super) mod halton;

@@ -3,14 +3,16 @@
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
-/// Random numbers with a fixed seed (xorshift64*, Vigna 2016).
+/// Random number generator with a given seed (xorshift64*, Vigna 2016).
 pub(crate) struct Random(u64);
 
 impl Random {
+    /// The generator for a seed.
     pub(crate) fn new(seed: u64) -> Self {
         Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
+    /// 64 random bits.
     pub(crate) fn bits(&mut self) -> u64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -18,24 +20,25 @@ impl Random {
         self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
     }
 
-    /// Between 0 and 1.
+    /// A uniform number in `[0, 1)`.
     pub(crate) fn share(&mut self) -> f64 {
         f64::from_bits(0x3ff0_0000_0000_0000 | (self.bits() >> 12)) - 1.0
     }
 
-    /// Each component between `-size` and `size`.
+    /// A vector with each component between `-size` and `size`.
     pub(crate) fn vector(&mut self, size: f64) -> DVec3 {
         let mut component = || (2.0 * self.share() - 1.0) * size;
         DVec3::new(component(), component(), component())
     }
 
-    /// A point in a box 1.2 times as large.
+    /// A point in `bounds` enlarged by a factor of 1.2.
     pub(crate) fn point_near(&mut self, bounds: &Bounds) -> DVec3 {
         let half = 0.6 * (bounds.max - bounds.min);
         bounds.centre() + half * self.vector(1.0)
     }
 
-    /// A ray towards the box from a few of its sizes away or from inside; one in four runs along an axis.
+    /// A ray towards `bounds` from up to a few of their diagonals away or from inside. One ray in four is parallel to
+    /// an axis.
     pub(crate) fn ray_near(&mut self, bounds: &Bounds) -> Ray {
         let size = (bounds.max - bounds.min).length();
         let far = size * 3.0 * self.share();

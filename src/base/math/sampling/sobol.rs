@@ -1,10 +1,10 @@
-//! Points of a square that fill it evenly: the first two dimensions of Sobol's sequence, scrambled after Owen.
+//! The first two dimensions of the Sobol' sequence with Owen scrambling.
 //!
-//! Of the first `2^k` points each of the `2^k` rectangles `2^-a` by `2^-b` (`a + b = k`) holds exactly one, whatever `a`
-//! is: a (0, 2)-sequence. Scrambling after Owen (1995) keeps that, and makes each point uniform over the square. It is
-//! done by the hash of Laine and Karras in the form of Burley ("Practical Hash-based Owen Scrambling", 2020).
+//! It is a (0, 2)-sequence: of the first `2^k` points each of the `2^k` rectangles `2^-a` by `2^-b` with `a + b = k`
+//! contains exactly one, for any `a`. Owen scrambling (1995) preserves this and makes each point uniform over the
+//! square. It uses the hash of Laine and Karras in Burley's form ("Practical Hash-based Owen Scrambling", 2020).
 
-/// A scrambled sequence; every seed gives another one.
+/// A scrambled sequence, determined by its seeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sobol {
     seed_x: u32,
@@ -22,18 +22,19 @@ impl Sobol {
         }
     }
 
-    /// The point of a number, in parts of `2^32` of the side.
+    /// Point `number` of the sequence, in units of `2^-32` of the side of the square.
     pub(crate) fn point(&self, number: u32) -> (u32, u32) {
-        // Reversing the bits of the number gives the first dimension, and scrambling wants them the other way round.
+        // The first dimension is the number with its bits reversed, and scrambling works on reversed bits: both cancel.
         let x = scrambled(number, self.seed_x).reverse_bits();
-        let y = scrambled(second(number), self.seed_y).reverse_bits();
+        let y = scrambled(second_dimension(number), self.seed_y).reverse_bits();
         (x, y)
     }
 }
 
-/// The second dimension, its bits reversed. Its matrix is Pascal's triangle modulo 2: with the bits of the number as a
-/// polynomial `p(x)` modulo 2 it gives `p(1 + x)`, half by half since `(1 + x)^16 = 1 + x^16`.
-fn second(mut number: u32) -> u32 {
+/// The second dimension with its bits reversed. Its generator matrix is Pascal's triangle modulo 2: with the bits of
+/// the number as a polynomial `p(x)` over GF(2), the result is `p(1 + x)`. Each step expands half of the bits, since
+/// for example `(1 + x)^16 = 1 + x^16`.
+fn second_dimension(mut number: u32) -> u32 {
     number ^= number >> 16;
     number ^= number >> 8 & 0x00ff_00ff;
     number ^= number >> 4 & 0x0f0f_0f0f;
@@ -41,7 +42,7 @@ fn second(mut number: u32) -> u32 {
     number ^ number >> 1 & 0x5555_5555
 }
 
-/// Each bit is turned or not as those below it decide.
+/// Owen scrambling of reversed bits: each bit is flipped depending on the bits below it.
 fn scrambled(mut v: u32, seed: u32) -> u32 {
     v = v.wrapping_add(seed);
     for factor in [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
@@ -50,7 +51,7 @@ fn scrambled(mut v: u32, seed: u32) -> u32 {
     v
 }
 
-/// A number that has nothing to do with the one given (Wellons, "lowbias32").
+/// An integer hash (Wellons, "lowbias32").
 fn mixed(mut v: u32) -> u32 {
     v = v.wrapping_add(0x6d2b_79f5);
     v ^= v >> 16;
@@ -71,21 +72,21 @@ mod tests {
             for k in 0..=8u32 {
                 for a in 0..=k {
                     let b = k - a;
-                    let mut held = vec![0; 1 << k];
+                    let mut counts = vec![0; 1 << k];
                     for number in 0..1u32 << k {
                         let (x, y) = sobol.point(number);
                         let cell = |v: u32, bits: u32| v.checked_shr(32 - bits).unwrap_or(0);
-                        held[(cell(x, a) << b | cell(y, b)) as usize] += 1;
+                        counts[(cell(x, a) << b | cell(y, b)) as usize] += 1;
                     }
-                    assert!(held.iter().all(|&n| n == 1), "2^{a} by 2^{b}");
+                    assert!(counts.iter().all(|&n| n == 1), "2^{a} by 2^{b}");
                 }
             }
         }
     }
 
     #[test]
-    fn the_points_of_different_pixels_are_uniform_and_not_alike() {
-        // The mean of the first point over 100 by 100 pixels, and the product of neighbours: 1/2 and 1/4 by chance.
+    fn the_points_of_different_pixels_are_uniform_and_uncorrelated() {
+        // Over 100 by 100 pixels the mean of the first point is 1/2 and that of the product of neighbours 1/4.
         let side = |v: u32| f64::from(v) / 2f64.powi(32);
         let (mut sum, mut product) = ([0.0; 2], 0.0);
         for y in 0..100 {

@@ -1,5 +1,5 @@
-//! Lanes of AVX2: 256-bit registers. Values of these types exist only inside kernels that [`super::SimdLevel::run`] has
-//! started for the wide level, which is what each `SAFETY` below rests on.
+//! AVX2 lanes in 256-bit registers. Values of these types exist only inside kernels that [`super::SimdLevel::run`] has
+//! started for the wide level. Each `SAFETY` comment below relies on that.
 
 use super::lanes::{BIAS, INTEGER, MANTISSA, operators};
 use super::{F32x8, F64Lanes, F64x4};
@@ -9,14 +9,14 @@ use std::ops::Neg;
 #[derive(Clone, Copy)]
 pub(super) struct F64x4Avx2(__m256d);
 
-/// The sign of a lane is its truth value; comparisons set all of its bits.
+/// A lane is true if its sign bit is set; comparisons set all of its bits.
 #[derive(Clone, Copy)]
 pub(super) struct MaskAvx2(__m256d);
 
 #[derive(Clone, Copy)]
 pub(super) struct F32x8Avx2(__m256);
 
-/// Functions of two operands, by their instruction.
+/// Defines binary functions by their intrinsic.
 macro_rules! instructions {
     ($($name:ident($type:ident) -> $result:ident by $intrinsic:ident $(<$predicate:ident>)?),+ $(,)?) => {
         $(
@@ -67,7 +67,7 @@ impl Neg for F64x4Avx2 {
     }
 }
 
-/// Numbers that are negative where a bit is set, by these bits.
+/// Lane values for each four-bit mask: -0.0 where the bit is set, 0.0 elsewhere.
 const SIGNS: [[f64; 4]; 16] = {
     let mut signs = [[0.0; 4]; 16];
     let mut bits = 0;

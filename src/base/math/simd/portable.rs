@@ -1,4 +1,4 @@
-//! Lanes as arrays, for targets without lanes of their own here, and for tests of the others.
+//! Lanes as arrays, for targets without an implementation of their own, and as the reference in tests.
 
 use super::lanes::operators;
 use super::{F32x8, F64Lanes, F64x4};

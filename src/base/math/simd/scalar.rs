@@ -1,4 +1,4 @@
-//! A single `f64` as lanes: kernels run on one ray and give it the bits that packets give.
+//! A scalar `f64` as lanes: a kernel run on a single ray gives the same bits as on a packet.
 
 use super::F64Lanes;
 use super::lanes::{BIAS, INTEGER, INTEGER_BITS, MANTISSA};

@@ -1,23 +1,23 @@
-//! Lanes of the instructions that every x86-64 has: pairs of 128-bit registers.
+//! SSE2 lanes, which every x86-64 machine supports: pairs of 128-bit registers.
 
 use super::lanes::{BIAS, INTEGER, MANTISSA, operators};
 use super::{F32x8, F64Lanes, F64x4};
 use std::arch::x86_64::*;
 use std::ops::Neg;
 
-/// Lanes 0 and 1, lanes 2 and 3.
+/// Lanes 0 and 1, then lanes 2 and 3.
 #[derive(Clone, Copy)]
 pub(super) struct F64x4Sse2(__m128d, __m128d);
 
-/// All bits of a lane are its truth value.
+/// All bits of a lane are set if it is true, else none.
 #[derive(Clone, Copy)]
 pub(super) struct MaskSse2(__m128d, __m128d);
 
-/// Lanes 0 to 3, lanes 4 to 7.
+/// Lanes 0 to 3, then lanes 4 to 7.
 #[derive(Clone, Copy)]
 pub(super) struct F32x8Sse2(__m128, __m128);
 
-/// Functions of two operands, by the instruction for each half.
+/// Defines binary functions by the intrinsic for each half.
 macro_rules! halves {
     ($($name:ident($type:ident) -> $result:ident by $intrinsic:ident),+ $(,)?) => {
         $(
@@ -68,7 +68,7 @@ impl Neg for F64x4Sse2 {
     }
 }
 
-/// Masks of two lanes, by their bits.
+/// Masks of two lanes for each two-bit mask.
 const PAIRS: [[u64; 2]; 4] = [[0, 0], [u64::MAX, 0], [0, u64::MAX], [u64::MAX, u64::MAX]];
 
 impl F64Lanes for F64x4Sse2 {

@@ -2,7 +2,7 @@ use super::portable::F64x4Portable;
 use super::*;
 
 #[test]
-fn the_work_is_done_once() {
+fn the_closure_runs_once() {
     let mut count = 0;
     let result = with_widest(|_| {
         count += 1;
@@ -11,7 +11,7 @@ fn the_work_is_done_once() {
     assert_eq!((result, count), (7, 1));
 }
 
-/// The bits of all operations on four numbers and four others.
+/// Kernel that returns the bits of all operations on two times four numbers.
 struct Everything([f64; 4], [f64; 4]);
 
 impl SimdKernel for Everything {
@@ -54,7 +54,7 @@ impl SimdKernel for Everything {
     }
 }
 
-/// The same for single precision.
+/// [`Everything`] in single precision.
 struct EverythingSingle([f32; 8], [f32; 8]);
 
 impl SimdKernel for EverythingSingle {
@@ -101,13 +101,13 @@ fn all_levels_give_the_same_bits() {
         for j in 0..count {
             let a = std::array::from_fn(|lane| numbers[(i + lane) % count]);
             let b = std::array::from_fn(|lane| numbers[(j + 2 * lane) % count]);
-            // Sign and payload of NaN are left open.
+            // Sign and payload of NaN may differ.
             let canonical = |(numbers, masks, integers): <Everything as SimdKernel>::Output| {
                 let number = |bits| match f64::from_bits(bits).is_nan() {
                     true => f64::NAN.to_bits(),
                     false => bits,
                 };
-                let numbers: Vec<_> = numbers.iter().map(|four| four.map(number)).collect();
+                let numbers: Vec<_> = numbers.iter().map(|lanes| lanes.map(number)).collect();
                 (numbers, masks, integers)
             };
             let expected = canonical(Everything(a, b).run::<F64x4Portable>());
@@ -115,9 +115,9 @@ fn all_levels_give_the_same_bits() {
                 assert_eq!(canonical(level.run(Everything(a, b))), expected);
             }
             for (lane, (a, b)) in a.into_iter().zip(b).enumerate() {
-                let alone = [a + b, F64Lanes::lane_min(a, b), F64Lanes::xor_sign(a, b)];
-                for (place, value) in [0, 7, 9].into_iter().zip(alone) {
-                    let bits = expected.0[place][lane];
+                let scalar = [a + b, F64Lanes::lane_min(a, b), F64Lanes::xor_sign(a, b)];
+                for (operation, value) in [0, 7, 9].into_iter().zip(scalar) {
+                    let bits = expected.0[operation][lane];
                     assert!(bits == value.to_bits() || value.is_nan());
                 }
             }
@@ -146,7 +146,7 @@ fn all_levels_give_the_same_bits_in_single_precision() {
                 true => f32::NAN.to_bits(),
                 false => bits,
             };
-            let numbers: Vec<_> = numbers.iter().map(|eight| eight.map(number)).collect();
+            let numbers: Vec<_> = numbers.iter().map(|lanes| lanes.map(number)).collect();
             (numbers, mask)
         };
         let expected = canonical(EverythingSingle(a, b).run::<F64x4Portable>());

@@ -1,18 +1,18 @@
-//! Vectors of lanes, component by component. Sums stand in the order of those of `glam`.
+//! Three-dimensional vectors in structure-of-arrays form. Sums are in the order of `glam`'s.
 
 use super::F64Lanes;
 use glam::DVec3;
 
-/// Vectors side by side: their x, their y, their z.
+/// One vector per lane: the x, the y and the z components.
 pub(crate) type Vec3Lanes<F> = [F; 3];
 
-/// The same vector in all lanes.
+/// The vector `v` in all lanes.
 #[inline(always)]
 pub(crate) fn splat<F: F64Lanes>(v: DVec3) -> Vec3Lanes<F> {
     [F::splat(v.x), F::splat(v.y), F::splat(v.z)]
 }
 
-// Spelt out, as a closure is not compiled for the level of its caller.
+// Components are written out: a closure is not compiled for the SIMD level of its caller.
 
 #[inline(always)]
 pub(crate) fn from_arrays<F: F64Lanes>(from: &[[f64; 4]; 3]) -> Vec3Lanes<F> {
@@ -53,13 +53,13 @@ pub(crate) fn divide<F: F64Lanes>(v: Vec3Lanes<F>, by: F) -> Vec3Lanes<F> {
     [v[0] / by, v[1] / by, v[2] / by]
 }
 
-/// The vectors with their components made positive.
+/// The absolute values of the components.
 #[inline(always)]
 pub(crate) fn abs<F: F64Lanes>(v: Vec3Lanes<F>) -> Vec3Lanes<F> {
     [v[0].abs(), v[1].abs(), v[2].abs()]
 }
 
-/// The size of the largest component.
+/// The largest absolute value of a component.
 #[inline(always)]
 pub(crate) fn max_abs<F: F64Lanes>(v: Vec3Lanes<F>) -> F {
     v[0].abs().lane_max(v[1].abs()).lane_max(v[2].abs())

@@ -1,11 +1,11 @@
-//! Four rays against a triangle at once: to the bit what [`RayFrame::hit`] says of each.
+//! Intersection of a packet of four rays with a triangle, bit for bit equal to [`RayFrame::hit`] of each ray.
 
 use super::RayFrame;
 use crate::base::math::simd::vec3::{Vec3Lanes, from_arrays};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
 use glam::DVec3;
 
-/// Four rays prepared for many triangles, if all are longest along the same axis.
+/// A packet of four rays prepared for many triangles. All have the largest direction component on the same axis.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub(crate) struct RayFrames4 {
@@ -15,29 +15,29 @@ pub(crate) struct RayFrames4 {
     along: usize,
 }
 
-/// Four rays and the corners of a triangle.
+/// Kernel that intersects a packet of four rays with a triangle, given by its vertices.
 pub(crate) struct RaysAndTriangle<'a> {
     pub(crate) rays: &'a RayFrames4,
     pub(crate) corners: &'a [DVec3; 3],
 }
 
-/// Where four rays meet a triangle.
+/// The hits of a packet of four rays on a triangle.
 pub(crate) struct TriangleHits4 {
-    /// The parameters on the rays.
+    /// The `t` of each hit.
     pub(crate) t: [f64; 4],
-    /// Which rays meet it, one bit each.
+    /// Bitmask of the rays that hit the triangle.
     pub(crate) met: u32,
-    /// Which rays must be asked for singly.
+    /// Bitmask of the rays that need the scalar test [`RayFrame::hit`].
     pub(crate) unknown: u32,
 }
 
 impl RayFrames4 {
-    /// One to four rays side by side; behind the last it stands again. `None` if they differ in the axis along which
-    /// they are longest.
+    /// A packet of one to four rays; the last ray fills the remaining lanes. `None` if the axis of the largest
+    /// direction component is not the same for all.
     #[inline(always)]
     pub(crate) fn new(frames: &[RayFrame]) -> Option<Self> {
         let along = frames.first()?.along;
-        let mut four = RayFrames4 {
+        let mut packet = RayFrames4 {
             origin: [[0.0; 4]; 3],
             dir: [[0.0; 4]; 3],
             shear: [[0.0; 4]; 2],
@@ -49,17 +49,17 @@ impl RayFrames4 {
                 return None;
             }
             for axis in 0..3 {
-                four.origin[axis][lane] = frame.ray.origin[axis];
-                four.dir[axis][lane] = frame.ray.dir[axis];
+                packet.origin[axis][lane] = frame.ray.origin[axis];
+                packet.dir[axis][lane] = frame.ray.dir[axis];
             }
-            four.shear[0][lane] = frame.shear.x;
-            four.shear[1][lane] = frame.shear.y;
+            packet.shear[0][lane] = frame.shear.x;
+            packet.shear[1][lane] = frame.shear.y;
         }
-        Some(four)
+        Some(packet)
     }
 }
 
-/// A corner with the rays along an axis: across it, and along it.
+/// A vertex relative to the sheared rays: its coordinates across them and along them.
 struct Sheared<F> {
     x: F,
     y: F,
@@ -67,6 +67,7 @@ struct Sheared<F> {
 }
 
 impl RaysAndTriangle<'_> {
+    /// A vertex relative to the sheared rays.
     #[inline(always)]
     fn sheared<F: F64Lanes>(&self, corner: DVec3, origin: &Vec3Lanes<F>) -> Sheared<F> {
         let RayFrames4 { shear, along, .. } = self.rays;
@@ -80,6 +81,7 @@ impl RaysAndTriangle<'_> {
     }
 }
 
+/// Twice the signed area of the triangle of each ray and the edge from `p` to `q`.
 #[inline(always)]
 fn edge<F: F64Lanes>(p: &Sheared<F>, q: &Sheared<F>) -> F {
     p.x * q.y - p.y * q.x
@@ -98,9 +100,9 @@ impl SimdKernel for RaysAndTriangle<'_> {
             self.sheared(c, &origin),
         ];
         let edges = [edge(&q, &r), edge(&r, &p), edge(&p, &q)];
-        let nothing = F::splat(0.0);
-        let below = (edges[0].lt(nothing) | edges[1].lt(nothing)) | edges[2].lt(nothing);
-        let above = (nothing.lt(edges[0]) | nothing.lt(edges[1])) | nothing.lt(edges[2]);
+        let zero = F::splat(0.0);
+        let below = (edges[0].lt(zero) | edges[1].lt(zero)) | edges[2].lt(zero);
+        let above = (zero.lt(edges[0]) | zero.lt(edges[1])) | zero.lt(edges[2]);
         let inside = 0b1111 & !F::bitmask(below & above);
         if inside == 0 {
             return TriangleHits4 {
@@ -109,10 +111,10 @@ impl SimdKernel for RaysAndTriangle<'_> {
                 unknown: 0,
             };
         }
-        let endless = F::splat(f64::INFINITY);
+        let infinity = F::splat(f64::INFINITY);
         let sum = edges[0] + edges[1] + edges[2];
         let size = sum.abs();
-        let is_known = F::bitmask(nothing.lt(size) & size.lt(endless));
+        let is_known = F::bitmask(zero.lt(size) & size.lt(infinity));
         let is_level = a.cmpeq(b) & a.cmpeq(c);
         let t = match (0..3).find(|&axis| is_level.test(axis)) {
             Some(axis) => (F::splat(a[axis]) - origin[axis]) / F::from_array(&self.rays.dir[axis]),
@@ -123,7 +125,7 @@ impl SimdKernel for RaysAndTriangle<'_> {
                 mean / F::from_array(&self.rays.dir[self.rays.along])
             }
         };
-        let is_finite = F::bitmask(t.abs().lt(endless));
+        let is_finite = F::bitmask(t.abs().lt(infinity));
         TriangleHits4 {
             t: t.to_array(),
             met: inside & is_known & is_finite,
@@ -140,9 +142,9 @@ mod tests {
     use crate::base::math::simd::SimdLevel;
 
     #[test]
-    fn four_rays_meet_what_each_meets() {
+    fn a_packet_hits_what_each_of_its_rays_hits() {
         let mut rng = Random::new(77);
-        let (mut met, mut unknown) = (0, 0);
+        let (mut hit_count, mut unknown) = (0, 0);
         for case in 0..20_000 {
             let mut corners = [0; 3].map(|_| rng.vector(1.0));
             if case % 3 == 0 {
@@ -165,19 +167,22 @@ mod tests {
                 continue;
             };
             for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
-                let found = lanes.run(RaysAndTriangle {
+                let hits = lanes.run(RaysAndTriangle {
                     rays: &rays,
                     corners: &corners,
                 });
-                unknown += found.unknown.count_ones();
-                for lane in (0..4).filter(|lane| found.unknown >> lane & 1 == 0) {
-                    let alone = frames[lane].hit(&corners).map(|hit| hit.t);
-                    let is_met = found.met >> lane & 1 == 1;
-                    assert_eq!(is_met.then_some(found.t[lane]), alone);
-                    met += u32::from(is_met);
+                unknown += hits.unknown.count_ones();
+                for lane in (0..4).filter(|lane| hits.unknown >> lane & 1 == 0) {
+                    let scalar = frames[lane].hit(&corners).map(|hit| hit.t);
+                    let is_hit = hits.met >> lane & 1 == 1;
+                    assert_eq!(is_hit.then_some(hits.t[lane]), scalar);
+                    hit_count += u32::from(is_hit);
                 }
             }
         }
-        assert!(met > 1000 && unknown < met / 10, "{met} {unknown}");
+        assert!(
+            hit_count > 1000 && unknown < hit_count / 10,
+            "{hit_count} {unknown}"
+        );
     }
 }

@@ -1,7 +1,7 @@
-//! Sign changes against exact integers: how many there are, and where.
+//! Tests of number and position of sign changes against exact integer arithmetic.
 //!
-//! What may be off is 16 roundings of the sum of the coefficients for each degree: the number found must be one that a
-//! change of the constant by that much can bring about, and so must be the sign at each place found.
+//! The tolerance is 16 epsilon times the sum of the coefficients times their number: a change of the constant term by
+//! that much must be able to explain the number of roots and the sign at each of them.
 
 use super::sign_changes;
 use crate::base::math::exact::Exact;
@@ -10,7 +10,7 @@ use crate::base::math::sampling::random::Random;
 const TOLERANCE: f64 = 16.0 * f64::EPSILON;
 
 fn check(c: &[f64]) -> usize {
-    let found = sign_changes(c);
+    let roots = sign_changes(c);
     let size: f64 = c.iter().map(|c| c.abs()).sum();
     let degree = f64::from(u32::try_from(c.len()).unwrap());
     let slack = TOLERANCE * degree * size;
@@ -24,21 +24,21 @@ fn check(c: &[f64]) -> usize {
     let least = counts.into_iter().min().unwrap();
     let most = counts.into_iter().max().unwrap();
     assert!(
-        (least..=most).contains(&found.len()),
-        "{c:?}: exact {counts:?}, found {found:?}"
+        (least..=most).contains(&roots.len()),
+        "{c:?}: exact {counts:?}, found {roots:?}"
     );
-    for x in &found {
+    for x in &roots {
         assert!(shrunk.sign_at(*x) * grown.sign_at(*x) <= 0, "{c:?} at {x}");
     }
-    assert!(found.windows(2).all(|pair| pair[0] <= pair[1]), "{found:?}");
+    assert!(roots.windows(2).all(|pair| pair[0] <= pair[1]), "{roots:?}");
     let is_ends = same.sign_at(-1.0) * same.sign_at(1.0);
     let is_sure = [&shrunk, &grown]
         .iter()
         .all(|p| p.sign_at(-1.0) == same.sign_at(-1.0) && p.sign_at(1.0) == same.sign_at(1.0));
     if is_sure && is_ends != 0 {
-        assert_eq!(found.len() % 2 == 1, is_ends < 0, "{c:?}: {found:?}");
+        assert_eq!(roots.len() % 2 == 1, is_ends < 0, "{c:?}: {roots:?}");
     }
-    found.len()
+    roots.len()
 }
 
 fn product(roots: &[f64]) -> Vec<f64> {
@@ -59,14 +59,14 @@ fn signed(rng: &mut Random) -> f64 {
 #[test]
 fn random_polynomials_of_every_degree_lose_no_root() {
     let mut rng = Random::new(31);
-    let mut found = 0;
+    let mut count = 0;
     for degree in 1..=35_u32 {
         for _ in 0..(400 / (degree * degree)).max(2) {
             let c: Vec<f64> = (0..=degree).map(|_| signed(&mut rng)).collect();
-            found += check(&c);
+            count += check(&c);
         }
     }
-    assert!(found > 300, "only {found} roots");
+    assert!(count > 300, "only {count} roots");
 }
 
 #[test]
