@@ -1,20 +1,20 @@
-//! Picture formats, and options of their encoders.
+//! Picture file formats and encoder options.
 
 use crate::base::color::Gamma;
 
-/// A picture format. Its properties, and the constant that names it, stand in the file of its encoder in
-/// [`crate::output`], which has the list of all formats.
+/// A picture file format. Each encoder in [`crate::output`] defines the properties and the constant of its format; that
+/// module lists all formats.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Format(pub(crate) &'static FormatProperties);
 
-/// Properties of a picture format.
+/// Properties of a picture file format.
 #[derive(Debug, PartialEq, Eq, Hash)]
 pub struct FormatProperties {
     /// Name in messages.
     pub name: &'static str,
-    /// Letter in POV-Ray's switch `+F` and in `Output_File_Type`.
+    /// Letter in POV-Ray's option `+F` and in `Output_File_Type`.
     pub letter: char,
-    /// Extensions of file names without the dot; the first is the one that POV-Ray gives.
+    /// File name extensions without the dot; the first is the one that POV-Ray uses.
     pub extensions: &'static [&'static str],
     /// True if there can be an alpha channel.
     pub has_alpha: bool,
@@ -22,9 +22,9 @@ pub struct FormatProperties {
     pub has_grey: bool,
     /// True if channels can have 16 bits.
     pub has_words: bool,
-    /// True if the values are always linear light.
+    /// True if stored values are always linear.
     pub is_linear: bool,
-    /// Bits for each channel where nothing else is requested.
+    /// Default bits per channel.
     pub bits: u8,
 }
 
@@ -41,12 +41,12 @@ impl std::fmt::Debug for Format {
     }
 }
 
-/// Options of an encoder. What a format cannot hold is left out.
+/// Encoder options. A format ignores what it does not support.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EncodeOptions {
-    /// The kind of file.
+    /// The file format.
     pub format: Format,
-    /// Bits a channel: PNG and PPM take 8 or 16 (below 9 is 8), EXR 16 or 32, the others have one size.
+    /// Bits per channel: PNG and PPM take 8 or 16 (below 9 is 8), EXR 16 or 32, the others have one size.
     pub bits: u8,
     /// One grey channel instead of three colours (PNG, PPM).
     pub grayscale: bool,
@@ -54,14 +54,15 @@ pub struct EncodeOptions {
     pub alpha: bool,
     /// The curve of the stored values; EXR and HDR are always linear.
     pub file_gamma: Gamma,
-    /// The space of the film; `None` stores its values as they are (EXR and HDR then take them for sRGB, as POV-Ray does).
+    /// The working space of the film; `None` stores its values unchanged (EXR and HDR then interpret them as sRGB, as
+    /// POV-Ray does).
     pub working: Option<Gamma>,
-    /// JPEG quality, 1 to 100; 0 takes POV-Ray's 85.
+    /// JPEG quality, 1 to 100; 0 selects POV-Ray's 85.
     pub quality: u8,
 }
 
 impl Format {
-    /// The extension that POV-Ray gives such files, without the dot.
+    /// The extension that POV-Ray uses, without the dot.
     #[must_use]
     pub fn extension(self) -> &'static str {
         self.extensions[0]
@@ -69,7 +70,7 @@ impl Format {
 }
 
 impl EncodeOptions {
-    /// POV-Ray's defaults for a format, for a film in linear light.
+    /// POV-Ray's defaults for a format, for a linear film.
     #[must_use]
     pub fn new(format: Format) -> Self {
         EncodeOptions {

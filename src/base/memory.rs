@@ -1,43 +1,43 @@
-//! How the allocator of the system treats large pieces of memory.
+//! Tuning of the system allocator, and prefetching.
 //!
-//! A scene is read into very many small pieces and prepared for rays in a few large ones. The allocator of glibc learns
-//! from the first large piece given back to it to put all later ones between the small ones, where each stands in the way
-//! of the next: 100,000 copies took half as much again.
+//! Reading a scene allocates very many small blocks, lowering it a few large ones. When the first large block is freed,
+//! glibc raises its mmap threshold and puts all later ones into the heap between the small blocks, which fragments it:
+//! 100,000 copies took half as much memory again.
 //!
-//! Large pages below the largest pieces were tried: they spare three page faults of four, but on a virtual machine whose
-//! host has yet to give the memory they cost more than that, and a million balls took up to a third longer.
+//! Huge pages below the largest blocks were tried. They avoid three page faults of four, but on a virtual machine whose
+//! host has not yet committed the memory they cost more than that: a million spheres took up to a third longer.
 #![allow(
     unsafe_code,
     reason = "the C library is asked, by functions that may be called at any time, and lines are sent for by their address"
 )]
 
-/// Larger pieces of memory stand by themselves, and are given back to the system at once when they are no longer needed.
+/// Blocks of at least this size are mapped on their own, and unmapped as soon as they are freed.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
-const LARGE: i32 = 1 << 18;
+const MMAP_THRESHOLD: i32 = 1 << 18;
 
-/// Lets large pieces of memory stand by themselves. For a program to call at its start.
+/// Fixes glibc's mmap threshold, so that large blocks stay out of the heap. Programs call this at start.
 pub fn set_mmap_threshold() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    // Fails only for numbers that the allocator has no use for, and then nothing changes.
+    // SAFETY: takes plain integers; an invalid value is rejected without effect.
     unsafe {
-        libc::mallopt(libc::M_MMAP_THRESHOLD, LARGE);
+        libc::mallopt(libc::M_MMAP_THRESHOLD, MMAP_THRESHOLD);
     }
 }
 
-/// Sends for what will be read a little later, so that nobody waits for it then.
+/// Prefetches a value that will be read soon, into all cache levels.
 #[inline(always)]
 pub(crate) fn prefetch<T>(what: &T) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // Changes nothing, whatever lies there.
+        // SAFETY: a prefetch has no effect on memory, whatever the address.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(what).cast()) }
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = what;
 }
 
-/// Gives back to the system what many small pieces have left free.
+/// Returns the free memory of the heap to the system.
 pub(crate) fn trim_heap() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     unsafe {

@@ -1,4 +1,5 @@
-//! Foundations that know nothing of scenes: mathematics, colour, pictures, sources and settings.
+//! Foundations that do not depend on scenes: mathematics, acceleration structures, colour, pictures, source texts and
+//! options.
 
 pub mod accel;
 pub mod args;

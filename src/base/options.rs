@@ -1,4 +1,4 @@
-//! What a drawing starts from and what comes of it: plain types between the command line and the stages.
+//! Options and results of reading and rendering: plain types between the command line and the stages.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -15,55 +15,55 @@ use crate::base::encoding::EncodeOptions;
 use crate::base::film::Film;
 use crate::base::source::{Dependency, Message};
 
-/// What reading and drawing say while they are at work.
+/// Progress events of reading and rendering.
 #[derive(Clone, Copy, Debug)]
 pub enum Event<'a> {
-    /// Text that the scene writes by `#debug`, `#render` or `#statistics`, to be written as it is.
+    /// Text that the scene writes with `#debug`, `#render` or `#statistics`, to be printed unchanged.
     Said(&'a str),
-    /// A finding about the scene, in the order of finding.
+    /// An error or warning about the scene, in the order of detection.
     Found(&'a Message),
-    /// The scene has been read to its end, or as far as it could be.
+    /// The scene has been read, to its end or to the first error.
     Read {
-        /// The files that were read or asked for.
+        /// The files that were read or searched.
         dependencies: &'a [Dependency],
-        /// Whether the scene wrote files itself.
+        /// True if the scene wrote files.
         wrote_files: bool,
     },
-    /// The drawing goes on with so many pixels of an unfinished picture.
+    /// Rendering resumes from a checkpoint with this number of pixels.
     GoesOn(u64),
-    /// There is an unfinished picture, of another scene, with other options or by another program: it is given up.
+    /// The checkpoint is discarded: it is of another scene, other options or another program.
     StartsAnew,
-    /// The unfinished picture cannot be kept.
+    /// The checkpoint cannot be written.
     KeepsNothing(std::io::ErrorKind),
-    /// The drawing was stopped, and this many of its pixels are kept for a later run.
+    /// Rendering was cancelled, with this number of pixels in the checkpoint.
     Kept(u64),
-    /// So many pixels have been finished since the last event of this kind. Comes from any thread.
+    /// Number of pixels finished since the last event of this kind. Sent from any thread.
     Drawn(u64),
 }
 
-/// Who hears what happens.
+/// Callback for progress events.
 pub type EventHandler<'a> = dyn Fn(Event<'_>) + Sync + 'a;
 
-/// Where the scene's text comes from.
+/// Source of the scene's text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     /// A file, as the user named it.
     File(PathBuf),
-    /// A text that is already here: standard input, a test, a Rust caller.
+    /// A text in memory: standard input, a test, a Rust caller.
     Text {
-        /// What messages call it: "standard input".
+        /// Its name in messages: "standard input".
         name: String,
-        /// The text itself, in whatever encoding it came.
+        /// The undecoded text.
         text: Vec<u8>,
     },
 }
 
-/// What the scene language asks its surroundings for.
+/// Options of reading a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
-    /// Folders searched for included and other files after the current one, in this order.
+    /// Folders searched for included and other files after the current folder, in this order.
     pub library_paths: Vec<PathBuf>,
-    /// Folders into which and below which a scene may write files; none lets it write nothing.
+    /// Folders in which, with their subfolders, a scene may write files; without any it may write none.
     pub writable: Vec<PathBuf>,
     /// The destination of the files that a scene writes.
     pub writes: Writes,
@@ -79,7 +79,7 @@ pub struct ReadOptions {
     pub height: u32,
     /// `clock`.
     pub clock: f64,
-    /// `clock_on`: whether anybody set the clock.
+    /// `clock_on`: true if the clock was set.
     pub clock_on: bool,
     /// `clock_delta`: the clock's step from frame to frame; 0 for a still picture.
     pub clock_delta: f64,
@@ -93,11 +93,11 @@ pub struct ReadOptions {
     pub initial_clock: f64,
     /// `final_clock`; 0 for a still picture.
     pub final_clock: f64,
-    /// How many tokens loops and macros may read again, before a scene counts as one that does not come to an end.
+    /// Number of tokens that loops and macros may repeat before the scene is rejected as endless.
     pub patience: u64,
-    /// The most memory that reading may take in bytes, if it is to be less than the machine has.
+    /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
-    /// Ends reading.
+    /// Cancels reading.
     pub stop: CancelToken,
 }
 
@@ -107,27 +107,27 @@ pub enum Writes {
     /// To disk.
     #[default]
     ToDisk,
-    /// Nowhere: the scene finds them in memory, and nothing changes on disk.
+    /// To memory, where the scene can read them; the disk does not change.
     InMemory,
 }
 
-/// A wish that reading and drawing end before they are done; its copies are one wish.
+/// A shared flag that cancels reading and rendering; clones share it.
 #[derive(Clone, Debug, Default)]
 pub struct CancelToken(Arc<AtomicBool>);
 
 impl CancelToken {
-    /// Wishes it, from any thread.
+    /// Requests cancellation; from any thread.
     pub fn ask(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// The flag whose setting is the wish: for the handler of a signal, which may do no more.
+    /// The flag itself, for a signal handler, which may do no more than set it.
     #[must_use]
     pub fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.0)
     }
 
-    /// Whether it was wished.
+    /// Returns true if cancellation was requested.
     #[must_use]
     #[inline]
     pub fn is_asked(&self) -> bool {
@@ -135,86 +135,86 @@ impl CancelToken {
     }
 }
 
-/// Wishes make no difference between options.
+/// Options are equal whatever their cancel tokens.
 impl PartialEq for CancelToken {
     fn eq(&self, _: &CancelToken) -> bool {
         true
     }
 }
 
-/// Ten seconds' worth of tokens. A loop of ten tokens goes round eight million times.
-const PATIENCE: u64 = 150_000_000;
+/// About ten seconds of reading. A loop of ten tokens can run eight million times.
+const MAX_REPEATED_TOKENS: u64 = 150_000_000;
 
-/// What to draw of the scene, and with what effort.
+/// Options of rendering.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderOptions {
     /// Pixels in a row of the whole picture.
     pub width: u32,
     /// Rows of the whole picture.
     pub height: u32,
-    /// The columns to draw, counted from 0. May be empty.
+    /// The columns to render, counted from 0. May be empty.
     pub columns: Range<u32>,
-    /// The rows to draw, counted from 0. May be empty.
+    /// The rows to render, counted from 0. May be empty.
     pub rows: Range<u32>,
-    /// POV-Ray's quality, 0 to 11; 9 and above is everything.
+    /// POV-Ray's quality, 0 to 11; 9 and above enable everything.
     pub quality: u8,
-    /// How many threads to use; `None` takes one for each core.
+    /// Number of threads; `None` uses one per core.
     pub threads: Option<usize>,
-    /// Whether the background's transparency is kept.
+    /// True if the transparency of the background is stored.
     pub alpha: bool,
-    /// From which distance on a ray meets surfaces.
+    /// The rule for the smallest hit distance.
     pub least_distance: LeastDistance,
-    /// In which order pixels take random numbers.
+    /// The order in which pixels draw random numbers.
     pub random_order: RandomOrder,
-    /// Whether to tell what was left out.
+    /// True to collect the statistics of the lowered scene ([`Plan`]).
     pub statistics: bool,
-    /// How pixels are sampled.
+    /// Pixel sampling.
     pub sampling: Sampling,
-    /// Where what has been drawn is kept until all is.
+    /// The checkpoint file, if one is used.
     pub keep: Option<CheckpointOptions>,
-    /// The one file that the picture is for: what it cannot hold need not be kept. `working` is the scene's, whatever it
-    /// says here.
+    /// The only file format that the picture is needed for: data that it cannot hold may be omitted. `working` is
+    /// ignored in favour of the scene's.
     pub only_for: Option<EncodeOptions>,
-    /// Ends drawing.
+    /// Cancels rendering.
     pub stop: CancelToken,
 }
 
-/// An unfinished picture, with which a later run can go on. Drawing with a time limit keeps none: what it draws depends
-/// on the speed of the machine.
+/// A checkpoint, from which a later run can resume. Adaptive sampling with a time limit writes none, because its result
+/// depends on the speed of the machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckpointOptions {
-    /// The file. It stays until somebody removes it.
+    /// The file. It is never deleted automatically.
     pub file: PathBuf,
-    /// Whether to go on with what is there and to keep everything from the beginning on. Otherwise what is there is
-    /// replaced as soon as the drawing has taken two seconds.
+    /// True to resume from an existing file and to write checkpoints from the start. Otherwise an existing file is
+    /// replaced as soon as rendering has taken two seconds.
     pub continues: bool,
-    /// What tells this program from others, which may draw other pictures.
+    /// Identifies the build of the program, because others may render other pictures.
     pub build: String,
 }
 
-/// How pixels are sampled.
+/// Methods of pixel sampling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sampling {
-    /// By one ray through the centre of each.
+    /// One ray through the centre of each pixel.
     #[default]
     Centres,
-    /// As POV-Ray antialiases.
+    /// POV-Ray's antialiasing.
     PovRay(Antialias),
-    /// Until an estimate of the error holds.
+    /// Adaptive sampling until an error estimate is below a limit.
     Converging(Adaptive),
 }
 
-/// Sampling until the estimated error of every pixel is small (`+AM4`).
+/// Adaptive sampling until the estimated error of every pixel is small (`+AM4`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive {
-    /// The largest estimated error of a channel of a pixel, in steps of 1/255 in the working space of the scene.
+    /// Limit of the estimated error of each channel of a pixel, in steps of 1/255 in the working space of the scene.
     pub error: f64,
-    /// When to stop whatever the error is. The picture then depends on the speed of the machine.
+    /// Time after which sampling stops whatever the error. The picture then depends on the speed of the machine.
     pub time: Option<Duration>,
 }
 
 impl Default for Adaptive {
-    /// A step of a picture with 8 bits.
+    /// An error of one step of a picture with 8 bits.
     fn default() -> Self {
         Adaptive {
             error: 1.0,
@@ -223,29 +223,30 @@ impl Default for Adaptive {
     }
 }
 
-/// What sampling until the error is small came to. Errors are in steps of 1/255 in the working space of the scene.
+/// Result of adaptive sampling. Errors are in steps of 1/255 in the working space of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AdaptiveOutcome {
-    /// The error asked for.
+    /// The requested error.
     pub target: f64,
     /// The largest estimated error of a pixel.
     pub largest: f64,
-    /// The root of the mean of the squared estimated errors of all pixels.
+    /// Root mean square of the estimated errors of all pixels.
     pub rms: f64,
-    /// How many camera rays it took.
+    /// Number of camera rays.
     pub samples: u64,
 }
 
-/// How POV-Ray samples pixels more than once.
+/// Options of POV-Ray's antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Antialias {
-    /// Which of POV-Ray's methods.
+    /// The method.
     pub method: Method,
-    /// From which difference of two colours on a pixel is sampled again: the sum over red, green, blue and transmit.
+    /// Threshold of the difference of two colours, summed over red, green, blue and transmit, above which a pixel is
+    /// supersampled.
     pub threshold: f64,
-    /// The side of the grid in method 1, how often a pixel is halved in method 2: 1 to 9.
+    /// Side of the sample grid in method 1; number of subdivisions of a pixel in method 2. 1 to 9.
     pub depth: u32,
-    /// The share of a grid cell by which samples are moved, 0 to 1.
+    /// Jitter of samples as a fraction of a grid cell, 0 to 1.
     pub jitter: f64,
     /// The gamma in which colours are compared.
     pub gamma: f64,
@@ -254,14 +255,14 @@ pub struct Antialias {
 /// POV-Ray's methods of antialiasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// A grid in pixels that differ from a neighbour (`+AM1`).
+    /// A sample grid in pixels that differ from a neighbour (`+AM1`).
     One,
-    /// Dividing pixels whose corners differ (`+AM2`).
+    /// Recursive subdivision of pixels whose corners differ (`+AM2`).
     Two,
 }
 
 impl Default for Antialias {
-    /// What `+A` alone means.
+    /// The values that `+A` alone sets.
     fn default() -> Self {
         Antialias {
             method: Method::One,
@@ -273,142 +274,145 @@ impl Default for Antialias {
     }
 }
 
-/// From which distance on a ray that leaves a surface meets others.
+/// The rule for the smallest hit distance of rays that leave a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LeastDistance {
-    /// From the error of the point it leaves: thin things are seen whole in any unit of length.
+    /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length.
     #[default]
     Rounding,
-    /// From POV-Ray's 1/10000 of a unit, 1/1000 for shadows: what is thinner is lost, as there. This tells whether
-    /// two pictures differ by nothing else.
+    /// POV-Ray's 1/10000 of a unit, 1/1000 for shadow rays: thinner objects are lost, as in POV-Ray. Shows if two
+    /// pictures differ for this reason alone.
     PovRay,
 }
 
-/// In which order pixels take the random numbers of lamps, grain and media. It never hangs on the number of threads.
+/// The order in which pixels draw the random numbers of lights, grain and media. It never depends on the number of
+/// threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RandomOrder {
-    /// As [`RandomOrder::PovRay`] in pictures of up to [`IN_ORDER`] pixels, which are soon drawn. In larger ones each
-    /// pixel takes numbers of its own, so that all threads can draw.
+    /// As [`RandomOrder::PovRay`] in pictures of up to [`MAX_SEQUENTIAL_PIXELS`] pixels, which take little time. In
+    /// larger ones each pixel has a random sequence of its own, so that all threads can render.
     #[default]
     BySize,
-    /// One after the other, as POV-Ray with one thread: the numbers are POV-Ray's, but one thread draws alone.
+    /// In sequence, as POV-Ray with one thread: the numbers are POV-Ray's, but only one thread renders.
     PovRay,
 }
 
-/// Pictures of no more pixels are drawn in POV-Ray's order if that matters: 400 by 300 and a little more.
-pub const IN_ORDER: u64 = 1 << 17;
+/// Pictures of up to this number of pixels are rendered in POV-Ray's order if that matters: 400 by 300 and a little
+/// more.
+pub const MAX_SEQUENTIAL_PIXELS: u64 = 1 << 17;
 
-/// A drawn scene.
+/// A rendered scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// The pixels.
     pub film: Film,
-    /// The working space they are in; `None` for a scene without gamma handling, whose values are stored as they are.
+    /// The working space of the pixels; `None` for a scene without gamma handling, whose values are stored unchanged.
     pub working: Option<Gamma>,
-    /// What it took.
+    /// Statistics of the run.
     pub statistics: Statistics,
 }
 
-/// What a drawing took, and what its scene was spared. It displays as `--stats` prints it, and serialises as `--json`.
+/// Statistics of a run. They display as `--stats` prints them and serialise as `--json`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Statistics {
-    /// How long each stage took, in their order.
+    /// Times of the stages, in order.
     pub stages: Vec<Stage>,
-    /// How many rays were followed, by kind: `camera`, `onward` (straight on or bent through surfaces), `reflected`,
-    /// `shadow`, `filtered` (through surfaces to a light).
+    /// Number of traced rays by kind: `camera`, `onward` (transmitted or refracted), `reflected`, `shadow`, `filtered`
+    /// (shadow rays through transmissive surfaces).
     pub rays: BTreeMap<&'static str, u64>,
-    /// The pixels drawn.
+    /// Number of rendered pixels.
     pub pixels: u64,
-    /// Camera rays for each of them.
+    /// Camera rays per pixel.
     pub samples_a_pixel: f64,
-    /// What was reached, of a picture that was sampled until its error is small.
+    /// Result of adaptive sampling, if it was used.
     pub reached: Option<AdaptiveOutcome>,
-    /// What radiosity took, where it was drawn.
+    /// Statistics of radiosity, if it was used.
     pub radiosity: Option<RadiosityStatistics>,
-    /// What photons took, where some were shot.
+    /// Statistics of photon mapping, if it was used.
     pub photons: Option<PhotonStatistics>,
-    /// The most memory that the process ever held, if the system tells.
+    /// Peak memory of the process, if the system reports it.
     pub peak_bytes: Option<u64>,
-    /// What the scene needs.
+    /// Statistics of the lowered scene.
     pub plan: Plan,
 }
 
-/// What light that surfaces gather from each other took.
+/// Statistics of radiosity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct RadiosityStatistics {
-    /// Samples that were kept before the picture was drawn.
+    /// Samples stored by the pretrace.
     pub pretraced: usize,
-    /// All samples that were kept.
+    /// All stored samples.
     pub samples: usize,
     /// Their memory in bytes.
     pub bytes: usize,
-    /// The time before the picture was drawn, in seconds.
+    /// Time of the pretrace in seconds.
     pub pretrace_seconds: f64,
-    /// Tiles of the picture that other samples changed while they were drawn, so that they were looked through again.
+    /// Tiles that were revised because samples of other tiles were made while they were rendered.
     pub revised: usize,
 }
 
-/// What photons took.
+/// Statistics of photon mapping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PhotonStatistics {
-    /// How many were shot.
+    /// Number of emitted photons.
     pub shot: u64,
-    /// How many are kept on surfaces.
+    /// Number of photons stored on surfaces.
     pub on_surfaces: usize,
-    /// How many are kept in media.
+    /// Number of photons stored in media.
     pub in_media: usize,
     /// Their memory in bytes.
     pub bytes: usize,
-    /// How far around a point of a surface they count at first.
+    /// Initial gather radius on surfaces.
     pub radius: f64,
-    /// The time before the picture was drawn, in seconds.
+    /// Time of photon emission in seconds, before rendering.
     pub seconds: f64,
 }
 
-/// How long a stage took, in seconds.
+/// Time of a stage, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Stage {
     /// `read`, `compile` or `trace`.
     pub name: &'static str,
-    /// By the clock.
+    /// Wall-clock time.
     pub wall: f64,
-    /// Of all processors together; 0 where that is not known.
+    /// Processor time of all threads; 0 if unknown.
     pub processor: f64,
 }
 
-/// What a scene needs of all that a tracer can do.
+/// Statistics of the lowered scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Plan {
-    /// How many primitives there are of each kind, those of combinations included.
+    /// Number of primitives of each kind, with those in CSG objects.
     pub primitives: BTreeMap<&'static str, usize>,
-    /// How many combinations there are.
+    /// Number of CSG objects.
     pub combinations: usize,
-    /// Unions that are prepared once for several copies.
+    /// Unions that are lowered once for several instances.
     pub shared: usize,
-    /// The copies of them.
+    /// Number of their instances.
     pub instances: usize,
-    /// Bytes for each copy, without its looks and its part of the tree.
+    /// Bytes per instance, without its material and its BVH nodes.
     pub instance_bytes: usize,
-    /// Objects that no box holds; every ray tries them.
+    /// Number of unbounded objects, which every ray tests.
     pub unbounded: usize,
-    /// Primitives that stand behind a matrix; the others are in the world's own coordinates.
+    /// Number of primitives with a transform of their own; the others are in world space.
     pub behind_matrix: usize,
-    /// The looks that are told apart.
+    /// Number of distinct materials.
     pub surfaces: usize,
-    /// The lights.
+    /// Number of lights.
     pub lights: usize,
-    /// The memory of the tree in bytes.
+    /// Memory of the BVH in bytes.
     pub tree_bytes: usize,
-    /// The memory in bytes of what camera and lamps see around them: rays from there look it up and walk no tree.
+    /// Memory of the light buffers of camera and lights in bytes: rays from there look up their candidates and traverse
+    /// no BVH.
     pub view_bytes: usize,
-    /// What no ray needs.
+    /// Names of features that no ray needs.
     pub left_out: Vec<&'static str>,
 }
 
-/// Why a scene was not drawn.
+/// The reason that a scene was not rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// What is wrong. Who listened has heard it.
+    /// The errors. The event handler has already received them.
     pub errors: Vec<Message>,
 }
 
@@ -441,7 +445,7 @@ impl Default for ReadOptions {
             final_frame: 0,
             initial_clock: 0.0,
             final_clock: 0.0,
-            patience: PATIENCE,
+            patience: MAX_REPEATED_TOKENS,
             memory: None,
             stop: CancelToken::default(),
         }
@@ -461,11 +465,11 @@ impl RenderOptions {
         }
     }
 
-    /// Whether pixels take random numbers one after the other.
+    /// Returns true if pixels draw random numbers in sequence.
     #[must_use]
     pub fn takes_numbers_in_order(&self) -> bool {
         let pixels = u64::from(self.width) * u64::from(self.height);
-        self.random_order == RandomOrder::PovRay || pixels <= IN_ORDER
+        self.random_order == RandomOrder::PovRay || pixels <= MAX_SEQUENTIAL_PIXELS
     }
 }
 

@@ -4,19 +4,19 @@ use std::fmt;
 
 include!(concat!(env!("OUT_DIR"), "/words.rs"));
 
-/// Places of [`BY_SPELLING`]: many times as many as there are words, so that most have one of their own.
-const PLACES: usize = 1 << 12;
+/// Slots of [`BY_SPELLING`]: about eight times the number of words, so that collisions are rare.
+const SLOTS: usize = 1 << 12;
 
-/// For each place of a hash the word there, or `u16::MAX`. A word whose place is taken stands in the next free one.
-static BY_SPELLING: [u16; PLACES] = by_spelling();
+/// Hash table with linear probing: the index of the word in each slot, or `u16::MAX` in a free one.
+static BY_SPELLING: [u16; SLOTS] = by_spelling();
 
-const fn by_spelling() -> [u16; PLACES] {
-    let mut table = [u16::MAX; PLACES];
+const fn by_spelling() -> [u16; SLOTS] {
+    let mut table = [u16::MAX; SLOTS];
     let mut word = 0_u16;
     while (word as usize) < WORDS.len() {
-        let mut at = place(WORDS[word as usize].1.as_bytes());
+        let mut at = hash_slot(WORDS[word as usize].1.as_bytes());
         while table[at] != u16::MAX {
-            at = (at + 1) % PLACES;
+            at = (at + 1) % SLOTS;
         }
         table[at] = word;
         word += 1;
@@ -25,7 +25,7 @@ const fn by_spelling() -> [u16; PLACES] {
 }
 
 #[inline]
-const fn place(spelling: &[u8]) -> usize {
+const fn hash_slot(spelling: &[u8]) -> usize {
     let mut hash = 0_u32;
     let mut at = 0;
     while at < spelling.len() {
@@ -36,41 +36,41 @@ const fn place(spelling: &[u8]) -> usize {
 }
 
 impl Word {
-    /// How many reserved words there are.
+    /// Number of reserved words.
     pub const COUNT: usize = WORDS.len();
 
     /// The word with this spelling; all are lower case.
     #[must_use]
     pub fn from_spelling(spelling: &str) -> Option<Word> {
-        let mut at = place(spelling.as_bytes());
+        let mut at = hash_slot(spelling.as_bytes());
         loop {
             let &(word, known, _) = WORDS.get(usize::from(BY_SPELLING[at]))?;
             if known == spelling {
                 return Some(word);
             }
-            at = (at + 1) % PLACES;
+            at = (at + 1) % SLOTS;
         }
     }
 
-    /// The word with this number, which is its place in [`Word::all`].
+    /// The word with this index in [`Word::all`].
     #[must_use]
     pub fn from_index(index: u32) -> Option<Word> {
         WORDS.get(index as usize).map(|entry| entry.0)
     }
 
-    /// The word as a scene writes it.
+    /// The spelling of the word in a scene.
     #[must_use]
     pub fn spelling(self) -> &'static str {
         WORDS[self as usize].1
     }
 
-    /// The class under which the grammar lists it.
+    /// The class of the word in the grammar.
     #[must_use]
     pub fn class(self) -> Class {
         WORDS[self as usize].2
     }
 
-    /// Tells whether an expression that begins with the word begins with a float.
+    /// Returns true if an expression that begins with this word begins with a float.
     #[must_use]
     pub fn gives_float(self) -> bool {
         use Word::{
@@ -121,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_word_is_found_by_its_spelling() {
+    fn every_word_is_looked_up_by_its_spelling() {
         assert_eq!(Word::COUNT, 499);
         for word in Word::all() {
             assert_eq!(Word::from_spelling(word.spelling()), Some(word));
@@ -131,7 +131,7 @@ mod tests {
         assert_eq!(Word::from_spelling("Sphere"), None);
     }
 
-    /// The classes in which the grammar lists words; a word outside them would have no place in the table.
+    /// A word outside the listed classes would have no entry in the table.
     #[test]
     fn every_word_of_the_grammar_has_a_class() {
         let grammar = include_str!("../../grammar/words.pest");

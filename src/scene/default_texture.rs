@@ -1,50 +1,54 @@
-//! Who takes the default texture: the whole of an object without a texture, as a rule. With `cutaway_textures` some parts
-//! are left without one, to look like what they cut.
+//! Assignment of the default texture. As a rule it goes to the whole of an object without a texture. With
+//! `cutaway_textures` some parts are left without one, to take the textures of the objects they cut.
 //!
-//! Measured with POV-Ray 3.7, from the outside in, where nothing around says a texture: an object takes the default one
-//! if no part of it has one of its own, unless it stands right in an intersection or difference with
-//! `cutaway_textures`. The word holds for all combinations below, but only intersections and differences heed it, and
-//! what counts as such is counted after inversion: a union that is cut away is an intersection. A combination that is
-//! inverted after the word has lost it.
+//! Measured with POV-Ray 3.7, from the outside in, where no enclosing object has a texture: an object takes the default
+//! texture if no part of it has one of its own, unless it is a direct child of an intersection or difference with
+//! `cutaway_textures`. The keyword applies to all CSG objects below, but only intersections and differences respond to
+//! it, as they are after inversion: a union that is subtracted is an intersection. A CSG object that is inverted after
+//! the keyword loses it.
 
 use super::{Kind, Object, Operation};
 use crate::scene::shape::Geometry;
 use crate::scene::texture::Texture;
 use std::sync::Arc;
 
-/// What lies around a part of an object.
+/// The enclosing objects of a part.
 #[derive(Clone, Copy, Default)]
-struct Around {
-    /// Whether it exchanges inside and outside of the part.
-    is_exchanged: bool,
-    /// Whether anything around was ever inverted, be it twice.
-    was_turned: bool,
-    /// Whether something around says `cutaway_textures`.
-    cuts_away: bool,
-    /// Whether the combination right around it heeds that.
-    is_heeded: bool,
+struct Enclosing {
+    /// True if they invert the part.
+    is_inverted: bool,
+    /// True if any of them was inverted, even if a second inversion cancels it.
+    was_inverted: bool,
+    /// True if any of them has `cutaway_textures`.
+    has_cutaway_textures: bool,
+    /// True if the parent responds to it.
+    is_cutaway_child: bool,
 }
 
 impl Object {
-    /// The object, with the default texture where it takes that.
+    /// The object, with the default texture on the parts that take it.
     #[must_use]
     pub fn with_default_texture(self: Arc<Self>, default: &Arc<Texture>) -> Arc<Object> {
         if self.size().has_cutaways {
-            return self.dressed(Around::default(), default);
+            return self.with_cutaway_default(Enclosing::default(), default);
         }
         if self.texture.is_some() || matches!(self.kind, Kind::Light { .. }) {
             return self;
         }
-        self.in_default(default)
+        self.with_texture(default)
     }
 
-    fn in_default(mut self: Arc<Self>, default: &Arc<Texture>) -> Arc<Object> {
+    fn with_texture(mut self: Arc<Self>, default: &Arc<Texture>) -> Arc<Object> {
         let texture = self.attach(Arc::clone(default));
         Arc::make_mut(&mut self).texture = Some(texture);
         self
     }
 
-    fn dressed(mut self: Arc<Self>, around: Around, default: &Arc<Texture>) -> Arc<Object> {
+    fn with_cutaway_default(
+        mut self: Arc<Self>,
+        enclosing: Enclosing,
+        default: &Arc<Texture>,
+    ) -> Arc<Object> {
         if self.texture.is_some() || matches!(self.kind, Kind::Light { .. }) {
             return self;
         }
@@ -53,28 +57,29 @@ impl Object {
             children,
         } = &self.kind
         else {
-            return if around.is_heeded {
+            return if enclosing.is_cutaway_child {
                 self
             } else {
-                self.in_default(default)
+                self.with_texture(default)
             };
         };
-        if !around.is_heeded && !self.has_texture() {
-            return self.in_default(default);
+        if !enclosing.is_cutaway_child && !self.has_texture() {
+            return self.with_texture(default);
         }
-        let is_inverse = self.is_inverse != around.is_exchanged;
-        let cuts_away = around.cuts_away || self.flags.cutaway_textures && !around.was_turned;
-        let dressed = |(at, child): (usize, &Arc<Object>)| {
+        let is_inverse = self.is_inverse != enclosing.is_inverted;
+        let has_cutaway_textures = enclosing.has_cutaway_textures
+            || self.flags.cutaway_textures && !enclosing.was_inverted;
+        let textured = |(at, child): (usize, &Arc<Object>)| {
             let is_cut = *operation == Operation::Difference && at > 0;
-            let inner = Around {
-                is_exchanged: is_inverse != is_cut,
-                was_turned: around.was_turned || self.is_inverse || is_cut,
-                cuts_away,
-                is_heeded: cuts_away && operation.is_shared(is_inverse),
+            let inner = Enclosing {
+                is_inverted: is_inverse != is_cut,
+                was_inverted: enclosing.was_inverted || self.is_inverse || is_cut,
+                has_cutaway_textures,
+                is_cutaway_child: has_cutaway_textures && operation.is_intersection(is_inverse),
             };
-            Arc::clone(child).dressed(inner, default)
+            Arc::clone(child).with_cutaway_default(inner, default)
         };
-        let children = children.iter().enumerate().map(dressed).collect();
+        let children = children.iter().enumerate().map(textured).collect();
         let kind = Kind::Csg {
             operation: *operation,
             children: Arc::new(children),
@@ -83,7 +88,7 @@ impl Object {
         self
     }
 
-    /// Whether it or some part of it has a texture of its own.
+    /// Returns true if the object or any part of it has a texture of its own.
     fn has_texture(&self) -> bool {
         self.texture.is_some()
             || match &self.kind {

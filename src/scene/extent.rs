@@ -1,8 +1,8 @@
-//! The boxes that `min_extent` and `max_extent` tell: POV-Ray's own, which are not the smallest.
+//! The boxes that `min_extent` and `max_extent` return: POV-Ray's own, which are not the smallest.
 //!
-//! All rules here were measured with POV-Ray 3.7.0.10. Boxes are kept in single precision, as a corner and lengths. A
-//! combination's box is turned as a box at each step, so it grows; what is cut away shrinks it only where a plane along
-//! the axes cuts. An inverse object has the box of the object itself.
+//! All rules here were measured with POV-Ray 3.7.0.10. Boxes are stored in single precision, as a corner and side
+//! lengths. The box of a CSG object is transformed as a box at each step, so it grows. Subtracted objects shrink a box
+//! only if they are axis-aligned planes. An inverse object has the box of the object itself.
 
 use super::{Attached, Kind, Object, Operation};
 use crate::base::math::{Bounds, Step, Transform};
@@ -10,16 +10,16 @@ use crate::scene::shape::{Geometry, Plane, Quadric, Shape};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// How far what has no bounds reaches.
+/// Half the side of the box of an unbounded object.
 const UNBOUNDED: f64 = 1e10;
 const EVERYTHING: Stored = Stored {
     min: DVec3::splat(-UNBOUNDED),
     sides: DVec3::splat(2.0 * UNBOUNDED),
 };
-/// How large the other components of a plane's unit normal may be where it is along an axis.
-const ACROSS: f64 = 1e-9;
+/// Largest other component of the unit normal of a plane that counts as axis-aligned.
+const NORMAL_TOLERANCE: f64 = 1e-9;
 
-/// A box as POV-Ray keeps it.
+/// A box as POV-Ray stores it, in single precision.
 #[derive(Clone, Copy, Debug)]
 pub struct Stored {
     /// The lower corner.
@@ -36,7 +36,7 @@ impl Stored {
         }
     }
 
-    /// The box from corner to corner.
+    /// The box as a pair of corners.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
         Bounds {
@@ -52,17 +52,17 @@ impl Stored {
 }
 
 impl Object {
-    /// The box around the object as the language tells it.
+    /// The bounding box that the language returns for the object.
     #[must_use]
     pub fn extent(&self) -> Bounds {
         self.stored_box().bounds()
     }
 
-    /// The same as it is kept.
+    /// The same box as POV-Ray stores it.
     #[must_use]
     pub fn stored_box(&self) -> Stored {
         let bare = match &self.kind {
-            Kind::Shape(shape) => self.of_shape(shape, &[]),
+            Kind::Shape(shape) => self.shape_box(shape, &[]),
             Kind::Csg {
                 operation,
                 children,
@@ -72,51 +72,54 @@ impl Object {
                         let boxes = children.iter().map(|child| child.extent());
                         Stored::new(&boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
                     }
-                    Operation::Intersection | Operation::Difference => cut(*operation, children),
+                    Operation::Intersection | Operation::Difference => {
+                        csg_box(*operation, children)
+                    }
                 };
-                turned(combined, &self.steps)
+                transformed_by_steps(combined, &self.steps)
             }
             Kind::Light { .. } => EVERYTHING,
         };
-        let clipped = self.narrowed(bare, self.clipped_by());
-        self.narrowed(clipped, self.bounded_by())
+        let clipped = self.shrunk(bare, self.clipped_by());
+        self.shrunk(clipped, self.bounded_by())
     }
 
-    /// What all clips or bounds that are not inverse share takes the place of the box if it is smaller.
-    fn narrowed(&self, bounds: Stored, by: &[Attached<Arc<Object>>]) -> Stored {
+    /// The intersection of all non-inverse clipping or bounding objects, if it is smaller than the box; otherwise the
+    /// box.
+    fn shrunk(&self, bounds: Stored, by: &[Attached<Arc<Object>>]) -> Stored {
         if by.iter().all(|held| held.what.is_inverse) {
             return bounds;
         }
-        let shared = Stored::new(&shared(by, &self.steps));
-        if shared.volume() < bounds.volume() {
-            shared
+        let common_box = Stored::new(&common_box(by, &self.steps));
+        if common_box.volume() < bounds.volume() {
+            common_box
         } else {
             bounds
         }
     }
 
-    /// The box once what holds the object has moved it: that of a combination is turned with it, while what clips or
-    /// bounds a shape counts no more.
-    fn moved_box(&self, by: &[Step]) -> Stored {
+    /// The box after transforms of an enclosing object. The box of a CSG object is transformed; the box of a shape is
+    /// computed anew, without its clipping and bounding objects.
+    fn transformed_box(&self, by: &[Step]) -> Stored {
         match &self.kind {
             _ if by.is_empty() => self.stored_box(),
-            Kind::Shape(shape) => self.of_shape(shape, by),
-            _ => turned(self.stored_box(), by),
+            Kind::Shape(shape) => self.shape_box(shape, by),
+            _ => transformed_by_steps(self.stored_box(), by),
         }
     }
 
-    /// The box of the shape that the object is, after its own and more steps. What clips a quadric is known to it.
-    fn of_shape(&self, shape: &Shape, more: &[Step]) -> Stored {
+    /// The box of the object's shape, after its own steps and more. A quadric takes its clipping objects into account.
+    fn shape_box(&self, shape: &Shape, more: &[Step]) -> Stored {
         if let Shape::Quadric(quadric) = shape
-            && let Some(kept) = self.clipped_quadric(quadric)
+            && let Some(limits) = self.clipped_quadric(quadric)
         {
-            return turned(kept, more);
+            return transformed_by_steps(limits, more);
         }
         let steps: Vec<Step> = self.steps.iter().chain(more).cloned().collect();
-        of_shape(shape, &steps)
+        shape_box(shape, &steps)
     }
 
-    /// The box of a quadric as the last of its clips has left it that found it along the axes.
+    /// The box of a quadric after the last clipping object that was added while all steps were axis-aligned.
     fn clipped_quadric(&self, quadric: &Quadric) -> Option<Stored> {
         let clips = self.clipped_by();
         let along = |steps: &[Step]| {
@@ -126,59 +129,64 @@ impl Object {
         let count = clips.partition_point(|clip| along(&self.steps[..clip.after]));
         let last = clips[..count].last()?;
         let (before, after) = self.steps.split_at(last.after);
-        let mut around = shared(&clips[..count], before);
+        let mut around = common_box(&clips[..count], before);
         for clip in &clips[..count] {
             if let Kind::Shape(shape) = &clip.what.kind
                 && let Shape::Plane(plane) = &**shape
             {
                 let steps = [&clip.what.steps[..], &before[clip.after..]].concat();
-                clip_at(&mut around, &moved(plane, &steps), clip.what.is_inverse);
+                clip_at(
+                    &mut around,
+                    &transformed_plane(plane, &steps),
+                    clip.what.is_inverse,
+                );
             }
         }
         let to_world = Transform::from_steps(before);
-        let mut kept = around;
+        let mut limits = around;
         if !before.is_empty() {
-            kept = kept.transformed(&to_world.object_from_world);
+            limits = limits.transformed(&to_world.object_from_world);
         }
-        kept = quadric.known_limits(&kept);
+        limits = quadric.known_limits(&limits);
         if !before.is_empty() {
-            kept = kept.transformed(&to_world.world_from_object);
+            limits = limits.transformed(&to_world.world_from_object);
         }
-        let is_known = kept.is_finite() && is_limited(&kept);
-        is_known.then(|| turned(Stored::new(&kept), after))
+        let is_known = limits.is_finite() && is_limited(&limits);
+        is_known.then(|| transformed_by_steps(Stored::new(&limits), after))
     }
 }
 
-/// What the boxes of clips or bounds share that are not inverse, as they are after these steps of what they clip.
-fn shared(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
+/// The intersection of the boxes of all non-inverse clipping or bounding objects, after these steps of the object they
+/// apply to.
+fn common_box(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
     by.iter()
         .filter(|held| !held.what.is_inverse)
-        .map(|held| held.what.moved_box(&steps[held.after..]).bounds())
+        .map(|held| held.what.transformed_box(&steps[held.after..]).bounds())
         .fold(EVERYTHING.bounds(), |sum, held| sum.intersection(&held))
 }
 
-fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
+fn shape_box(shape: &Shape, steps: &[Step]) -> Stored {
     if let Some((held, from_held)) = shape.povray_box() {
         let steps = Transform::from_steps(steps).world_from_object;
         return Stored::new(&held.transformed(&(steps * from_held)));
     }
     let mut shape = shape.clone();
-    let taken_in = steps.iter().take_while(|step| shape.absorb(step)).count();
+    let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
     let bounds = shape.bounds();
     if !bounds.is_finite() {
         return EVERYTHING;
     }
-    let rest = Transform::from_steps(&steps[taken_in..]);
+    let rest = Transform::from_steps(&steps[absorbed..]);
     Stored::new(&bounds.transformed(&rest.world_from_object))
 }
 
-/// Tells whether a box has ends on all sides.
+/// Returns true if a box is bounded on all sides.
 pub(super) fn is_limited(bounds: &Bounds) -> bool {
     (bounds.max - bounds.min).max_element() < UNBOUNDED
 }
 
-/// The box of an intersection or a difference before its own steps.
-fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
+/// The box of an intersection or difference, before its own steps.
+fn csg_box(operation: Operation, children: &[Arc<Object>]) -> Stored {
     let mut sum = EVERYTHING.bounds();
     for (at, child) in children.iter().enumerate() {
         let is_taken_away = operation == Operation::Difference && at > 0;
@@ -186,7 +194,11 @@ fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
         if let Kind::Shape(shape) = &child.kind
             && let Shape::Plane(plane) = &**shape
         {
-            clip_at(&mut sum, &moved(plane, &child.steps), is_inverse);
+            clip_at(
+                &mut sum,
+                &transformed_plane(plane, &child.steps),
+                is_inverse,
+            );
         } else if !is_inverse && !is_height_field(child) {
             sum = sum.intersection(&child.extent());
         }
@@ -198,7 +210,7 @@ fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
     }
 }
 
-fn moved(plane: &Plane, steps: &[Step]) -> Plane {
+fn transformed_plane(plane: &Plane, steps: &[Step]) -> Plane {
     let transform = Transform::from_steps(steps);
     let point = transform
         .world_from_object
@@ -210,18 +222,18 @@ fn moved(plane: &Plane, steps: &[Step]) -> Plane {
     }
 }
 
-/// Tells whether an object is one of those whose boxes count for nothing in an intersection or a difference.
+/// Returns true for height fields, whose boxes do not shrink an intersection or difference.
 fn is_height_field(object: &Object) -> bool {
     matches!(&object.kind, Kind::Shape(shape) if matches!(**shape, Shape::HeightField(_)))
 }
 
-/// Cuts a box at a plane along the axes; others do nothing.
+/// Clips a box at an axis-aligned plane; other planes have no effect.
 fn clip_at(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
     for axis in 0..3 {
         let across = (0..3).filter(|&other| other != axis);
         let is_along = across
             .map(|other| plane.normal[other].abs())
-            .all(|part| part < ACROSS);
+            .all(|part| part < NORMAL_TOLERANCE);
         if !is_along || plane.normal == DVec3::ZERO {
             continue;
         }
@@ -234,22 +246,22 @@ fn clip_at(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
     }
 }
 
-/// A box after each step in turn.
-fn turned(kept: Stored, steps: &[Step]) -> Stored {
+/// Transforms a box by each step in turn.
+fn transformed_by_steps(limits: Stored, steps: &[Step]) -> Stored {
     if steps.is_empty() {
-        return kept;
+        return limits;
     }
-    let bounds = kept.bounds();
+    let bounds = limits.bounds();
     if !is_limited(&bounds) || bounds.is_empty() {
         return EVERYTHING;
     }
-    steps.iter().fold(kept, |kept, step| {
-        let bounds = kept.bounds();
+    steps.iter().fold(limits, |limits, step| {
+        let bounds = limits.bounds();
         Stored::new(&bounds.transformed(&step.transform().world_from_object))
     })
 }
 
-/// A vector in single precision.
+/// Rounds a vector to single precision.
 fn single(v: DVec3) -> DVec3 {
     DVec3::from(v.as_vec3())
 }

@@ -1,57 +1,58 @@
-//! Settings of the whole scene that are blocks of their own, as the file gives them. Subsurface light is not drawn yet.
+//! Settings of the whole scene that have blocks of their own, as the file gives them. Subsurface scattering is not
+//! rendered yet.
 
 use std::sync::Arc;
 
-/// How letters beyond ASCII in strings are read (`charset`).
+/// Interpretation of non-ASCII letters in strings (`charset`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Charset {
-    /// Each of their bytes is a blank.
+    /// Each of their bytes is a space.
     #[default]
     Ascii,
-    /// As they are.
+    /// They are UTF-8.
     Utf8,
 }
 
 /// `radiosity { ... }`; the defaults are those of POV-Ray 3.7.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radiosity {
-    /// Below this weight no radiosity is asked for.
+    /// Throughput below which no irradiance is queried.
     pub adc_bailout: f64,
-    /// Whether the last pass adds samples wherever there are too few.
+    /// True if samples may be added during the final pass.
     pub always_sample: bool,
-    /// The factor of all gathered light.
+    /// Factor of all indirect light.
     pub brightness: f64,
-    /// How many rays a sample shoots.
+    /// Rays per irradiance sample.
     pub count: u32,
-    /// From how many directions those are chosen; `None` for POV-Ray's 1600.
+    /// Number of directions from which the rays are chosen; `None` for POV-Ray's 1600.
     pub directions: Option<u32>,
-    /// How far a sample may be used, as a factor.
+    /// Error bound of sample reuse: a factor of the reuse distance.
     pub error_bound: f64,
-    /// How much gathered light is turned to grey, 0 to 1.
+    /// Desaturation of indirect light, 0 to 1.
     pub gray_threshold: f64,
-    /// The factor of `error_bound` in the pretrace.
+    /// Factor of `error_bound` in the pretrace.
     pub low_error_factor: f64,
-    /// The most light that one ray brings; negative for no limit.
+    /// Largest brightness of a single ray; negative for no limit.
     pub max_sample: f64,
-    /// The largest radius in which a sample is used, as a share of the picture's width.
+    /// Largest reuse radius of a sample, as a fraction of the picture's width.
     pub maximum_reuse: f64,
-    /// The smallest such radius.
+    /// Smallest reuse radius, in the same unit.
     pub minimum_reuse: f64,
-    /// Whether rays see media.
+    /// True if sample rays include media.
     pub has_media: bool,
-    /// Whether normal patterns count.
+    /// True if samples use perturbed normals.
     pub has_normals: bool,
-    /// Whether rays see subsurface light.
+    /// True if sample rays include subsurface scattering.
     pub has_subsurface: bool,
-    /// How many samples are mixed at a point.
+    /// Number of samples interpolated at a point.
     pub nearest_count: u32,
-    /// How many when the pretrace goes on by itself; 0 for no such pretrace.
+    /// Number of samples for the adaptive pretrace; 0 disables it.
     pub nearest_count_aim: u32,
-    /// Size of the cells of the first pass, as a share of the picture.
+    /// Cell size of the first pretrace pass, as a fraction of the picture.
     pub pretrace_start: f64,
-    /// Size of the cells of the last pass.
+    /// Cell size of the last pretrace pass.
     pub pretrace_end: f64,
-    /// How often light is gathered from gathered light.
+    /// Number of diffuse bounces.
     pub recursion_limit: u32,
 }
 
@@ -81,39 +82,40 @@ impl Default for Radiosity {
     }
 }
 
-/// How dense photons are shot.
+/// Density of emitted photons.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PhotonDensity {
-    /// The distance of neighbours on the target.
+    /// Distance of neighbouring photons on the target.
     Spacing(f64),
-    /// About so many in all.
+    /// Approximate total number.
     Count(f64),
 }
 
 /// `photons { ... }` of the whole scene; the defaults are those of POV-Ray 3.7.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photons {
-    /// How many there are.
+    /// The density.
     pub density: PhotonDensity,
-    /// The fewest and the most that are gathered at a point.
+    /// Smallest and largest number of photons gathered at a point.
     pub gather: [u32; 2],
-    /// How far directions are moved, as a share of their distance.
+    /// Jitter of directions, as a fraction of their spacing.
     pub jitter: f64,
-    /// The share of the largest angle at which shooting may stop.
+    /// Fraction of the largest angle after which emission may stop.
     pub autostop: f64,
-    /// By how much more photons the radius may grow, and up to how many.
+    /// Relative growth of the density below which the gather radius expands, and the number of photons below which it
+    /// always expands.
     pub expand_thresholds: (f64, u32),
-    /// The radius of gathering and its factor, on surfaces and in media; `None` for what POV-Ray works out.
+    /// Gather radius and its factor, on surfaces and in media; `None` for the radius that POV-Ray computes.
     pub radius: [(Option<f64>, f64); 2],
-    /// The most photons left in media by one ray, and the factor of their spacing.
+    /// Largest number of photons that a ray deposits in media, and the factor of their spacing.
     pub media: (u32, f64),
-    /// How many generations of photons there are; `None` for as many as of rays.
+    /// Recursion depth of photon paths; `None` for that of rays.
     pub max_trace_level: Option<u32>,
-    /// Below this weight a photon ends; `None` for the weight of rays.
+    /// Throughput below which a photon path ends; `None` for that of rays.
     pub adc_bailout: Option<f64>,
-    /// A file with photons to take instead of shooting any.
+    /// Content of a photon map file to use instead of emitting photons.
     pub load_file: Option<Arc<[u8]>>,
-    /// A file to put them into.
+    /// Name of the file to which the photon maps are saved.
     pub save_file: Option<String>,
 }
 
@@ -138,9 +140,9 @@ impl Default for Photons {
 /// `subsurface { ... }` of the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Subsurface {
-    /// How many rays are shot for diffuse light, and for light that is scattered once.
+    /// Number of rays for diffuse and for single scattering.
     pub samples: [u32; 2],
-    /// Whether radiosity counts.
+    /// True if radiosity contributes.
     pub has_radiosity: bool,
 }
 

@@ -1,5 +1,5 @@
-//! The hall: what a scene file says, as plain data. Reading fills it, drawing draws it; a Rust program can build it
-//! without any file.
+//! Content of a scene file as plain data. The reader fills it and lowering consumes it; a Rust program can build it
+//! without a file.
 
 pub mod atmosphere;
 pub mod camera;
@@ -36,17 +36,17 @@ use glam::DVec3;
 /// A whole scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// The camera; the default one where the file has none.
+    /// The camera; the default if the file has none.
     pub camera: Camera,
-    /// The objects and lights in the order of the file.
+    /// The objects and lights, in file order.
     pub objects: Objects,
     /// The colour behind everything.
     pub background: Background,
-    /// What fills the space between the objects, and the sky before the background.
+    /// Fog and media between the objects, and the sky in front of the background.
     pub atmosphere: Atmosphere,
-    /// What `global_settings` says.
+    /// The values of `global_settings`.
     pub globals: Globals,
-    /// The effective language version: the last `#version` of the run, or 3.62 where there is none.
+    /// The effective language version: the last `#version` of the file, or 3.62 without any.
     pub version: f64,
 }
 
@@ -67,46 +67,46 @@ impl Default for Scene {
 /// The colour of rays that hit nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Background {
-    /// The colour; `None` where the file gives none: black, and fully transparent.
+    /// The colour; `None` if the file sets none: black and fully transparent.
     pub color: Option<Color>,
 }
 
 /// Settings of the whole scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Globals {
-    /// The working space; `None` where the file says nothing.
+    /// Gamma of the working space; `None` if the file does not set it.
     pub assumed_gamma: Option<Gamma>,
-    /// Below this weight a ray is not traced.
+    /// Throughput below which a ray is not traced.
     pub adc_bailout: f64,
-    /// How many generations of rays there are.
+    /// Maximum recursion depth of rays.
     pub max_trace_level: u32,
-    /// The factor of every `ambient`.
+    /// Factor of every `ambient`.
     pub ambient_light: Rgb,
-    /// How letters beyond ASCII in strings are read.
+    /// Interpretation of non-ASCII letters in strings.
     pub charset: Charset,
     /// The wavelengths of red, green and blue for `irid`, in micrometres.
     pub irid_wavelength: Rgb,
-    /// The length in which POV-Ray's own lengths count: how far away the sky is. 1 in a scene as it is written.
+    /// Unit of the lengths that are built into POV-Ray, such as the distance of the sky. 1 in a scene as it is written.
     pub unit: f64,
-    /// Where the origin of the file's coordinates lies.
+    /// Position of the origin of the file's coordinates.
     pub origin: DVec3,
-    /// How long the unit of the scene is, in millimetres.
+    /// Length of the scene's unit in millimetres.
     pub mm_per_unit: f64,
-    /// Light that surfaces gather from each other, if the file asks for it.
+    /// Radiosity, if the file enables it.
     pub radiosity: Option<Radiosity>,
-    /// How many of the rays that gather light and meet an object count where it does not say (`#default`).
+    /// Default importance of objects for irradiance rays (`#default`).
     pub importance: Importance,
-    /// How photons are shot, if the file says so.
+    /// Photon mapping, if the file enables it.
     pub photons: Option<Photons>,
-    /// How light in solids is sampled, if the file says so.
+    /// Subsurface scattering, if the file enables it.
     pub subsurface: Option<Subsurface>,
-    /// The noise of patterns that choose none; `None` where the file says nothing.
+    /// The noise generator of patterns that choose none; `None` if the file does not set it.
     pub noise_generator: Option<NoiseGenerator>,
-    /// How many sources `waves` and `ripples` have.
+    /// Number of sources of `waves` and `ripples`.
     pub number_of_waves: u32,
 }
 
-/// The wavelengths for thin films in scenes that give none, in micrometres.
+/// Wavelengths for thin-film interference in scenes that set none, in micrometres.
 const IRID_WAVELENGTH: Rgb = Rgb::new(0.70, 0.52, 0.48);
 
 impl Default for Globals {
@@ -131,11 +131,11 @@ impl Default for Globals {
     }
 }
 
-/// Before this version, scenes have the original noise.
+/// Scenes before this version use the original noise.
 const RANGE_CORRECTED_NOISE: f64 = 3.5;
 
 impl Globals {
-    /// What patterns take from the whole scene, in a language version.
+    /// Global settings of patterns, for a language version.
     #[must_use]
     pub fn pattern_settings(&self, version: f64) -> Settings {
         let by_version = if version < RANGE_CORRECTED_NOISE {
@@ -152,14 +152,14 @@ impl Globals {
 }
 
 impl Scene {
-    /// What patterns take from the whole scene.
+    /// Global settings of patterns.
     #[must_use]
     pub fn pattern_settings(&self) -> Settings {
         self.globals.pattern_settings(self.version)
     }
 
-    /// How stored values relate to the numbers of the scene: `None` means that there is no gamma handling at all,
-    /// as in old scenes that set neither `#version 3.7` nor `assumed_gamma`.
+    /// Gamma of the working space. `None` means no gamma handling at all, as in old scenes that set neither `#version
+    /// 3.7` nor `assumed_gamma`.
     #[must_use]
     pub fn working_gamma(&self) -> Option<Gamma> {
         match self.globals.assumed_gamma {

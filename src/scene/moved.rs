@@ -1,9 +1,9 @@
-//! A scene in another place: everything in it moved, the camera with it.
+//! Translation of a scene to the origin, together with its camera.
 //!
-//! Doubles lie closest to each other around the origin. Where a scene stands so far from it that the places of things near
-//! the camera are known to less than a 2^32nd of their size, it is drawn around the camera instead. What stands there is
-//! moved without a rounding (Sterbenz 1974), and so are things that only a chain of translations has brought there: a
-//! scene looks the same wherever it stands, as far as its own numbers go.
+//! Doubles are densest around the origin. If a scene is so far from it that the error of coordinates near the camera
+//! exceeds 2^-32 of the size of objects there, it is rendered in coordinates around the camera. The translation of
+//! objects near the camera is exact (Sterbenz 1974), also if only a chain of translations has moved them there. So a
+//! scene renders the same wherever it is, within the precision of its own numbers.
 
 use super::{Kind, Object, Scene};
 use crate::base::math::{Bounds, Step, Transform};
@@ -11,13 +11,14 @@ use crate::scene::shape::Geometry;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// A scene is far from the origin if the camera is so many times farther from it than from a thing and its far end.
+/// Ratio of the distances to the origin and to the far end of a near object, from which the scene counts as far from
+/// the origin.
 const FAR: f64 = (1u64 << 20) as f64;
 
-/// Things that are looked at to find a near one.
-const LOOKED_AT: u32 = 1 << 10;
+/// Number of objects tested in the search for a near one.
+const MAX_TESTED: u32 = 1 << 10;
 
-/// The sum of two numbers and what it lacks (Møller 1965, Knuth 1969).
+/// The rounded sum of two numbers and its rounding error (Møller 1965, Knuth 1969).
 fn two_sum(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
     let sum = a + b;
     let part = sum - a;
@@ -25,32 +26,32 @@ fn two_sum(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
 }
 
 impl Scene {
-    /// The scene around its camera if it is far from the origin; as it is where it is not. Fogs and media
-    /// of the whole scene know places of the world.
+    /// The scene in coordinates around its camera if it is far from the origin; otherwise unchanged. Global fogs and
+    /// media depend on world coordinates, so scenes with these stay unchanged, too.
     #[must_use]
     pub(crate) fn recentered(mut self) -> Scene {
         let air = &self.atmosphere;
-        let knows_places = !air.fogs.is_empty() || !air.media.is_empty();
-        if knows_places || !self.is_far() {
+        let is_position_dependent = !air.fogs.is_empty() || !air.media.is_empty();
+        if is_position_dependent || !self.is_far() {
             return self;
         }
         let by = -self.camera.location();
         let moved = |object: Arc<Object>| {
             let mut own = Arc::unwrap_or_clone(object);
-            own.move_by(by);
+            own.translate(by);
             Arc::new(own)
         };
-        self.objects = self.objects.one_by_one().map(moved).collect();
+        self.objects = self.objects.into_objects().map(moved).collect();
         self.camera = self.camera.moved(by);
         self.globals.origin += by;
         self
     }
 
-    /// Whether something near the camera is much nearer than the origin.
+    /// Returns true if an object is much nearer to the camera than the origin.
     fn is_far(&self) -> bool {
         let location = self.camera.location();
         let distance = location.abs().max_element();
-        let mut left = LOOKED_AT;
+        let mut left = MAX_TESTED;
         let mut is_near = |bounds: &Bounds| {
             let away = (bounds.min - location).max(location - bounds.max);
             let gap = away.max_element().max(0.0);
@@ -62,14 +63,15 @@ impl Scene {
             && self
                 .objects
                 .iter()
-                .take(LOOKED_AT as usize)
-                .any(|object| object.holds_near(&Transform::IDENTITY, &mut left, &mut is_near))
+                .take(MAX_TESTED as usize)
+                .any(|object| object.has_near_shape(&Transform::IDENTITY, &mut left, &mut is_near))
     }
 }
 
 impl Object {
-    /// Whether a shape of it, as `outer` moves it, has such bounds; no more than `left` shapes are asked.
-    fn holds_near(
+    /// Returns true if a shape of the object, transformed by `outer`, has bounds that pass `is_near`. Tests at most
+    /// `left` shapes.
+    fn has_near_shape(
         &self,
         outer: &Transform,
         left: &mut u32,
@@ -90,20 +92,20 @@ impl Object {
             Kind::Light { .. } => false,
             Kind::Csg { children, .. } => children
                 .iter()
-                .any(|child| child.holds_near(&to_world, left, is_near)),
+                .any(|child| child.has_near_shape(&to_world, left, is_near)),
         }
     }
 
-    /// Adds a translation; the last ones become one with it, whose sum is rounded once.
-    fn move_by(&mut self, by: DVec3) {
+    /// Appends a translation. Trailing translations are merged with it and their sum is rounded once.
+    fn translate(&mut self, by: DVec3) {
         let textures = self.textures().map(|texture| texture.after);
         let boxes = self.seen_in().map(|bounds| bounds.after);
-        let taken = textures
+        let attached = textures
             .chain(self.around().map(|held| held.after))
             .chain(boxes);
-        let kept = taken.max().unwrap_or(0);
+        let fixed = attached.max().unwrap_or(0);
         let (mut sum, mut rest) = (by, DVec3::ZERO);
-        while self.steps.len() > kept
+        while self.steps.len() > fixed
             && let Some(Step::Translate(last)) = self.steps.last()
         {
             let (more, lost) = two_sum(sum, *last);
@@ -120,7 +122,7 @@ mod tests {
     use super::*;
     use crate::scene::shape::{Shape, Sphere};
 
-    fn ball(centre: DVec3, steps: &[f64]) -> Object {
+    fn sphere(centre: DVec3, steps: &[f64]) -> Object {
         let shape = Shape::Sphere(Sphere {
             centre,
             radius: 1.0,
@@ -133,18 +135,18 @@ mod tests {
 
     #[test]
     fn a_chain_of_translations_is_summed_without_loss() {
-        let mut object = ball(DVec3::ZERO, &[0.3, 1e15, 0.1]);
-        object.move_by(DVec3::splat(-1e15));
+        let mut object = sphere(DVec3::ZERO, &[0.3, 1e15, 0.1]);
+        object.translate(DVec3::splat(-1e15));
         assert_eq!(object.steps, [Step::Translate(DVec3::splat(0.3 + 0.1))]);
     }
 
     #[test]
-    fn translations_before_an_attached_thing_stay() {
-        let mut clipped = ball(DVec3::ZERO, &[1.0, 2.0]);
-        let held = clipped.attach(Arc::new(ball(DVec3::ZERO, &[])));
+    fn translations_before_an_attachment_stay() {
+        let mut clipped = sphere(DVec3::ZERO, &[1.0, 2.0]);
+        let held = clipped.attach(Arc::new(sphere(DVec3::ZERO, &[])));
         clipped.clip(held);
         clipped.steps.push(Step::Translate(DVec3::X));
-        clipped.move_by(DVec3::Y);
+        clipped.translate(DVec3::Y);
         let sum = Step::Translate(DVec3::new(1.0, 1.0, 0.0));
         assert_eq!(clipped.steps[2..], [sum]);
     }

@@ -1,4 +1,4 @@
-//! Objects: a shape or a combination of objects, with what it carries.
+//! Objects: a shape, a light or a CSG tree, with its transforms and attributes.
 
 use crate::base::math::{Bounds, Step};
 use crate::scene::interior::Interior;
@@ -8,35 +8,35 @@ use crate::scene::texture::Texture;
 use std::num::NonZeroU64;
 use std::sync::Arc;
 
-/// Of smaller unions each copy is prepared by itself.
-const SHARED_LEAVES: u32 = 4;
+/// Unions with fewer leaves are lowered once per copy.
+const MIN_SHARED_LEAVES: u32 = 4;
 
-/// Unions with more in each other are prepared by themselves, so that rays need not go that deep.
-const SHARED_HEIGHT: u32 = 64;
+/// Deeper unions are lowered once per copy, so that rays need not recurse that deep.
+const MAX_SHARED_HEIGHT: u32 = 64;
 
-/// An object of a scene. Copies share their children.
+/// An object of a scene. Clones share their children.
 #[derive(Clone, Debug)]
 pub struct Object {
-    /// What it is.
+    /// The shape, light or CSG operation.
     pub kind: Kind,
-    /// Its transforms in the order of the file.
+    /// Its transforms, in file order.
     pub steps: Vec<Step>,
-    /// Its texture, if it has one of its own.
+    /// Its own texture, if any.
     pub texture: Option<Attached<Arc<Texture>>>,
-    /// What fills it, if it says so itself.
+    /// Its own interior, if any.
     pub interior: Option<Arc<Interior>>,
-    /// Its switches.
+    /// Its flags.
     pub flags: Flags,
-    /// Whether it is a `light_group`, whose own lights shine on it alone.
+    /// Settings of a `light_group`, whose lights illuminate it alone.
     pub light_group: Option<LightGroup>,
-    /// Whether inside and outside are exchanged.
+    /// True if inside and outside are swapped.
     pub is_inverse: bool,
-    /// What few objects say; there may be a million of the others.
+    /// Properties that few objects have, boxed because a scene may have a million objects without them.
     rare: Option<Box<Rare>>,
     size: Size,
 }
 
-/// What few objects say.
+/// Properties that few objects have.
 #[derive(Clone, Debug, Default)]
 struct Rare {
     interior_texture: Option<Attached<Arc<Texture>>>,
@@ -47,71 +47,70 @@ struct Rare {
     moves_parts: bool,
 }
 
-/// How much an object holds. Sharing hides it: forty unions that each hold the one before twice are forty objects,
-/// and 2⁴⁰ shapes.
+/// Size of an object tree. Sharing hides it: forty unions that each contain the one before twice are forty objects, and
+/// 2⁴⁰ shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// Objects inside each other, itself included.
+    /// Depth of the tree, with the object itself.
     pub height: u32,
-    /// Shapes and lights, each counted as often as it is drawn; `u32::MAX` for that many and more.
+    /// Number of shapes and lights, counted once per rendered copy; saturates at `u32::MAX`.
     pub leaves: u32,
-    /// Whether lights are among them.
+    /// True if some of them are lights.
     pub has_lights: bool,
-    /// Whether some of the objects in it ask for texture coordinates.
+    /// True if some object in the tree uses texture coordinates.
     pub uses_uv: bool,
-    /// Whether it or something in it says `cutaway_textures`.
+    /// True if the object or some object in the tree has `cutaway_textures`.
     pub has_cutaways: bool,
-    /// True if there are shapes in it whose insides reach beyond the boxes around their surfaces.
-    pub reaches_out: bool,
-    /// Combinations inside each other, without those that say no more than the one around them would say of their
-    /// parts: differences whose first part is a difference, unions of unions.
+    /// True if the inside of some shape extends beyond the bounding box of its surface.
+    pub extends_beyond_bounds: bool,
+    /// Depth of nested CSG objects, without those that merge into their parents: differences as the first part of a
+    /// difference, unions in unions.
     pub turns: u32,
 }
 
-/// Something that an object was given after its first `after` transforms, so that only the later ones move it.
+/// A property that was attached to an object after its first `after` transforms, so that only later ones apply to it.
 #[derive(Clone, Debug)]
 pub struct Attached<T> {
-    /// The thing.
+    /// The property.
     pub what: T,
-    /// How many steps of the object came before it.
+    /// Number of transforms of the object before it.
     pub after: usize,
 }
 
-/// What an object is.
+/// Kinds of objects.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// A primitive.
     Shape(Arc<Shape>),
-    /// A light, which is moved like an object and may stand inside a union.
+    /// A light, which has transforms like an object and may be inside a union.
     Light {
         /// The light itself.
         light: Arc<Light>,
-        /// What stands in its place to be seen, and casts no shadow.
+        /// The visible object of the light, which casts no shadow.
         looks_like: Option<Arc<Object>>,
-        /// What its light must meet on its way, and where its shadows end.
+        /// The object that its light must pass through. Objects between the two cast no shadow.
         projected_through: Option<Arc<Object>>,
     },
-    /// A combination.
+    /// A CSG object.
     Csg {
-        /// How.
+        /// The operation.
         operation: Operation,
-        /// Of what, in the order of the file.
+        /// The operands, in file order.
         children: Children,
     },
 }
 
-/// The parts of a combination. Copies of it hold the same list, so that whoever prepares them for rays can see what
-/// they have in common.
+/// The operands of a CSG object. Clones share the list, which lowering uses to detect instances.
 pub type Children = Arc<Vec<Arc<Object>>>;
 
-/// What a `light_group` says of the lights outside of it.
+/// Settings of a `light_group` for the lights outside of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LightGroup {
-    /// Whether they shine on it too. Of groups in groups the outermost decides.
+    /// True if they illuminate the group, too. The outermost of nested groups decides.
     pub global_lights: bool,
 }
 
-/// How objects are combined.
+/// CSG operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// All surfaces of all children.
@@ -125,50 +124,49 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Whether it keeps what its children share, as a difference does with what its later ones leave; `is_inverse`: it is
-    /// inverted, which makes a union such a one.
+    /// Returns true for an intersection or difference that is not inverse, and for an inverse union or merge.
     #[must_use]
-    pub(super) fn is_shared(self, is_inverse: bool) -> bool {
+    pub(super) fn is_intersection(self, is_inverse: bool) -> bool {
         let is_sum = matches!(self, Operation::Union | Operation::Merge);
         is_sum == is_inverse
     }
 }
 
-/// The switches of an object.
+/// Flags of an object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Flags {
     /// Casts no shadow.
     pub no_shadow: bool,
-    /// Not seen by camera rays.
+    /// Invisible to camera rays.
     pub no_image: bool,
-    /// Not seen by reflected rays.
+    /// Invisible to reflection rays.
     pub no_reflection: bool,
-    /// Not seen by rays that gather light from other surfaces.
+    /// Invisible to irradiance rays.
     pub no_radiosity: bool,
-    /// How many of the rays that gather light and meet it count; `None` takes the parent's.
+    /// Importance for irradiance rays that hit it; `None` inherits the parent's.
     pub importance: Option<Importance>,
-    /// Does not displace the atmosphere; `None` takes the parent's.
+    /// Does not displace the atmosphere; `None` inherits the parent's value.
     pub hollow: Option<bool>,
     /// Lit from both sides.
     pub double_illuminate: bool,
-    /// `uv_mapping`: all patterns on it, and on what it holds, are asked at texture coordinates.
+    /// `uv_mapping`: all patterns on it and on its parts are evaluated at texture coordinates.
     pub uv_mapping: bool,
-    /// Parts without a texture look like what they cut ([`Object::cut_away`] says so).
+    /// Parts without a texture take the textures of the objects they cut ([`Object::cut_away`] sets this).
     pub(super) cutaway_textures: bool,
 }
 
-/// The share of the rays that gather light that counts where they meet an object (`radiosity { importance }`).
+/// Fraction of irradiance rays that count where they hit an object (`radiosity { importance }`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Importance(NonZeroU64);
 
 impl Importance {
-    /// A share, above 0 and up to 1.
+    /// An importance above 0 and up to 1.
     #[must_use]
     pub fn new(share: f64) -> Self {
         Importance(NonZeroU64::new(share.to_bits()).unwrap_or(NonZeroU64::MIN))
     }
 
-    /// The share.
+    /// The importance as a number.
     #[must_use]
     pub fn share(self) -> f64 {
         f64::from_bits(self.0.get())
@@ -176,14 +174,14 @@ impl Importance {
 }
 
 impl Default for Importance {
-    /// All of them.
+    /// All rays count.
     fn default() -> Self {
         Importance::new(1.0)
     }
 }
 
 impl Object {
-    /// A bare object.
+    /// An object without attributes.
     #[must_use]
     pub fn new(kind: Kind) -> Self {
         let leaf = Size {
@@ -192,7 +190,7 @@ impl Object {
             has_lights: matches!(kind, Kind::Light { .. }),
             uses_uv: matches!(&kind, Kind::Shape(shape) if shape.face_textures().iter().any(FaceTexture::uses_uv)),
             has_cutaways: false,
-            reaches_out: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
+            extends_beyond_bounds: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
             turns: 0,
         };
         let size = match &kind {
@@ -203,7 +201,7 @@ impl Object {
                 ..
             } => {
                 let held = looks_like.iter().chain(projected_through);
-                held.fold(leaf, |sum, object| sum.with_inside(object.size))
+                held.fold(leaf, |sum, object| sum.with_nested(object.size))
             }
             Kind::Csg {
                 operation,
@@ -213,7 +211,7 @@ impl Object {
                 let parts = children.iter().enumerate();
                 parts.fold(nothing, |sum, (at, child)| {
                     let is_cut = *operation == Operation::Difference && at > 0;
-                    sum.with_part(child, !child.is_part_of(*operation, is_cut))
+                    sum.with_part(child, !child.merges_into(*operation, is_cut))
                 })
             }
         };
@@ -230,59 +228,59 @@ impl Object {
         }
     }
 
-    /// The texture that is seen from inside.
+    /// The texture of the inside of the surface.
     #[must_use]
     pub fn interior_texture(&self) -> Option<&Attached<Arc<Texture>>> {
         self.rare.as_ref()?.interior_texture.as_ref()
     }
 
-    /// Gives it a texture that is seen from inside, and that only its later transforms move.
+    /// Sets the texture of the inside of the surface. Only later transforms of the object apply to it.
     pub fn set_interior_texture(&mut self, texture: Arc<Texture>) {
         let texture = self.attach(texture);
         self.rare.get_or_insert_default().interior_texture = Some(texture);
     }
 
-    /// Its textures, that seen from outside first.
+    /// Its textures, the outside one first.
     pub fn textures(&self) -> impl Iterator<Item = &Attached<Arc<Texture>>> {
         self.texture.iter().chain(self.interior_texture())
     }
 
-    /// What it does with photons, if it says so itself.
+    /// Its own photon settings, if any.
     #[must_use]
     pub fn photons(&self) -> Option<&ObjectPhotons> {
         self.rare.as_ref()?.photons.as_ref()
     }
 
-    /// What it says of photons, to be changed.
+    /// Mutable access to its photon settings.
     pub fn photons_mut(&mut self) -> &mut ObjectPhotons {
         let rare = self.rare.get_or_insert_default();
         rare.photons.get_or_insert_default()
     }
 
-    /// `clipped_by`: the surface is kept where all of these hold it.
+    /// The `clipped_by` objects: only the surface inside all of them is visible.
     #[must_use]
     pub fn clipped_by(&self) -> &[Attached<Arc<Object>>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.clipped_by)
     }
 
-    /// `bounded_by`: rays that miss any of these miss the object.
+    /// The `bounded_by` objects: rays that miss any of them miss the object.
     #[must_use]
     pub fn bounded_by(&self) -> &[Attached<Arc<Object>>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.bounded_by)
     }
 
-    /// The box that rays must meet to see anything of it, where more than that box holds would show.
+    /// The box outside which the object is invisible, if more than its content would be visible.
     pub(crate) fn seen_in(&self) -> Option<&Attached<Bounds>> {
         self.rare.as_ref()?.seen_in.as_ref()
     }
 
-    /// Tells whether it moves parts that are seen within boxes, if it is taken apart.
+    /// Returns true if the object is a union that, when split, transforms parts with such boxes.
     pub(crate) fn moves_parts(&self) -> bool {
         self.rare.as_ref().is_some_and(|rare| rare.moves_parts)
     }
 
-    /// Notes both of them; or that there is neither.
-    pub(super) fn note_boxes(&mut self, seen_in: Option<Bounds>, moves_parts: bool) {
+    /// Sets or clears both.
+    pub(super) fn set_visibility_box(&mut self, seen_in: Option<Bounds>, moves_parts: bool) {
         if self.rare.is_some() || seen_in.is_some() || moves_parts {
             let seen_in = seen_in.map(|bounds| self.attach(bounds));
             let rare = self.rare.get_or_insert_default();
@@ -290,18 +288,20 @@ impl Object {
         }
     }
 
-    /// What it is clipped and bounded by.
+    /// The `clipped_by` and `bounded_by` objects.
     pub fn around(&self) -> impl Iterator<Item = &Attached<Arc<Object>>> {
         self.clipped_by().iter().chain(self.bounded_by())
     }
 
-    /// The same, to be changed.
-    pub(super) fn around_mut(&mut self) -> impl Iterator<Item = &mut Attached<Arc<Object>>> {
+    /// Mutable access to the `clipped_by` and `bounded_by` objects.
+    pub(super) fn clips_and_bounds_mut(
+        &mut self,
+    ) -> impl Iterator<Item = &mut Attached<Arc<Object>>> {
         let rare = self.rare.iter_mut();
         rare.flat_map(|rare| rare.clipped_by.iter_mut().chain(&mut rare.bounded_by))
     }
 
-    /// The texture of an object that has one and transforms, and nothing else.
+    /// The texture of an object that has no other properties except transforms.
     pub(super) fn plain_texture(&self) -> Option<&Attached<Arc<Texture>>> {
         let Object {
             kind: _,
@@ -320,14 +320,14 @@ impl Object {
         (*flags == Flags::default()).then_some(texture)
     }
 
-    /// Whether it or something in it asks for texture coordinates.
+    /// Returns true if the object or any part of it uses texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         let mut textures = self.textures();
         self.size.uses_uv || self.flags.uv_mapping || textures.any(|own| own.what.uses_uv())
     }
 
-    /// Whether it has an inside: no part of it is a patch or a light.
+    /// Returns true if the object has an inside: no part of it is a patch or a light.
     #[must_use]
     pub fn is_solid(&self) -> bool {
         match &self.kind {
@@ -337,7 +337,7 @@ impl Object {
         }
     }
 
-    /// Gives the object something that only its later transforms move.
+    /// Attaches a property that only later transforms of the object apply to.
     #[must_use]
     pub fn attach<T>(&self, what: T) -> Attached<T> {
         Attached {
@@ -346,25 +346,25 @@ impl Object {
         }
     }
 
-    /// Whether it says nothing but what the combination around it would say of its parts; `is_cut`: that takes it away.
-    /// Shapes do.
-    fn is_part_of(&self, around: Operation, is_cut: bool) -> bool {
+    /// Returns true if the object can be merged into the operation of its parent; shapes always can. `is_cut`: the
+    /// parent subtracts the object.
+    fn merges_into(&self, around: Operation, is_cut: bool) -> bool {
         let Kind::Csg { operation, .. } = &self.kind else {
             return true;
         };
         let is_bare = self.around().next().is_none();
-        let is_shared = |of| matches!(of, Operation::Intersection | Operation::Difference);
+        let is_intersection = |of| matches!(of, Operation::Intersection | Operation::Difference);
         let is_same = if self.is_inverse == is_cut {
-            *operation == around || (is_shared(*operation) && is_shared(around))
-        } else if is_shared(around) {
+            *operation == around || (is_intersection(*operation) && is_intersection(around))
+        } else if is_intersection(around) {
             *operation == Operation::Merge || *operation == Operation::Union
         } else {
-            around == Operation::Merge && is_shared(*operation)
+            around == Operation::Merge && is_intersection(*operation)
         };
         is_bare && is_same
     }
 
-    /// The parts of a union that is no more than all of them: neither inverse, nor clipped or bounded.
+    /// The parts of a union that is neither inverse nor clipped nor bounded.
     #[must_use]
     pub fn plain_union(&self) -> Option<&Children> {
         let is_plain = !self.is_inverse && self.around().next().is_none();
@@ -377,18 +377,18 @@ impl Object {
         }
     }
 
-    /// The parts of a plain union that other objects hold too, if they can be prepared once for all of them.
+    /// The parts of a plain union, if other objects share them and they can be lowered once for all of these.
     #[must_use]
     pub fn shared_parts(&self) -> Option<&Children> {
         let is_suited = !self.size.has_lights
             && !self.size.has_cutaways
-            && self.size.leaves >= SHARED_LEAVES
-            && self.size.height <= SHARED_HEIGHT;
+            && self.size.leaves >= MIN_SHARED_LEAVES
+            && self.size.height <= MAX_SHARED_HEIGHT;
         self.plain_union()
             .filter(|children| is_suited && Arc::strong_count(children) > 1)
     }
 
-    /// Whether it says nothing of how it looks.
+    /// Returns true if the object has no attributes of its own.
     #[must_use]
     pub fn says_no_looks(&self) -> bool {
         self.texture.is_none()
@@ -399,7 +399,7 @@ impl Object {
             && self.flags == Flags::default()
     }
 
-    /// Whether it says nothing but what it is, and is no light.
+    /// Returns true for a shape or CSG object without transforms and attributes.
     #[must_use]
     pub fn is_plain_part(&self) -> bool {
         self.steps.is_empty()
@@ -408,29 +408,29 @@ impl Object {
             && !matches!(self.kind, Kind::Light { .. })
     }
 
-    /// How much it holds: its children as they were when it was made, and what [`Object::clip`] and [`Object::bound`]
-    /// gave it.
+    /// Size of the tree: the children as they were when the object was made, and the objects added with
+    /// [`Object::clip`] and [`Object::bound`].
     #[must_use]
     pub fn size(&self) -> Size {
         self.size
     }
 
-    /// Says `cutaway_textures`, if it is an intersection or difference as it stands; whether that is so. To an inverted
-    /// union it means nothing.
+    /// Sets `cutaway_textures` if the object is an intersection or difference in its current orientation, and returns
+    /// true if it is. The keyword has no effect on an inverted union.
     pub fn cut_away(&mut self) -> bool {
-        let is_suited = matches!(&self.kind, Kind::Csg { operation, .. } if operation.is_shared(self.is_inverse));
+        let is_suited = matches!(&self.kind, Kind::Csg { operation, .. } if operation.is_intersection(self.is_inverse));
         self.flags.cutaway_textures |= is_suited && !self.is_inverse;
         self.size.has_cutaways |= is_suited;
         is_suited
     }
 
-    /// Exchanges inside and outside. Whatever says `cutaway_textures` says so no more, as in POV-Ray.
+    /// Swaps inside and outside. This clears `cutaway_textures`, as in POV-Ray.
     pub fn invert(&mut self) {
         self.is_inverse = !self.is_inverse;
         self.flags.cutaway_textures = false;
     }
 
-    /// The object as a solid, inverse or not, moved by more steps, without what clips it.
+    /// The object as a solid, inverse or not, with more transforms and without its `clipped_by` objects.
     pub(crate) fn as_solid(&self, is_inverse: bool, steps: &[Step]) -> Object {
         let mut solid = self.clone();
         solid.is_inverse = is_inverse;
@@ -441,20 +441,20 @@ impl Object {
         solid
     }
 
-    /// Gives the object a `clipped_by`.
+    /// Adds a `clipped_by` object.
     pub fn clip(&mut self, by: Attached<Arc<Object>>) {
-        self.size = self.size.with_inside(by.what.size);
+        self.size = self.size.with_nested(by.what.size);
         self.rare.get_or_insert_default().clipped_by.push(by);
     }
 
-    /// Gives the object a `bounded_by`.
+    /// Adds a `bounded_by` object.
     pub fn bound(&mut self, by: Attached<Arc<Object>>) {
-        self.size = self.size.with_inside(by.what.size);
+        self.size = self.size.with_nested(by.what.size);
         self.rare.get_or_insert_default().bounded_by.push(by);
     }
 
-    /// Moves what it holds to `to`; what remains is a leaf.
-    fn take_apart(&mut self, to: &mut Vec<Arc<Object>>) {
+    /// Moves all children to `to`; a leaf remains.
+    fn move_children_into(&mut self, to: &mut Vec<Arc<Object>>) {
         match &mut self.kind {
             Kind::Shape(_) => {}
             Kind::Light {
@@ -467,7 +467,7 @@ impl Object {
                     .into_iter()
                     .chain(projected_through.take()),
             ),
-            // Of a list that others hold too, nothing ends here.
+            // A shared list is not dropped here.
             Kind::Csg { children, .. } => {
                 if let Some(children) = Arc::get_mut(children) {
                     to.append(children);
@@ -481,31 +481,31 @@ impl Object {
     }
 }
 
-/// Objects nest as deep as a scene likes, and the stack of the dropping thread may be small.
+/// Iterative, because objects nest arbitrarily deep and the dropping thread may have a small stack.
 impl Drop for Object {
     fn drop(&mut self) {
         let mut open = Vec::new();
-        self.take_apart(&mut open);
+        self.move_children_into(&mut open);
         while let Some(object) = open.pop() {
             if let Ok(mut last) = Arc::try_unwrap(object) {
-                last.take_apart(&mut open);
+                last.move_children_into(&mut open);
             }
         }
     }
 }
 
 impl Size {
-    fn with_inside(self, inner: Size) -> Size {
+    fn with_nested(self, inner: Size) -> Size {
         Size {
             turns: self.turns.max(inner.turns.saturating_add(1)),
             ..self.with(inner)
         }
     }
 
-    fn with_part(self, part: &Object, is_turn: bool) -> Size {
-        let turns = part.size.turns + u32::from(is_turn);
+    fn with_part(self, part: &Object, adds_depth: bool) -> Size {
+        let depth = part.size.turns + u32::from(adds_depth);
         Size {
-            turns: self.turns.max(turns),
+            turns: self.turns.max(depth),
             uses_uv: self.uses_uv || part.uses_uv(),
             ..self.with(part.size)
         }
@@ -519,7 +519,7 @@ impl Size {
             has_lights: self.has_lights || inner.has_lights,
             uses_uv: self.uses_uv || inner.uses_uv,
             has_cutaways: self.has_cutaways || inner.has_cutaways,
-            reaches_out: self.reaches_out || inner.reaches_out,
+            extends_beyond_bounds: self.extends_beyond_bounds || inner.extends_beyond_bounds,
         }
     }
 }
@@ -556,7 +556,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
-            reaches_out: false,
+            extends_beyond_bounds: false,
             turns: 0,
         };
         assert_eq!(doubled.size(), size);
@@ -577,7 +577,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
-            reaches_out: false,
+            extends_beyond_bounds: false,
             turns: 1,
         };
         assert_eq!(object.size(), size);

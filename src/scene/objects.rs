@@ -1,7 +1,7 @@
-//! The objects of a scene: a list in which plain ones take little room.
+//! The objects of a scene, in a compact list.
 //!
-//! Programs write scenes of millions of objects, most of them a shape and its colour. Such an object is kept as that, and
-//! made into an [`Object`] when somebody asks for it.
+//! Programs write scenes of millions of objects, most of them a shape and its colour. Such an object is stored as these
+//! two, and converted to an [`Object`] on demand.
 
 use super::{Attached, Kind, Object};
 use crate::base::color::Color;
@@ -11,53 +11,53 @@ use crate::scene::texture::{Finish, Layer, Texture};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Objects are kept in pieces of so many, so that the room of those taken out is free before the last one is.
-const PIECE: usize = 4096;
+/// Objects per chunk. Chunks are freed one by one while their objects are consumed.
+const CHUNK: usize = 4096;
 
-/// Objects in the order of the file.
+/// The objects of a scene, in file order.
 #[derive(Clone, Debug, Default)]
 pub struct Objects {
-    /// All but the last are full.
-    pieces: Vec<Vec<Entry>>,
+    /// All but the last chunk are full.
+    chunks: Vec<Vec<Entry>>,
 }
 
-/// A shape that stands where its own numbers say, with nothing but its looks.
+/// A shape with a material, without transforms or other attributes.
 #[derive(Clone, Debug)]
 pub struct Plain {
-    /// What it is.
+    /// The shape.
     pub shape: Shape,
-    /// How it looks.
+    /// The material.
     pub look: Look,
 }
 
-/// How a [`Plain`] object looks.
+/// Material of a [`Plain`] object.
 #[derive(Clone, Debug)]
 pub enum Look {
-    /// Of one colour everywhere.
+    /// A single colour.
     Color(Color, Arc<Finish>),
-    /// As a texture says.
+    /// A texture.
     Texture(Arc<Texture>),
 }
 
-/// An object as it is taken out.
+/// An object removed from the list.
 #[derive(Debug)]
 pub(crate) enum Taken {
-    /// A shape that stands where its own numbers say, of one colour everywhere and nothing else.
+    /// A shape of a single colour, without transforms or other attributes.
     Colored(Shape, Color, Arc<Finish>),
-    /// Any other.
+    /// Any other object.
     Object(Arc<Object>),
 }
 
-/// An object as it is kept. The numbers of balls stand in the list itself, for there may be millions of them.
+/// An object as stored in the list. Spheres are stored inline, because there may be millions of them.
 #[derive(Clone, Debug)]
 pub(crate) enum Entry {
     Whole(Arc<Object>),
-    Ball {
+    Sphere {
         sphere: Sphere,
         color: Color,
         finish: Arc<Finish>,
     },
-    TexturedBall {
+    TexturedSphere {
         sphere: Sphere,
         texture: Arc<Texture>,
     },
@@ -78,7 +78,7 @@ pub(crate) enum Entry {
     },
 }
 
-/// A shape of one colour and how it is moved.
+/// A shape of a single colour and its transforms.
 pub(crate) struct Colored<'a> {
     pub(crate) shape: Cow<'a, Shape>,
     pub(crate) finish: &'a Arc<Finish>,
@@ -99,78 +99,80 @@ impl Objects {
     /// Adds a sphere.
     #[inline]
     pub(crate) fn push_ball(&mut self, sphere: Sphere, look: Look) {
-        self.push_entry(Entry::of_ball(sphere, look));
+        self.push_entry(Entry::from_sphere(sphere, look));
     }
 
-    /// Adds what stands in a list.
+    /// Appends a list of entries.
     pub(crate) fn append(&mut self, entries: Vec<Entry>) {
         let mut entries = entries.into_iter();
         while let Some(next) = entries.next() {
             self.push_entry(next);
-            if let Some(piece) = self.pieces.last_mut() {
-                let room = PIECE.saturating_sub(piece.len());
-                piece.extend(entries.by_ref().take(room));
+            if let Some(chunk) = self.chunks.last_mut() {
+                let free = CHUNK.saturating_sub(chunk.len());
+                chunk.extend(entries.by_ref().take(free));
             }
         }
     }
 
     fn push_entry(&mut self, entry: Entry) {
-        match self.pieces.last_mut() {
-            Some(piece) if piece.len() < PIECE => piece.push(entry),
+        match self.chunks.last_mut() {
+            Some(chunk) if chunk.len() < CHUNK => chunk.push(entry),
             _ => {
-                let room = if self.pieces.is_empty() { 4 } else { PIECE };
-                let mut piece = Vec::with_capacity(room);
-                piece.push(entry);
-                self.pieces.push(piece);
+                let capacity = if self.chunks.is_empty() { 4 } else { CHUNK };
+                let mut chunk = Vec::with_capacity(capacity);
+                chunk.push(entry);
+                self.chunks.push(chunk);
             }
         }
     }
 
-    /// How many there are.
+    /// Number of objects.
     #[must_use]
     pub fn len(&self) -> usize {
-        let full = self.pieces.len().saturating_sub(1) * PIECE;
-        full + self.pieces.last().map_or(0, Vec::len)
+        let full = self.chunks.len().saturating_sub(1) * CHUNK;
+        full + self.chunks.last().map_or(0, Vec::len)
     }
 
-    /// Whether there are none.
+    /// Returns true if there are no objects.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.pieces.is_empty()
+        self.chunks.is_empty()
     }
 
-    /// All of them.
+    /// All objects, converted on the fly.
     pub fn iter(&self) -> impl Iterator<Item = Arc<Object>> + Clone {
         self.entries().map(|entry| entry.clone().into_object())
     }
 
-    /// All of them, each let go before the next.
-    pub fn one_by_one(self) -> impl Iterator<Item = Arc<Object>> {
-        self.pieces.into_iter().flatten().map(Entry::into_object)
+    /// All objects by value; each can be dropped before the next is converted.
+    pub fn into_objects(self) -> impl Iterator<Item = Arc<Object>> {
+        self.chunks.into_iter().flatten().map(Entry::into_object)
     }
 
-    /// All of them, in pieces of which all but the last are of a size, and this size.
+    /// The chunks, and the size of all but the last.
     pub(crate) fn into_pieces(self) -> (Vec<Vec<Entry>>, usize) {
-        (self.pieces, PIECE)
+        (self.chunks, CHUNK)
     }
 
-    /// Those that are more than plain shapes, or may be: all others have neither parts nor lights nor an interior.
+    /// The objects that may be more than plain shapes. All others have no parts, lights or interior.
     pub(crate) fn whole(&self) -> impl Iterator<Item = &Arc<Object>> {
         self.entries().filter_map(Entry::whole)
     }
 
-    /// The textures of the others, those of one colour left out.
+    /// The textures of plain shapes, without those of a single colour.
     pub(crate) fn textures_of_plain(&self) -> impl Iterator<Item = &Arc<Texture>> {
         self.entries().filter_map(|entry| match entry {
-            Entry::TexturedBall { texture, .. } | Entry::Textured { texture, .. } => Some(texture),
+            Entry::TexturedSphere { texture, .. } | Entry::Textured { texture, .. } => {
+                Some(texture)
+            }
             _ => None,
         })
     }
 
-    /// The finishes of those of one colour.
+    /// The finishes of shapes of a single colour.
     pub(crate) fn finishes_of_plain(&self) -> impl Iterator<Item = &Arc<Finish>> {
         self.entries().filter_map(|entry| match entry {
-            Entry::Ball { finish, .. }
+            Entry::Sphere { finish, .. }
             | Entry::Colored { finish, .. }
             | Entry::Moved { finish, .. } => Some(finish),
             _ => None,
@@ -178,7 +180,7 @@ impl Objects {
     }
 
     fn entries(&self) -> impl Iterator<Item = &Entry> + Clone {
-        self.pieces.iter().flatten()
+        self.chunks.iter().flatten()
     }
 }
 
@@ -196,8 +198,8 @@ impl From<Arc<Object>> for Entry {
     fn from(object: Arc<Object>) -> Self {
         match plain_parts(&object) {
             Some((shape, look)) if object.steps.is_empty() => match &**shape {
-                Shape::Sphere(sphere) => Entry::of_ball(*sphere, look),
-                _ => Entry::of_shape(Arc::clone(shape), look),
+                Shape::Sphere(sphere) => Entry::from_sphere(*sphere, look),
+                _ => Entry::from_shape(Arc::clone(shape), look),
             },
             Some((shape, Look::Color(color, finish))) => Entry::Moved {
                 shape: Arc::clone(shape),
@@ -213,14 +215,14 @@ impl From<Arc<Object>> for Entry {
 impl From<Plain> for Entry {
     fn from(Plain { shape, look }: Plain) -> Self {
         match shape {
-            Shape::Sphere(sphere) => Entry::of_ball(sphere, look),
-            shape => Entry::of_shape(Arc::new(shape), look),
+            Shape::Sphere(sphere) => Entry::from_sphere(sphere, look),
+            shape => Entry::from_shape(Arc::new(shape), look),
         }
     }
 }
 
 impl Entry {
-    /// The object, if it is more than a plain shape, or may be.
+    /// The object, if it may be more than a plain shape.
     pub(crate) fn whole(&self) -> Option<&Arc<Object>> {
         match self {
             Entry::Whole(object) => Some(object),
@@ -228,18 +230,18 @@ impl Entry {
         }
     }
 
-    fn of_ball(sphere: Sphere, look: Look) -> Self {
+    fn from_sphere(sphere: Sphere, look: Look) -> Self {
         match look {
-            Look::Color(color, finish) => Entry::Ball {
+            Look::Color(color, finish) => Entry::Sphere {
                 sphere,
                 color,
                 finish,
             },
-            Look::Texture(texture) => Entry::TexturedBall { sphere, texture },
+            Look::Texture(texture) => Entry::TexturedSphere { sphere, texture },
         }
     }
 
-    fn of_shape(shape: Arc<Shape>, look: Look) -> Self {
+    fn from_shape(shape: Arc<Shape>, look: Look) -> Self {
         match look {
             Look::Color(color, finish) => Entry::Colored {
                 shape,
@@ -250,28 +252,28 @@ impl Entry {
         }
     }
 
-    /// It as a ball of one colour, if it is one.
+    /// The sphere, for a sphere of a single colour.
     pub(crate) fn ball(&self) -> Option<Sphere> {
         match self {
-            Entry::Ball { sphere, .. } => Some(*sphere),
+            Entry::Sphere { sphere, .. } => Some(*sphere),
             _ => None,
         }
     }
 
-    /// The colour and finish of a shape of one colour, if it is one.
+    /// The colour and finish, for a shape of a single colour.
     pub(crate) fn looks(&self) -> Option<(Color, &Arc<Finish>)> {
         match self {
-            Entry::Ball { color, finish, .. }
+            Entry::Sphere { color, finish, .. }
             | Entry::Colored { color, finish, .. }
             | Entry::Moved { color, finish, .. } => Some((*color, finish)),
             _ => None,
         }
     }
 
-    /// It as a shape of one colour, if it is one.
+    /// The entry as a shape of a single colour, if it is one.
     pub(crate) fn colored(&self) -> Option<Colored<'_>> {
         let (shape, finish, steps) = match self {
-            Entry::Ball { sphere, finish, .. } => {
+            Entry::Sphere { sphere, finish, .. } => {
                 (Cow::Owned(Shape::Sphere(*sphere)), finish, &[][..])
             }
             Entry::Colored { shape, finish, .. } => (Cow::Borrowed(&**shape), finish, &[][..]),
@@ -290,10 +292,10 @@ impl Entry {
         })
     }
 
-    /// The object, taken out.
+    /// The object by value.
     pub(crate) fn taken(self) -> Taken {
         match self {
-            Entry::Ball {
+            Entry::Sphere {
                 sphere,
                 color,
                 finish,
@@ -308,15 +310,17 @@ impl Entry {
     }
 
     fn into_object(self) -> Arc<Object> {
-        let ball = |sphere| Arc::new(Shape::Sphere(sphere));
+        let sphere_shape = |sphere| Arc::new(Shape::Sphere(sphere));
         let (shape, look) = match self {
             Entry::Whole(object) => return object,
-            Entry::Ball {
+            Entry::Sphere {
                 sphere,
                 color,
                 finish,
-            } => (ball(sphere), Look::Color(color, finish)),
-            Entry::TexturedBall { sphere, texture } => (ball(sphere), Look::Texture(texture)),
+            } => (sphere_shape(sphere), Look::Color(color, finish)),
+            Entry::TexturedSphere { sphere, texture } => {
+                (sphere_shape(sphere), Look::Texture(texture))
+            }
             Entry::Colored {
                 shape,
                 color,
@@ -354,7 +358,7 @@ fn object_of(shape: Arc<Shape>, look: Look) -> Object {
     object
 }
 
-/// The shape and the looks of an object that has nothing else but transforms. Those do not move a colour.
+/// The shape and material of an object without other properties except transforms, which do not affect a single colour.
 fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, Look)> {
     let Kind::Shape(shape) = &object.kind else {
         return None;
@@ -363,7 +367,7 @@ fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, Look)> {
         what: texture,
         after,
     } = object.plain_texture()?;
-    // What others have as well is kept once.
+    // A shared texture stays shared.
     if Arc::strong_count(texture) == 1
         && let Some((color, finish)) = texture.bare()
     {
@@ -377,7 +381,7 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    fn ball(x: f64) -> Shape {
+    fn sphere(x: f64) -> Shape {
         Shape::Sphere(Sphere {
             centre: DVec3::X * x,
             radius: 1.0,
@@ -391,17 +395,17 @@ mod tests {
         )
     }
 
-    fn told(object: &Object) -> String {
+    fn debug_text(object: &Object) -> String {
         format!("{object:?}")
     }
 
     #[test]
-    fn an_entry_of_a_ball_takes_64_bytes() {
+    fn a_sphere_entry_takes_64_bytes() {
         assert_eq!(size_of::<Entry>(), 64);
     }
 
     #[test]
-    fn plain_objects_come_out_as_they_went_in() {
+    fn plain_objects_are_stored_unchanged() {
         let texture = Arc::new(Texture::from(Layer::default()));
         let shared = Look::Texture(Arc::clone(&texture));
         let disc = Shape::read(
@@ -410,30 +414,30 @@ mod tests {
         );
         let mut objects = Objects::default();
         let mut expected = Vec::new();
-        for shape in [ball(1.0), disc.unwrap().unwrap()] {
+        for shape in [sphere(1.0), disc.unwrap().unwrap()] {
             for look in [red(), shared.clone()] {
                 let plain = Plain {
                     shape: shape.clone(),
                     look,
                 };
                 let object = Object::from(plain.clone());
-                expected.push(told(&object));
-                expected.push(told(&object));
+                expected.push(debug_text(&object));
+                expected.push(debug_text(&object));
                 objects.push_plain(plain);
                 objects.push(Arc::new(object));
             }
         }
-        let made: Vec<String> = objects.iter().map(|object| told(&object)).collect();
+        let made: Vec<String> = objects.iter().map(|object| debug_text(&object)).collect();
         assert_eq!(made, expected);
         assert_eq!(objects.whole().count(), 0);
-        assert_eq!(objects.one_by_one().count(), 8);
+        assert_eq!(objects.into_objects().count(), 8);
     }
 
     #[test]
     fn an_object_with_more_to_it_stays_whole() {
         let plain = || {
             Object::from(Plain {
-                shape: ball(0.0),
+                shape: sphere(0.0),
                 look: red(),
             })
         };
@@ -453,21 +457,21 @@ mod tests {
     }
 
     #[test]
-    fn a_moved_shape_of_one_colour_is_kept_small_and_comes_out_as_it_went_in() {
+    fn a_transformed_shape_of_one_colour_is_stored_compactly_and_unchanged() {
         let moved = |look: Look| {
-            let shape = ball(1.0);
+            let shape = sphere(1.0);
             let mut object = Object::from(Plain { shape, look });
             object.steps = vec![Step::Rotate(DVec3::X), Step::Translate(DVec3::Y)];
             object
         };
         let object = moved(red());
-        let expected = told(&object);
+        let expected = debug_text(&object);
         let mut objects = Objects::default();
         objects.push(Arc::new(object));
         assert_eq!(objects.whole().count(), 0);
-        let out: Vec<String> = objects.iter().map(|out| told(&out)).collect();
+        let out: Vec<String> = objects.iter().map(|out| debug_text(&out)).collect();
         assert_eq!(out, [expected]);
-        // A texture that others have as well is kept as it is.
+        // An entry with a shared texture stays an object.
         let texture = Arc::new(Texture::from(Layer::default()));
         let shared = moved(Look::Texture(Arc::clone(&texture)));
         objects.push(Arc::new(shared));
@@ -475,21 +479,21 @@ mod tests {
     }
 
     #[test]
-    fn they_are_counted_over_all_pieces() {
-        let shape = ball(0.0);
+    fn objects_are_counted_over_all_chunks() {
+        let shape = sphere(0.0);
         let plain = || Plain {
             shape: shape.clone(),
             look: red(),
         };
         let mut objects = Objects::default();
         assert!(objects.is_empty());
-        for count in 1..=2 * PIECE + 3 {
+        for count in 1..=2 * CHUNK + 3 {
             objects.push_plain(plain());
             assert_eq!(objects.len(), count);
         }
-        let more = vec![Entry::from(plain()); PIECE + 10];
+        let more = vec![Entry::from(plain()); CHUNK + 10];
         objects.append(more);
-        assert_eq!(objects.len(), 3 * PIECE + 13);
+        assert_eq!(objects.len(), 3 * CHUNK + 13);
         assert_eq!(objects.iter().count(), objects.len());
     }
 }

@@ -1,8 +1,8 @@
-//! A scene in another unit of length: everything in it larger or smaller by a factor, the camera with it.
+//! Scaling of a scene by a factor, together with its camera.
 //!
-//! With a power of two no number loses a digit, and neither does anything that is worked out from it: the picture stays
-//! the same to the last bit. So a scene whose lengths are so small or large that their squares cannot be held is drawn
-//! as a larger or smaller one.
+//! With a power of two no number loses a digit, and neither does any result computed from it: the picture is the same
+//! to the last bit. So a scene whose lengths are too small or too large for their squares to be representable is
+//! rendered at another scale.
 
 use super::{Kind, Object, Scene};
 use crate::base::math::conditioning::power_of_two;
@@ -14,29 +14,29 @@ use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Fourth powers of lengths within 2^-200 and 2^200 can be held, which is all that drawing asks for.
-const COMFORTABLE: f64 = f64::from_bits((1023 + 200) << 52);
+/// Fourth powers of lengths between 2^-200 and 2^200 are representable, which suffices for rendering.
+const MAX_SIZE: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// What has been made of what, by the address of what it was made of, which is kept so that it stays taken.
-type Made<T> = FxHashMap<usize, (Arc<T>, Arc<T>)>;
+/// Scaled copies by the address of the original, which is retained so that its address stays unique.
+type Copies<T> = FxHashMap<usize, (Arc<T>, Arc<T>)>;
 
-/// What has been made of shared children.
+/// Scaled copies of shared children.
 #[derive(Default)]
-struct Known {
-    objects: Made<Object>,
-    lists: Made<Vec<Arc<Object>>>,
+struct ScaledChildren {
+    objects: Copies<Object>,
+    lists: Copies<Vec<Arc<Object>>>,
 }
 
 impl Scene {
-    /// The same with every length times `factor`, which is to be positive and finite.
+    /// The scene with every length multiplied by `factor`, which must be positive and finite.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Scene {
-        let mut known = Known::default();
-        let objects = std::mem::take(&mut self.objects).one_by_one();
+        let mut copies = ScaledChildren::default();
+        let objects = std::mem::take(&mut self.objects).into_objects();
         self.objects = objects
             .map(|object| {
                 let mut own = (*object).clone();
-                own.scale_own_lengths(factor, &mut known);
+                own.scale_own_lengths(factor, &mut copies);
                 own.steps.push(Step::Scale(DVec3::splat(factor)));
                 Arc::new(own)
             })
@@ -60,41 +60,41 @@ impl Scene {
         self
     }
 
-    /// The scene in a unit in which its lengths and their squares can be held; as it is where they can.
+    /// The scene in a unit in which its lengths and their squares are representable; unchanged if they already are.
     #[must_use]
     pub(crate) fn rescaled(self) -> Scene {
         let size = self.size();
-        if size == 0.0 || (1.0 / COMFORTABLE..COMFORTABLE).contains(&size) {
+        if size == 0.0 || (1.0 / MAX_SIZE..MAX_SIZE).contains(&size) {
             return self;
         }
         let unit = power_of_two(size).clamp(1.0 / f64::MAX, f64::MAX / 2.0);
         self.scaled(1.0 / unit)
     }
 
-    /// About how far the camera and the lights are from the origin.
+    /// Approximate distance of the camera and the lights from the origin.
     fn size(&self) -> f64 {
-        let place = self.camera.location().abs().max_element();
-        let places = self.objects.whole().map(|object| match &object.kind {
+        let distance = self.camera.location().abs().max_element();
+        let distances = self.objects.whole().map(|object| match &object.kind {
             Kind::Light { light, .. } => {
                 let to_world = Transform::from_steps(&object.steps).world_from_object;
-                let place = to_world.transform_point3(light.centre);
-                place.abs().max_element()
+                let centre = to_world.transform_point3(light.centre);
+                centre.abs().max_element()
             }
             _ => 0.0,
         });
-        let size = places.fold(place, f64::max);
-        if size.is_finite() { size } else { place }
+        let size = distances.fold(distance, f64::max);
+        if size.is_finite() { size } else { distance }
     }
 }
 
 impl Object {
-    /// Scales the lengths that transforms do not: those over which light fades, and the width of its beams.
-    fn scale_own_lengths(&mut self, factor: f64, known: &mut Known) {
+    /// Scales the lengths that transforms leave alone: fade distances and the widths of cylindrical lights.
+    fn scale_own_lengths(&mut self, factor: f64, copies: &mut ScaledChildren) {
         if let Some(interior) = &mut self.interior {
             scale_interior(interior, factor);
         }
-        for bound in self.around_mut() {
-            bound.what = scaled_child(&bound.what, factor, known);
+        for bound in self.clips_and_bounds_mut() {
+            bound.what = scaled_child(&bound.what, factor, copies);
         }
         match &mut self.kind {
             Kind::Shape(shape) => Arc::make_mut(shape).scale_scene_lengths(factor),
@@ -105,46 +105,46 @@ impl Object {
             } => {
                 scale_light(Arc::make_mut(light), factor);
                 for held in looks_like.iter_mut().chain(projected_through) {
-                    *held = scaled_child(held, factor, known);
+                    *held = scaled_child(held, factor, copies);
                 }
             }
             Kind::Csg { children, .. } => {
-                *children = scaled_children(children, factor, known);
+                *children = scaled_children(children, factor, copies);
             }
         }
     }
 }
 
-fn scaled_child(child: &Arc<Object>, factor: f64, known: &mut Known) -> Arc<Object> {
+fn scaled_child(child: &Arc<Object>, factor: f64, copies: &mut ScaledChildren) -> Arc<Object> {
     let key = Arc::as_ptr(child).addr();
-    if let Some((_, made)) = known.objects.get(&key) {
-        return Arc::clone(made);
+    if let Some((_, copy)) = copies.objects.get(&key) {
+        return Arc::clone(copy);
     }
     let mut own = (**child).clone();
-    own.scale_own_lengths(factor, known);
-    let made = Arc::new(own);
-    known
+    own.scale_own_lengths(factor, copies);
+    let copy = Arc::new(own);
+    copies
         .objects
-        .insert(key, (Arc::clone(child), Arc::clone(&made)));
-    made
+        .insert(key, (Arc::clone(child), Arc::clone(&copy)));
+    copy
 }
 
 type Children = Arc<Vec<Arc<Object>>>;
 
-fn scaled_children(children: &Children, factor: f64, known: &mut Known) -> Children {
+fn scaled_children(children: &Children, factor: f64, copies: &mut ScaledChildren) -> Children {
     let key = Arc::as_ptr(children).addr();
-    if let Some((_, made)) = known.lists.get(&key) {
-        return Arc::clone(made);
+    if let Some((_, copy)) = copies.lists.get(&key) {
+        return Arc::clone(copy);
     }
     let all = children.iter();
-    let made = Arc::new(
-        all.map(|child| scaled_child(child, factor, known))
+    let copy = Arc::new(
+        all.map(|child| scaled_child(child, factor, copies))
             .collect(),
     );
-    known
+    copies
         .lists
-        .insert(key, (Arc::clone(children), Arc::clone(&made)));
-    made
+        .insert(key, (Arc::clone(children), Arc::clone(&copy)));
+    copy
 }
 
 fn scale_interior(interior: &mut Arc<Interior>, factor: f64) {

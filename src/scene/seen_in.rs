@@ -1,24 +1,24 @@
-//! Boxes within which objects are seen. POV-Ray asks an object only about rays that meet its box, and that box is not always
-//! one around all that shows: the inside of a height field goes on below its box without end, that of a disc behind it,
-//! and what they clip or are cut with has their box.
+//! Boxes outside which objects are invisible. POV-Ray tests an object only against rays that hit its box, and that box
+//! does not always contain all that would show: the inside of a height field extends below its box without end, that of
+//! a disc behind it, and objects that they clip or cut have their boxes.
 //!
-//! Measured with POV-Ray 3.7: a ray that meets the box somewhere sees all on it, what lies outside of the box too. Parts of
-//! a combination have no boxes of their own. Those of a union that is taken apart have, unless the union as a whole was
-//! moved: then shapes have their own boxes again, whatever clips them, and combinations keep theirs.
+//! Measured with POV-Ray 3.7: a ray that hits the box sees everything along it, including what lies outside of the box.
+//! Parts of a CSG object have no boxes of their own. Parts of a union that is split have, unless the union as a whole
+//! was transformed: then shapes have their own boxes again, whatever clips them, and CSG objects keep theirs.
 
 use super::extent::is_limited;
 use super::{Kind, Object};
 
 impl Object {
-    /// Notes the box within which it is seen, as it is now that all is said of it.
+    /// Stores the box outside which the object is invisible. Called when all its properties are set.
     pub(crate) fn find_boxes(&mut self) {
-        if !self.size().reaches_out {
+        if !self.size().extends_beyond_bounds {
             return;
         }
         let is_union = self.plain_union().is_some();
         let is_bare = self.around().next().is_none() && matches!(self.kind, Kind::Shape(_));
         let seen_in = (!is_union && !is_bare).then(|| self.extent());
         let moves_parts = is_union && !self.steps.is_empty();
-        self.note_boxes(seen_in.filter(is_limited), moves_parts);
+        self.set_visibility_box(seen_in.filter(is_limited), moves_parts);
     }
 }

@@ -1,47 +1,47 @@
-//! What many objects say alike, kept once.
+//! Sharing of equal values: many objects of a scene have the same finish or interior.
 
 use super::Args;
 use std::any::Any;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// So many values are compared with a new one.
-const MOST: usize = 4;
+/// Number of recent values that a new one is compared with.
+const CAPACITY: usize = 4;
 
-/// The values that were read last.
+/// Cache of the most recent values, one `Arc` for all equal ones.
 #[derive(Debug, Default)]
-pub struct Interner(RefCell<Last>);
+pub struct Interner(RefCell<Recent>);
 
 #[derive(Debug, Default)]
-struct Last {
-    values: [Option<Arc<dyn Any + Send + Sync>>; MOST],
-    /// The oldest, which gives way next.
+struct Recent {
+    values: [Option<Arc<dyn Any + Send + Sync>>; CAPACITY],
+    /// Slot of the oldest value, which is replaced next.
     oldest: usize,
 }
 
 impl Interner {
-    /// One of the values if it is equal, or else the new one, which is then among them.
+    /// Returns the cached value if an equal one exists, otherwise caches the new one.
     fn share<T: Any + Send + Sync + PartialEq>(&self, value: T) -> Arc<T> {
-        let mut last = self.0.borrow_mut();
-        let known = last.values.iter().flatten().find_map(|known| {
-            let known = Arc::clone(known).downcast::<T>().ok()?;
-            (*known == value).then_some(known)
+        let mut recent = self.0.borrow_mut();
+        let cached = recent.values.iter().flatten().find_map(|cached| {
+            let cached = Arc::clone(cached).downcast::<T>().ok()?;
+            (*cached == value).then_some(cached)
         });
-        if let Some(known) = known {
-            return known;
+        if let Some(cached) = cached {
+            return cached;
         }
         let value = Arc::new(value);
-        let oldest = last.oldest;
-        last.values[oldest] = Some(value.clone());
-        last.oldest = (oldest + 1) % MOST;
+        let oldest = recent.oldest;
+        recent.values[oldest] = Some(value.clone());
+        recent.oldest = (oldest + 1) % CAPACITY;
         value
     }
 }
 
-/// A value that was read, kept once if others before it said the same.
+/// Wraps a value in an `Arc`, shared with equal values that were read recently.
 pub fn alike<T: Any + Send + Sync + PartialEq>(args: &dyn Args, value: T) -> Arc<T> {
     match args.alike() {
-        Some(known) => known.share(value),
+        Some(interner) => interner.share(value),
         None => Arc::new(value),
     }
 }
@@ -51,15 +51,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_equal_is_kept_once_until_four_others_have_come() {
-        let known = Interner::default();
-        let first = known.share(String::from("a"));
+    fn equal_values_are_shared_until_newer_ones_replace_them() {
+        let interner = Interner::default();
+        let first = interner.share(String::from("a"));
         for other in ["b", "c", "d"] {
-            let other = known.share(String::from(other));
+            let other = interner.share(String::from(other));
             assert!(!Arc::ptr_eq(&first, &other));
-            assert!(Arc::ptr_eq(&first, &known.share(String::from("a"))));
+            assert!(Arc::ptr_eq(&first, &interner.share(String::from("a"))));
         }
-        known.share(7);
-        assert!(!Arc::ptr_eq(&first, &known.share(String::from("a"))));
+        interner.share(7);
+        assert!(!Arc::ptr_eq(&first, &interner.share(String::from("a"))));
     }
 }

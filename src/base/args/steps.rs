@@ -1,4 +1,4 @@
-//! Reading `translate`, `rotate`, `scale`, `matrix` and `transform`.
+//! Reader of `translate`, `rotate`, `scale`, `matrix` and `transform`.
 
 use super::{Args, Parse, Word, declared};
 use crate::base::math::{Step, Transform};
@@ -6,13 +6,13 @@ use crate::base::source::Diagnostic;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 
-/// Below this, POV-Ray takes every entry of a matrix column for zero.
+/// Below this, POV-Ray treats every entry of a matrix column as zero.
 const ZERO_COLUMN: f64 = 1e-10;
 
-/// The transform that begins at the next word, or `None` if the next word begins none.
+/// Reads the transform that begins at the next word; `None` if that word begins none.
 ///
 /// # Errors
-/// A malformed vector or block, or a matrix that has no inverse.
+/// A malformed vector or block, or a singular matrix.
 pub fn transform_step(args: &mut dyn Args) -> Parse<Option<Step>> {
     let step = match args.word()? {
         Some(Word::Translate) => {
@@ -55,7 +55,7 @@ fn scale_vector(args: &mut dyn Args) -> Parse<DVec3> {
     Ok(by)
 }
 
-/// `< 12 numbers >`: three rows of the linear part, then the translation, as POV-Ray writes row vectors.
+/// `< 12 numbers >`: three rows of the linear part, then the translation, in POV-Ray's row-vector convention.
 fn matrix(args: &mut dyn Args) -> Parse<Transform> {
     let at = args.span();
     if !args.accept_mark('<')? {

@@ -1,4 +1,4 @@
-//! Parameters read from a literal text, for the tests of elements. No expressions, no directives.
+//! Parameters read from a literal text, for unit tests of elements. No expressions, no directives.
 
 use super::{Args, Parse, Word};
 use crate::base::color::Color;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 type Value = Arc<dyn Any + Send + Sync>;
 
-/// A text as [`Args`], with names that stand for values.
+/// A text as [`Args`], with identifiers bound to values.
 pub(crate) struct TextArgs {
     tokens: Vec<(String, Span)>,
     next: usize,
@@ -19,7 +19,7 @@ pub(crate) struct TextArgs {
 }
 
 impl TextArgs {
-    /// The tokens of a text, in language version 3.7.
+    /// Tokenises a text, in language version 3.7.
     pub(crate) fn new(text: &str) -> Self {
         TextArgs {
             tokens: tokens(text),
@@ -30,13 +30,13 @@ impl TextArgs {
         }
     }
 
-    /// The same in another language version.
+    /// Sets the language version.
     pub(crate) fn at_version(mut self, version: f64) -> Self {
         self.version = version;
         self
     }
 
-    /// The same with a name declared.
+    /// Declares an identifier.
     pub(crate) fn with<T: Any + Send + Sync>(mut self, name: &str, value: T) -> Self {
         self.names.push((name.to_owned(), Arc::new(value)));
         self
@@ -44,13 +44,13 @@ impl TextArgs {
 
     /// The messages of all warnings so far.
     pub(crate) fn warnings(&self) -> Vec<&str> {
-        let said = self.warnings.iter();
-        said.filter(|w| w.severity == Severity::Warning)
+        let all = self.warnings.iter();
+        all.filter(|w| w.severity == Severity::Warning)
             .map(|w| w.message.as_str())
             .collect()
     }
 
-    /// Whether all of the text was read.
+    /// Returns true if all of the text was read.
     pub(crate) fn is_done(&self) -> bool {
         self.next == self.tokens.len()
     }
@@ -65,7 +65,7 @@ impl TextArgs {
         is_next
     }
 
-    /// A list in angle brackets, or a number alone.
+    /// Reads a list in angle brackets, or a single number.
     fn numbers(&mut self) -> Parse<Vec<f64>> {
         if !self.take("<") {
             return Ok(vec![self.float()?]);
@@ -86,7 +86,7 @@ impl TextArgs {
         }))
     }
 
-    /// The channels that a colour word sets, by index into red, green, blue, filter, transmit.
+    /// The channels that a colour word sets, as indices into red, green, blue, filter, transmit.
     fn channels(&self) -> Option<&'static [usize]> {
         Some(match self.peek() {
             "rgb" => &[0, 1, 2],
@@ -252,7 +252,7 @@ impl Args for TextArgs {
     }
 }
 
-/// Words, numbers and single marks.
+/// Splits a text into words, numbers and single marks.
 fn tokens(text: &str) -> Vec<(String, Span)> {
     let mut list: Vec<(String, Span)> = Vec::new();
     let mut is_open = false;

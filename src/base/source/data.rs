@@ -1,19 +1,20 @@
-//! Files that a scene names and that are no text: pictures, fonts.
+//! Binary files that a scene names: pictures, fonts.
 
 use super::read::Named;
 use super::regular::refusal;
 use super::search::not_found;
-use super::written::place_of;
+use super::written::canonical_path;
 use super::{Diagnostic, FileId, Sources};
 use std::io;
 use std::sync::Arc;
 
 impl Sources {
-    /// The bytes of the file that a scene means by `"name"` in `including_file`: searched like an include file, by its
-    /// name and then with each of `endings` appended. `what` is "the picture" or the like. A file is read once, by whatever path it is named.
+    /// Returns the bytes of the file that a scene names in `including_file`. The search is that for include files: the
+    /// name itself, then the name with each of `endings` appended. `what` is "the picture" or the like. Each file is
+    /// read once, whatever path names it.
     ///
     /// # Errors
-    /// When there is no such file or it cannot be read; the finding has no place yet.
+    /// No such file, or it cannot be read; the diagnostic has no span yet.
     pub fn find_bytes(
         &mut self,
         what: &str,
@@ -29,14 +30,14 @@ impl Sources {
         self.note(&path, true);
         let name = path.display();
         let cannot_read = |error| Box::new(refusal("read", &name, &error));
-        let place = place_of(&path).map_err(cannot_read)?;
-        if let Some(bytes) = self.data.get(&place) {
+        let key = canonical_path(&path).map_err(cannot_read)?;
+        if let Some(bytes) = self.data.get(&key) {
             return Ok(Arc::clone(bytes));
         }
         let bytes = self.bytes_of(&path, Named::ByScene).map_err(cannot_read)?;
         let bytes = bytes.ok_or_else(|| cannot_read(io::Error::other("it is too large")))?;
         let bytes: Arc<[u8]> = bytes.into();
-        self.data.insert(place, Arc::clone(&bytes));
+        self.data.insert(key, Arc::clone(&bytes));
         Ok(bytes)
     }
 }

@@ -1,35 +1,36 @@
-//! What a picture depends on: the files that were read, and the places where files were looked for and are not.
+//! Dependencies of a picture: the files that were read, and the paths where the search found no file.
 
-use super::search::places;
+use super::search::candidates;
 use super::{FileId, Sources};
 use rustc_hash::FxHashSet;
 use std::path::{Path, PathBuf};
 
-/// A file whose content or whose presence matters to the picture.
+/// A file whose content or existence affects the picture.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Dependency {
-    /// The path by which it was found, or at which it was looked for.
+    /// The path at which the file was searched.
     pub path: PathBuf,
-    /// Whether it was there.
+    /// True if the file exists.
     pub is_there: bool,
 }
 
-/// The dependencies of a run so far, each once, in their order.
+/// The dependencies of a run so far, without duplicates, in the order in which they were recorded.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Asked {
+pub(super) struct Dependencies {
     all: Vec<Dependency>,
     known: FxHashSet<Dependency>,
 }
 
 impl Sources {
-    /// The files that were read, and the places where files were looked for in vain, each once, without those that the
-    /// scene wrote itself: if one of them changes, appears or goes, the picture may change.
+    /// The files that were read and the paths where the search found no file, without duplicates and without files that
+    /// the scene wrote itself. If one of them changes, appears or disappears, the picture may change.
     #[must_use]
     pub fn dependencies(&self) -> &[Dependency] {
-        &self.asked.all
+        &self.dependencies.all
     }
 
-    /// The first file of this name in the folders, with an ending appended; one that the scene wrote comes before all.
+    /// Searches the folders for a file of this name with one of the endings appended. A file that the scene wrote takes
+    /// precedence.
     pub(super) fn search(
         &mut self,
         name: &str,
@@ -38,12 +39,12 @@ impl Sources {
     ) -> Option<PathBuf> {
         let mut found = self.own_file(name);
         let is_own = found.is_some();
-        for place in places(name, folders, endings).take_while(|_| !is_own) {
-            if self.is_file(&place) {
-                found = Some(place);
+        for path in candidates(name, folders, endings).take_while(|_| !is_own) {
+            if self.is_file(&path) {
+                found = Some(path);
                 break;
             }
-            self.note(&place, false);
+            self.note(&path, false);
         }
         found
     }
@@ -53,22 +54,22 @@ impl Sources {
             path: path.to_owned(),
             is_there,
         };
-        if self.asked.known.contains(&dependency) {
+        if self.dependencies.known.contains(&dependency) {
             return;
         }
         if !self.has_written(path) {
-            self.asked.known.insert(dependency.clone());
-            self.asked.all.push(dependency);
+            self.dependencies.known.insert(dependency.clone());
+            self.dependencies.all.push(dependency);
         }
     }
 
-    /// Whether the scene has written files.
+    /// Returns true if the scene has written files.
     #[must_use]
     pub fn wrote_files(&self) -> bool {
         !self.written.is_empty()
     }
 
-    /// Whether a text is that of a file which the scene did not write itself.
+    /// Returns true for the text of a file that the scene did not write itself.
     #[must_use]
     pub fn is_lasting(&self, file: FileId) -> bool {
         self.by_path
@@ -76,14 +77,14 @@ impl Sources {
             .any(|(path, id)| *id == file && !self.written.contains(path))
     }
 
-    /// The same texts for another run, which has asked for no file and written none yet.
+    /// The texts for another run, with no dependencies recorded and no files written.
     #[must_use]
     pub fn for_another_run(mut self) -> Self {
         let written = std::mem::take(&mut self.written);
         self.held.clear();
         self.by_path.retain(|path, _| !written.contains(path));
         self.data.retain(|path, _| !written.contains(path));
-        self.asked = Asked::default();
+        self.dependencies = Dependencies::default();
         self.of_earlier_run = self.by_path.values().copied().collect();
         self
     }

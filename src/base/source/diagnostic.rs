@@ -1,16 +1,16 @@
-//! What is wrong or doubtful in a scene, with its place, related places and remedies.
+//! Errors and warnings about a scene, with spans, related spans and hints.
 
 use super::Span;
 use serde::Serialize;
 use std::fmt;
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// The scene is drawn; something was assumed.
+    /// The scene is rendered, on an assumption.
     Warning,
-    /// The scene is not drawn.
+    /// The scene is not rendered.
     Error,
 }
 
@@ -23,62 +23,62 @@ impl fmt::Display for Severity {
     }
 }
 
-/// Kinds of findings that programs tell apart: who is at fault, and what to fetch.
+/// Categories of diagnostics that programs distinguish.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Code {
-    /// The scene asks for what this program cannot do yet; the scene is not at fault.
+    /// The scene uses a feature that is not supported yet; the scene is not at fault.
     NotBuilt,
-    /// A name that nothing declares.
+    /// An undeclared name.
     Undeclared,
-    /// An include file or another file that is not found.
+    /// A missing include file or other file.
     MissingFile,
-    /// The scene itself says so, by `#error` or `#warning`.
+    /// The scene's own `#error` or `#warning`.
     Author,
-    /// The scene writes files, and this run lets scenes write none.
+    /// The scene writes files, which this run does not allow.
     WritesFiles,
-    /// The scene needs more memory than there is.
+    /// The scene needs more memory than is available.
     Memory,
-    /// The scene needs more time, memory or depth than it may take.
+    /// The scene exceeds a limit on time, memory or depth.
     Limit,
 }
 
-/// A note on a related place.
+/// A note on a related span.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// The place.
+    /// The related span.
     pub span: Span,
-    /// What it has to do with the matter: "this `{` is still open".
+    /// Its relation to the diagnostic: "this `{` is still open".
     pub text: String,
 }
 
-/// One finding about a scene. Messages start in lower case and end without a full stop.
+/// An error or warning about a scene. Messages start in lower case and end without a full stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity of the diagnostic.
     pub severity: Severity,
-    /// What kind of finding it is, where programs may want to know.
+    /// Category for programs, where there is one.
     pub code: Option<Code>,
-    /// What is wrong, in the words of the scene's author.
+    /// The message, in the terms of the scene's author.
     pub message: String,
-    /// Where; `None` for what has no place in a text (a missing file named on the command line).
+    /// The span; `None` if there is none in a text (a missing file named on the command line).
     pub span: Option<Span>,
-    /// Related places.
+    /// Notes on related spans.
     pub labels: Vec<Label>,
-    /// Things to do about it, without the word "hint". They are shown as sentences, with capital and full stop.
+    /// Remedies, without the word "hint". They are shown as sentences, with a capital and a full stop.
     pub hints: Vec<String>,
-    /// Calls and includes on the way here, innermost first: "in the macro `Leg`, called here".
+    /// The calls and includes that led here, innermost first: "in the macro `Leg`, called here".
     pub trace: Vec<Label>,
 }
 
 impl Diagnostic {
-    /// An error at a place.
+    /// An error at a span.
     #[must_use]
     pub fn error(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
         Diagnostic::new(Severity::Error, span.into(), message.into())
     }
 
-    /// A warning at a place.
+    /// A warning at a span.
     #[must_use]
     pub fn warning(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
         Diagnostic::new(Severity::Warning, span.into(), message.into())
@@ -96,14 +96,14 @@ impl Diagnostic {
         }
     }
 
-    /// The same, told to be of a kind.
+    /// Sets the category.
     #[must_use]
     pub fn with_code(mut self, code: Code) -> Self {
         self.code = Some(code);
         self
     }
 
-    /// The same with a note on a related place.
+    /// Adds a note on a related span.
     #[must_use]
     pub fn with_label(mut self, span: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label {
@@ -113,7 +113,7 @@ impl Diagnostic {
         self
     }
 
-    /// The same with something to do about it.
+    /// Adds a remedy.
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
@@ -121,7 +121,7 @@ impl Diagnostic {
     }
 }
 
-/// A hint as a sentence: with a capital and a full stop.
+/// Formats a hint as a sentence, with a capital and a full stop.
 pub(super) fn sentence(hint: &str) -> String {
     let mut letters = hint.chars();
     let mut text: String = letters

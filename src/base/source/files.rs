@@ -1,37 +1,37 @@
-//! The texts of one run, and the search for include files.
+//! The source texts of a run, and the search for include files.
 //!
-//! A file is read once, by whatever path it is named. Its bytes become a text by the rules of `text`: UTF-8 as it is,
-//! other bytes as Latin-1. All offsets count bytes of that text.
+//! Each file is read once, whatever path names it. The module `text` decodes it: UTF-8 as it is, other bytes as
+//! Latin-1. All offsets count bytes of the decoded text.
 
-use super::dependency::Asked;
+use super::dependency::Dependencies;
 use super::read::{MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited};
 use super::regular;
 use super::search::{INCLUDES, not_found};
 use super::text::decode;
-use super::written::{HeldFile, place_of};
+use super::written::{HeldFile, canonical_path};
 use super::{Diagnostic, FileId, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-/// Include files of more bytes hold data and are not searched for names.
+/// Larger include files hold data and are not searched for declarations.
 const SMALL_FILE_BYTES: u64 = 1 << 20;
 
-/// The texts of one run, by their [`FileId`].
+/// The source texts of a run, by [`FileId`].
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
     pub(super) by_path: FxHashMap<PathBuf, FileId>,
-    /// Files that the scene wrote itself.
+    /// Canonical paths of files that the scene wrote itself.
     pub(super) written: FxHashSet<PathBuf>,
-    /// Those of them that are on no disk, by their paths.
+    /// Those of them that are held in memory, by canonical path.
     pub(super) held: FxHashMap<PathBuf, HeldFile>,
-    pub(super) asked: Asked,
-    /// Files that an earlier run has read and this one has not asked for.
+    pub(super) dependencies: Dependencies,
+    /// Files that an earlier run has read and this one has not requested.
     pub(super) of_earlier_run: FxHashSet<FileId>,
-    /// Files that are no text, by their canonical paths.
+    /// Binary files, by canonical path.
     pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
 }
 
@@ -40,14 +40,15 @@ struct Source {
     name: String,
     path: Option<PathBuf>,
     text: Arc<String>,
-    /// Whether letters of its bytes were Latin-1, one byte each.
+    /// True if some of its bytes were decoded as Latin-1, one byte per letter.
     is_latin1: bool,
-    /// Where each line begins; made when first asked for.
+    /// Offset of the start of each line, computed on first use.
     lines: OnceLock<Vec<u32>>,
 }
 
 impl Sources {
-    /// No texts; include files are searched in `library_paths`, in this order, after the nearer places.
+    /// An empty set of texts. Include files are searched in `library_paths`, in this order, after the including file's
+    /// folder and the current folder.
     #[must_use]
     pub fn new(library_paths: Vec<PathBuf>) -> Self {
         Sources {
@@ -56,18 +57,18 @@ impl Sources {
         }
     }
 
-    /// The text of a file that the user names, read now unless it has been read before. It may be a pipe.
+    /// Loads the text of a file that the user names, unless it has been read before. It may be a pipe.
     ///
     /// # Errors
-    /// When the file cannot be read or has more than [`MAX_FILE_BYTES`]; the finding has no place yet.
+    /// The file cannot be read or is larger than [`MAX_FILE_BYTES`]; the diagnostic has no span yet.
     pub fn load_file(&mut self, path: impl AsRef<Path>) -> Result<FileId, Box<Diagnostic>> {
         self.load(path.as_ref(), Named::ByUser)
     }
 
-    /// The same of a file that a scene, or a file of settings beside it, may have named: a regular one.
+    /// Loads the text of a file that a scene, or a file of settings beside it, may name: regular files only.
     ///
     /// # Errors
-    /// As [`Sources::load_file`], and when the file is not a regular one.
+    /// As [`Sources::load_file`], and if the file is not a regular one.
     pub(crate) fn load_regular(&mut self, path: &Path) -> Result<FileId, Box<Diagnostic>> {
         self.load(path, Named::ByScene)
     }
@@ -75,8 +76,8 @@ impl Sources {
     fn load(&mut self, path: &Path, named: Named) -> Result<FileId, Box<Diagnostic>> {
         let name = path.display();
         let cannot_read = |error| Box::new(regular::refusal("read", &name, &error));
-        let place = place_of(path).map_err(cannot_read)?;
-        if let Some(&file) = self.by_path.get(&place) {
+        let key = canonical_path(path).map_err(cannot_read)?;
+        if let Some(&file) = self.by_path.get(&key) {
             if self.of_earlier_run.remove(&file) {
                 self.note(path, true);
             }
@@ -91,11 +92,11 @@ impl Sources {
         };
         self.note(path, true);
         let id = self.push(name.to_string(), Some(path.to_owned()), bytes);
-        self.by_path.insert(place, id);
+        self.by_path.insert(key, id);
         Ok(id)
     }
 
-    /// A text that comes from no file: standard input, a test, a string of a Rust program. Its include files are
+    /// Adds a text that comes from no file: standard input, a test, a string in a Rust program. Its include files are
     /// searched in the current folder and the library paths.
     pub fn add_text(&mut self, name: impl Into<String>, bytes: impl AsRef<[u8]>) -> FileId {
         self.push(name.into(), None, bytes.as_ref().to_vec())
@@ -114,12 +115,12 @@ impl Sources {
         id
     }
 
-    /// The file that `#include "name"` in `including_file` means: beside that file, else in the current folder, else
-    /// in the first library path that has it; in each place by its name, else with `.inc` or `.INC` appended.
+    /// Loads the file that `#include "name"` in `including_file` names. The search goes through that file's folder, the
+    /// current folder and the library paths; in each it tries the name, then the name with `.inc` or `.INC` appended.
     ///
     /// # Errors
-    /// When there is no such file or it cannot be read. The finding names the places searched and files whose names
-    /// differ only in case; it has no place yet, give it that of the name.
+    /// No such file, or it cannot be read. The diagnostic lists the folders searched and files whose names differ only
+    /// in case. It has no span yet; the caller sets that of the name.
     pub fn find_include(
         &mut self,
         name: &str,
@@ -128,7 +129,7 @@ impl Sources {
         self.find("the include file", name, including_file, &INCLUDES)
     }
 
-    /// The file that `#fopen F "name" read` means: searched like an include file, but by its name alone.
+    /// Loads the file that `#fopen F "name" read` names: searched like an include file, but by its name alone.
     ///
     /// # Errors
     /// As [`Sources::find_include`].
@@ -154,10 +155,10 @@ impl Sources {
         }
     }
 
-    /// Whether there is a file that `#fopen F "name" read` would mean.
+    /// Returns true if there is a file for `#fopen F "name" read`.
     #[must_use]
-    pub fn has_data(&mut self, name: &str, asking_file: FileId) -> bool {
-        let folders = self.folders(asking_file);
+    pub fn has_data(&mut self, name: &str, reading_file: FileId) -> bool {
+        let folders = self.folders(reading_file);
         let found = self.search(name, &folders, &[""]);
         if let Some(path) = &found {
             self.note(path, true);
@@ -165,9 +166,9 @@ impl Sources {
         found.is_some()
     }
 
-    /// The include file of the library that declares a name, if one of the first `most` files does.
+    /// The include file of the library that declares a name, among the first `limit` files.
     #[must_use]
-    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<Declared> {
+    pub fn library_file_that_declares(&self, name: &str, limit: usize) -> Option<Declared> {
         let entries = self
             .library_paths
             .iter()
@@ -177,10 +178,12 @@ impl Sources {
             .flatten()
             .map(|entry| entry.path())
             .filter(|path| path.extension().is_some_and(|ending| ending == "inc"))
-            .filter(|path| fs::metadata(path).is_ok_and(|about| about.len() < SMALL_FILE_BYTES))
+            .filter(|path| {
+                fs::metadata(path).is_ok_and(|metadata| metadata.len() < SMALL_FILE_BYTES)
+            })
             .collect();
         files.sort();
-        files.truncate(most);
+        files.truncate(limit);
         files.iter().find_map(|path| {
             let bytes = read_limited(path, Named::ByScene)
                 .ok()
@@ -193,7 +196,7 @@ impl Sources {
         })
     }
 
-    /// The names of all include files that `#include` could mean in a file, without those of folders inside.
+    /// The names of all include files that `#include` in a file can name, without those in subfolders.
     #[must_use]
     pub fn include_files(&self, including_file: FileId) -> Vec<String> {
         let folders = self.folders(including_file);
@@ -213,7 +216,7 @@ impl Sources {
             .collect()
     }
 
-    /// Where include files are searched; an empty path is the current folder.
+    /// Folders in which include files are searched, in order; an empty path is the current folder.
     pub(super) fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
         let including = self.path(including_file).and_then(Path::parent);
         let near = including.into_iter().chain([Path::new("")]);
@@ -226,33 +229,33 @@ impl Sources {
         folders
     }
 
-    /// Whether letters of a file beyond ASCII are one byte long in it.
+    /// Returns true if non-ASCII letters of a file are one byte long.
     pub(crate) fn is_latin1(&self, file: FileId) -> bool {
         self.texts[file.0 as usize].is_latin1
     }
 
-    /// A text.
+    /// The text of a file.
     ///
     /// # Panics
-    /// When `file` is of other `Sources`, as for all methods that take one.
+    /// If `file` belongs to other `Sources`, as for all methods that take one.
     #[must_use]
     pub fn text(&self, file: FileId) -> &Arc<String> {
         &self.source(file).text
     }
 
-    /// The name of a text: the path by which the file was found, or what [`Sources::add_text`] was given.
+    /// The name of a text: the path of the file, or the name given to [`Sources::add_text`].
     #[must_use]
     pub fn name(&self, file: FileId) -> &str {
         &self.source(file).name
     }
 
-    /// The path by which a file was found; `None` for a text that comes from no file.
+    /// The path of a file; `None` for a text that comes from no file.
     #[must_use]
     pub fn path(&self, file: FileId) -> Option<&Path> {
         self.source(file).path.as_deref()
     }
 
-    /// Line and column of the start of a place, from 1; columns are counted in characters.
+    /// Line and column of the start of a span, from 1; columns count characters.
     #[must_use]
     pub fn line_column(&self, span: Span) -> (usize, usize) {
         let (line, start) = self.line_of(span.file, span.start as usize);
@@ -261,14 +264,14 @@ impl Sources {
         (line, text[start..end].chars().count() + 1)
     }
 
-    /// The number of the line, from 1, that holds a byte, and where that line begins.
+    /// The line that contains a byte, counted from 1, and the offset of its start.
     pub(super) fn line_of(&self, file: FileId, at: usize) -> (usize, usize) {
         let lines = self.lines(file);
         let line = lines.partition_point(|&start| start as usize <= at).max(1);
         (line, lines[line - 1] as usize)
     }
 
-    /// Where a line begins, counted from 1; the end of the text for a line behind the last.
+    /// Offset of the start of a line, counted from 1; the end of the text for a line beyond the last.
     pub(super) fn line_start(&self, file: FileId, line: usize) -> usize {
         let lines = self.lines(file);
         let start = line.checked_sub(1).and_then(|index| lines.get(index));
@@ -280,7 +283,7 @@ impl Sources {
         source.lines.get_or_init(|| line_starts(&source.text))
     }
 
-    /// All texts, in the order in which they were read.
+    /// All texts, in reading order.
     pub(super) fn all_texts(&self) -> impl Iterator<Item = &str> {
         self.texts.iter().map(|source| source.text.as_str())
     }
@@ -290,7 +293,7 @@ impl Sources {
     }
 }
 
-/// A name that an include file of the library declares.
+/// A declaration in an include file of the library.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declared {
     /// The file, as `#include` names it.
@@ -299,7 +302,7 @@ pub struct Declared {
     pub kind: String,
 }
 
-/// The word behind the `=` of a line `#declare name = ...` of a text; empty for `#macro name` and values without one.
+/// The word after the `=` of a line `#declare name = ...`; empty for `#macro name` and values that begin with no word.
 fn declares(text: &str, name: &str) -> Option<String> {
     text.lines().find_map(|line| {
         let line = line.trim_start().strip_prefix('#')?;
@@ -325,12 +328,12 @@ fn line_starts(text: &str) -> Vec<u32> {
     let bytes = text.as_bytes();
     let ends = memchr::memchr2_iter(b'\n', b'\r', bytes)
         .filter(|&at| bytes[at] == b'\n' || bytes.get(at + 1) != Some(&b'\n'));
-    // The lexer refuses texts with longer offsets, so no span lies behind the last line listed here.
+    // The lexer rejects texts with longer offsets, so no span begins after the last line listed here.
     let starts = ends.map_while(|at| u32::try_from(at + 1).ok());
     std::iter::once(0).chain(starts).collect()
 }
 
-/// The start of the character that holds the byte `at`; the end of the text for a byte behind it.
+/// Offset of the character that contains the byte `at`; the end of the text for a byte beyond it.
 pub(super) fn char_start(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {

@@ -1,19 +1,19 @@
-//! What tells the texts of one run from those of another.
+//! Hash of the texts of a run, to detect changes.
 
 use super::Sources;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
 impl Sources {
-    /// A number that changes with any byte of any file that was read, and with the presence of those that were asked
-    /// for. It guards against accidents, not against forgery.
+    /// A hash of every byte of every file that was read and of the existence of every file that was searched. It guards
+    /// against accidents, not against forgery.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = FxHasher::default();
         for text in self.all_texts() {
             text.hash(&mut hasher);
         }
-        // Their paths may be spelled in many ways; by content they are always the same.
+        // The same file can be named by different paths, so the order of the hashes must not depend on them.
         let mut data: Vec<u64> = self
             .data
             .values()
@@ -40,7 +40,7 @@ mod tests {
     #[test]
     fn every_byte_of_every_file_counts() {
         let folder = tempfile::tempdir().unwrap();
-        let print = |text: &str, include: &str, font: &str| {
+        let fingerprint = |text: &str, include: &str, font: &str| {
             fs::write(folder.path().join("a.pov"), text).unwrap();
             fs::write(folder.path().join("b.inc"), include).unwrap();
             fs::write(folder.path().join("c.ttf"), font).unwrap();
@@ -53,16 +53,20 @@ mod tests {
             let _ = sources.has_data("missing", scene);
             sources.fingerprint()
         };
-        let first = print("sphere", "box", "font");
-        assert_eq!(first, print("sphere", "box", "font"));
+        let first = fingerprint("sphere", "box", "font");
+        assert_eq!(first, fingerprint("sphere", "box", "font"));
         for (text, include, font) in [
             ("spherf", "box", "font"),
             ("sphere", "bax", "font"),
             ("sphere", "box", "fond"),
         ] {
-            assert_ne!(first, print(text, include, font), "{text} {include} {font}");
+            assert_ne!(
+                first,
+                fingerprint(text, include, font),
+                "{text} {include} {font}"
+            );
         }
         fs::write(folder.path().join("missing"), "here").unwrap();
-        assert_ne!(first, print("sphere", "box", "font"));
+        assert_ne!(first, fingerprint("sphere", "box", "font"));
     }
 }

@@ -1,4 +1,4 @@
-//! Scene texts, places in them, and what is said about them.
+//! Scene texts, spans in them, and diagnostics.
 
 mod data;
 mod dependency;
@@ -19,7 +19,7 @@ mod written;
 pub use dependency::Dependency;
 pub use diagnostic::{Code, Diagnostic, Label, Severity};
 pub use files::{Declared, Sources};
-pub use message::{Message, Note, Point, Stretch};
+pub use message::{Location, Message, Note, Position};
 pub use read::MAX_FILE_BYTES;
 #[cfg(feature = "cli")]
 pub(crate) use read::read_regular;

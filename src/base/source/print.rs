@@ -1,4 +1,4 @@
-//! Findings as text, in the forms that people and programs read. Nothing here writes anywhere.
+//! Diagnostics as text, for people and programs. Nothing here writes to a stream.
 
 use super::diagnostic::sentence;
 use super::files::char_start;
@@ -6,7 +6,7 @@ use super::{Diagnostic, Label, Severity, Sources, Span};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 use std::ops::Range;
 
-/// Whether a text carries the escape codes of a colour terminal.
+/// Use of the escape codes of a colour terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Styling {
     /// Characters only.
@@ -15,18 +15,18 @@ pub enum Styling {
     Colored,
 }
 
-/// Labels of the same file that lie further from the place itself are shown in a snippet of their own, so that what
-/// is laid out stays small in a text of any size.
+/// Labels of the same file further from the primary span than this number of lines get a snippet of their own, so that
+/// the excerpt stays small in a text of any size.
 const NEAR_LINES: usize = 200;
 
-/// How many steps of the trace are shown from each end; a macro that calls itself has thousands.
+/// Steps of the trace shown from each end; a recursive macro has thousands.
 const TRACE_ENDS: usize = 4;
 
-/// The finding in POV-Ray's form, in one line without its end: `File 'x.pov' line 4: Parse Error: message`. POV-Ray
-/// breaks such lines at 80 columns, which programs that look for them undo or trip over.
+/// The diagnostic in POV-Ray's form, as one line without a line end: `File 'x.pov' line 4: Parse Error: message`.
+/// POV-Ray breaks such lines at 80 columns, which programs that search for them have to undo.
 #[must_use]
 pub fn pov_line(diagnostic: &Diagnostic, sources: &Sources) -> String {
-    let place = diagnostic.span.map_or(String::new(), |span| {
+    let location = diagnostic.span.map_or(String::new(), |span| {
         let (line, _) = sources.line_column(span);
         format!("File '{}' line {line}: ", sources.name(span.file))
     });
@@ -34,11 +34,11 @@ pub fn pov_line(diagnostic: &Diagnostic, sources: &Sources) -> String {
         Severity::Error => "Parse Error",
         Severity::Warning => "Parse Warning",
     };
-    clean(&format!("{place}{kind}: {}", diagnostic.message))
+    clean(&format!("{location}{kind}: {}", diagnostic.message))
 }
 
-/// The finding with the lines of the scene that it is about: file, line and column, the place underlined, labels,
-/// remedies as `help`, the trace as notes. Several lines, without the end of the last.
+/// The diagnostic with an excerpt of the scene: file, line and column, the span underlined, labels, hints as `help`,
+/// the trace as notes. Several lines, without the end of the last.
 #[must_use]
 pub fn annotated(diagnostic: &Diagnostic, sources: &Sources, styling: Styling) -> String {
     let level = match diagnostic.severity {
@@ -60,14 +60,14 @@ pub fn annotated(diagnostic: &Diagnostic, sources: &Sources, styling: Styling) -
     renderer.render(&groups)
 }
 
-/// A place to underline, and what to write beside it.
+/// A span to underline, and its label.
 struct Mark<'a> {
     span: Span,
     text: Option<&'a str>,
     kind: AnnotationKind,
 }
 
-/// The lines with the place itself and those with labels, as few snippets as may be.
+/// The lines with the primary span and those with labels, in as few snippets as possible.
 fn snippets<'a>(diagnostic: &Diagnostic, sources: &'a Sources) -> Vec<Snippet<'a, Annotation<'a>>> {
     let primary = diagnostic.span.map(|span| Mark {
         span,
@@ -98,7 +98,7 @@ fn is_near(first: &Mark, other: &Mark, sources: &Sources) -> bool {
     first.span.file == other.span.file && line(first).abs_diff(line(other)) <= NEAR_LINES
 }
 
-/// The lines of all marks, which are near each other in one file.
+/// A snippet with all marks, which are near each other in one file.
 fn snippet<'a>(marks: &[Mark], sources: &'a Sources) -> Snippet<'a, Annotation<'a>> {
     let file = marks[0].span.file;
     let ranges: Vec<Range<usize>> = marks
@@ -109,7 +109,7 @@ fn snippet<'a>(marks: &[Mark], sources: &'a Sources) -> Snippet<'a, Annotation<'
     let end = ranges.iter().map(|range| range.end).max().unwrap_or(start);
     let (first_line, start) = sources.line_of(file, start);
     let end = sources.line_start(file, sources.line_of(file, end).0 + 1);
-    // The renderer knows only the line feed; the carriage returns of old files are as long.
+    // The renderer only recognises line feeds. The replacements keep the length, so offsets stay valid.
     let lines = sources.text(file)[start..end]
         .replace("\r\n", " \n")
         .replace('\r', "\n");
@@ -123,7 +123,7 @@ fn snippet<'a>(marks: &[Mark], sources: &'a Sources) -> Snippet<'a, Annotation<'
         .annotations(annotations)
 }
 
-/// The bytes of a place, cut off where it goes on for too many lines.
+/// The byte range of a span, cut off after [`NEAR_LINES`] lines.
 fn visible(span: Span, sources: &Sources) -> Range<usize> {
     let text = sources.text(span.file);
     let start = char_start(text, span.start as usize);
@@ -133,16 +133,16 @@ fn visible(span: Span, sources: &Sources) -> Range<usize> {
     start..end.max(start)
 }
 
-/// A note for each call and include on the way, innermost first.
+/// A note for each call and include, innermost first.
 fn trace<'a>(trace: &[Label], sources: &'a Sources) -> Vec<Group<'a>> {
-    let left_out = trace.len().saturating_sub(2 * TRACE_ENDS);
+    let omitted = trace.len().saturating_sub(2 * TRACE_ENDS);
     let mut groups = Vec::new();
     for (index, label) in trace.iter().enumerate() {
-        if left_out > 0 && index == TRACE_ENDS {
-            let title = format!("and {left_out} more on the way");
+        if omitted > 0 && index == TRACE_ENDS {
+            let title = format!("and {omitted} more on the way");
             groups.push(Group::with_title(Level::NOTE.secondary_title(title)));
         }
-        if left_out > 0 && (TRACE_ENDS..TRACE_ENDS + left_out).contains(&index) {
+        if omitted > 0 && (TRACE_ENDS..TRACE_ENDS + omitted).contains(&index) {
             continue;
         }
         let mark = Mark {
@@ -156,7 +156,7 @@ fn trace<'a>(trace: &[Label], sources: &'a Sources) -> Vec<Group<'a>> {
     groups
 }
 
-/// Text without control characters, which could do anything to a terminal.
+/// Replaces control characters, which a terminal would interpret.
 fn clean(text: &str) -> String {
     text.replace(char::is_control, " ")
 }
@@ -168,7 +168,7 @@ mod tests {
     const SCENE: &str =
         "#include \"leg.inc\"\nunion {\n  sphere {\n    0, 1\n  pigmnt { Red }\n}\n";
 
-    /// Sources with the scene as `x.pov`, and the span of a part of it.
+    /// Sources with the scene as `x.pov`, and a function that returns the span of a part of it.
     fn scene() -> (Sources, impl Fn(&str) -> Span) {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("x.pov", SCENE);
@@ -258,7 +258,7 @@ error: bad word
     }
 
     #[test]
-    fn places_far_apart_are_shown_without_what_lies_between() {
+    fn distant_spans_are_shown_without_the_lines_between() {
         let mut sources = Sources::new(Vec::new());
         let text = format!("first{}last", "\n".repeat(100_000));
         let end = u32::try_from(text.len()).unwrap();
@@ -275,7 +275,7 @@ error: bad word
     }
 
     #[test]
-    fn a_place_at_the_end_or_outside_the_text_does_not_panic() {
+    fn a_span_at_the_end_or_outside_the_text_does_not_panic() {
         let mut sources = Sources::new(Vec::new());
         for text in ["", "\n", "é", "é\n", "\r"] {
             let file = sources.add_text("x.pov", text);

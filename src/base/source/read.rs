@@ -1,4 +1,4 @@
-//! The bytes of files, up to a limit.
+//! Reading of files, up to a size limit.
 
 use super::regular::open_regular;
 use rayon::prelude::*;
@@ -6,26 +6,26 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Files of more bytes are refused. Twice as many still have 32-bit offsets, if all of them are Latin-1.
+/// Larger files are rejected. Decoding doubles the size if all bytes are Latin-1 letters, and offsets in the text must
+/// still fit in 32 bits.
 pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
-/// What does not tell its length is refused if it has more bytes: `/dev/zero` has no end.
+/// Size limit of files without a known length: `/dev/zero` has no end.
 pub(super) const MAX_STREAM_BYTES: u64 = 1 << 28;
 
-/// Each thread copies so many bytes of a large file at a time.
+/// Bytes of a large file that a thread copies at a time.
 const PART: usize = 1 << 20;
 
-/// The origin of the name of a file.
+/// Origin of a file name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Named {
-    /// Whoever starts the program, who may wait for a pipe.
+    /// The user who starts the program, and may wait for a pipe.
     ByUser,
-    /// A scene, which may come from anybody: regular files only.
+    /// A scene, which is untrusted: regular files only.
     ByScene,
 }
 
-/// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what does not tell
-/// its length.
+/// Reads a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] if the length is unknown.
 pub(super) fn read_limited(path: &Path, named: Named) -> io::Result<Option<Vec<u8>>> {
     let file = match named {
         Named::ByUser => File::open(path)?,
@@ -35,22 +35,22 @@ pub(super) fn read_limited(path: &Path, named: Named) -> io::Result<Option<Vec<u
     if about.len() > MAX_FILE_BYTES {
         return Ok(None);
     }
-    let tells_length = about.is_file() && about.len() > 0;
-    let most = if tells_length {
+    let has_length = about.is_file() && about.len() > 0;
+    let limit = if has_length {
         MAX_FILE_BYTES
     } else {
         MAX_STREAM_BYTES
     };
-    if tells_length && let Some(bytes) = read_by_all(&file, about.len()) {
+    if has_length && let Some(bytes) = read_in_parallel(&file, about.len()) {
         return Ok(Some(bytes));
     }
     let mut bytes = Vec::new();
-    let mut limited = file.take(most + 1);
-    limited.read_to_end(&mut bytes)?;
-    Ok((limited.limit() > 0).then_some(bytes))
+    let mut reader = file.take(limit + 1);
+    reader.read_to_end(&mut bytes)?;
+    Ok((reader.limit() > 0).then_some(bytes))
 }
 
-/// The bytes of a regular file of any length.
+/// Reads a regular file of any length.
 #[cfg(feature = "cli")]
 pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -58,9 +58,9 @@ pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The bytes of a large file, copied by several threads; `None` if that does not work, or is not worth while.
+/// Reads a large file on several threads; `None` if that fails or the file is too small to be worth it.
 #[cfg(unix)]
-fn read_by_all(file: &File, len: u64) -> Option<Vec<u8>> {
+fn read_in_parallel(file: &File, len: u64) -> Option<Vec<u8>> {
     use std::os::unix::fs::FileExt;
     let len = usize::try_from(len).ok().filter(|len| *len >= 2 * PART)?;
     let mut bytes = vec![0; len];
@@ -72,8 +72,8 @@ fn read_by_all(file: &File, len: u64) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// Elsewhere by one thread.
+/// Without positioned reads, a single thread reads the file.
 #[cfg(not(unix))]
-fn read_by_all(_: &File, _: u64) -> Option<Vec<u8>> {
+fn read_in_parallel(_: &File, _: u64) -> Option<Vec<u8>> {
     None
 }

@@ -1,9 +1,8 @@
-//! Opening of the files that a scene names: regular files only, and without waiting.
+//! Opening of the files that a scene names: regular files only, and without blocking.
 //!
-//! A pipe that nobody writes to and a terminal never end, and a device may be set to work by being opened. So the kind
-//! of a file is looked at before it is opened. It is opened without waiting and looked at again, since another program
-//! may have put something else in its place meanwhile; and reading does not wait either, for some files of `/proc` are
-//! regular to all appearances.
+//! A pipe without a writer and a terminal never end, and opening a device may trigger an action. So the file type is
+//! checked before opening. Another program may replace the file in between, so the file is opened without blocking and
+//! checked again. Reading does not block either, because some files in `/proc` look like regular files.
 
 use super::Diagnostic;
 use std::error::Error;
@@ -12,30 +11,30 @@ use std::fs::{File, FileType, Metadata, OpenOptions};
 use std::io;
 use std::path::Path;
 
-/// Opens a file for what `options` say, if it is a regular one, or a new one.
+/// Opens a file with `options` if it is a regular one or does not exist.
 ///
 /// # Errors
-/// When the system refuses, or the file is of another kind, as [`refusal`] puts into words.
+/// An error of the system, or a file of another type; [`refusal`] makes the diagnostic.
 pub(crate) fn open_regular(path: &Path, options: &OpenOptions) -> io::Result<File> {
     only_regular(path)?;
-    let file = without_waiting(options).open(path)?;
+    let file = nonblocking(options).open(path)?;
     regular(&file.metadata()?)?;
     Ok(file)
 }
 
-/// Refuses a file that is there and not a regular one.
+/// Rejects an existing file that is not a regular one.
 ///
 /// # Errors
 /// As [`open_regular`].
 pub(crate) fn only_regular(path: &Path) -> io::Result<()> {
     match std::fs::metadata(path) {
-        Ok(about) => regular(&about),
-        // Opening tells what is wrong.
+        Ok(metadata) => regular(&metadata),
+        // Opening the file reports the error.
         Err(_) => Ok(()),
     }
 }
 
-/// An error about a file as a finding without a place; `verb` is what was to be done with it.
+/// Makes a diagnostic without a span from an I/O error; `verb` is the operation that failed.
 pub(crate) fn refusal(verb: &str, name: &dyn fmt::Display, error: &io::Error) -> Diagnostic {
     let inner = error.get_ref();
     match inner.and_then(|inner| inner.downcast_ref::<Irregular>()) {
@@ -45,15 +44,15 @@ pub(crate) fn refusal(verb: &str, name: &dyn fmt::Display, error: &io::Error) ->
     }
 }
 
-fn regular(about: &Metadata) -> io::Result<()> {
-    if about.is_file() {
+fn regular(metadata: &Metadata) -> io::Result<()> {
+    if metadata.is_file() {
         return Ok(());
     }
-    let kind = kind(about.file_type());
+    let kind = kind(metadata.file_type());
     Err(io::Error::new(io::ErrorKind::InvalidInput, Irregular(kind)))
 }
 
-/// A file of another kind, named here.
+/// The type of a file that is not regular, as an error.
 #[derive(Debug)]
 struct Irregular(&'static str);
 
@@ -66,10 +65,10 @@ impl fmt::Display for Irregular {
 impl Error for Irregular {}
 
 #[cfg(unix)]
-fn without_waiting(options: &OpenOptions) -> OpenOptions {
+fn nonblocking(options: &OpenOptions) -> OpenOptions {
     use rustix::fs::OFlags;
     use std::os::unix::fs::OpenOptionsExt;
-    // A terminal that is opened must not become the one that ends this process.
+    // A terminal must not become the controlling terminal, which could end this process.
     let flags = OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC;
     let mut options = options.clone();
     options.custom_flags(flags.bits().cast_signed());
@@ -77,7 +76,7 @@ fn without_waiting(options: &OpenOptions) -> OpenOptions {
 }
 
 #[cfg(not(unix))]
-fn without_waiting(options: &OpenOptions) -> OpenOptions {
+fn nonblocking(options: &OpenOptions) -> OpenOptions {
     options.clone()
 }
 

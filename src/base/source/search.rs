@@ -1,14 +1,14 @@
-//! The search for the files that a scene names, and what is said when there is none.
+//! Search for the files that a scene names, and the error for a missing one.
 
 use super::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What POV-Ray appends to the name of an include file that it does not find.
+/// Endings that POV-Ray tries for the name of an include file, in this order.
 pub(super) const INCLUDES: [&str; 3] = ["", ".inc", ".INC"];
 
-/// Where a file is looked for, in this order.
-pub(super) fn places(
+/// Candidate paths of a file, in search order.
+pub(super) fn candidates(
     name: &str,
     folders: &[PathBuf],
     endings: &[&str],
@@ -19,19 +19,19 @@ pub(super) fn places(
     })
 }
 
-/// What to say about a file that is nowhere; `what` is "the include file" or the like.
+/// The error for a missing file; `what` is "the include file" or the like.
 pub(super) fn not_found(what: &str, name: &str, folders: &[PathBuf]) -> Diagnostic {
-    let places = if Path::new(name).is_absolute() {
+    let searched = if Path::new(name).is_absolute() {
         String::new()
     } else {
-        let places: Vec<String> = folders.iter().map(|folder| place(folder)).collect();
-        format!(" in {}", one_of(&places))
+        let names: Vec<String> = folders.iter().map(|folder| folder_name(folder)).collect();
+        format!(" in {}", one_of(&names))
     };
-    let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{places}"));
-    for (found, written) in other_cases(name, folders) {
+    let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{searched}"));
+    for (path, written) in other_cases(name, folders) {
         error = error.with_hint(format!(
             "`{}` differs only in case: write `{written}`.",
-            found.display()
+            path.display()
         ));
     }
     if name.contains('\\') {
@@ -44,7 +44,7 @@ pub(super) fn not_found(what: &str, name: &str, folders: &[PathBuf]) -> Diagnost
     error
 }
 
-fn place(folder: &Path) -> String {
+fn folder_name(folder: &Path) -> String {
     if folder.as_os_str().is_empty() {
         "the current folder".to_owned()
     } else {
@@ -53,22 +53,22 @@ fn place(folder: &Path) -> String {
 }
 
 /// `a`, `a or b`, `a, b or c`.
-fn one_of(places: &[String]) -> String {
-    match places {
+fn one_of(names: &[String]) -> String {
+    match names {
         [] => String::new(),
         [only] => only.clone(),
         [first @ .., last] => format!("{} or {last}", first.join(", ")),
     }
 }
 
-/// Files in the folders searched whose names differ from `name` only in case, each with how to write it.
+/// Files in the searched folders whose names differ from `name` only in case, each with the name to write instead.
 fn other_cases(name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
     let (inner, last) = match name.rfind('/') {
         Some(slash) => name.split_at(slash + 1),
         None => ("", name),
     };
     let wanted = INCLUDES.map(|extension| format!("{last}{extension}").to_lowercase());
-    let mut found = Vec::new();
+    let mut cases = Vec::new();
     for folder in folders {
         let folder = folder.join(inner);
         let listed = if folder.as_os_str().is_empty() {
@@ -82,12 +82,12 @@ fn other_cases(name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
             .filter(|name| wanted.contains(&name.to_lowercase()))
             .collect();
         names.sort();
-        found.extend(
+        cases.extend(
             names
                 .into_iter()
                 .map(|name| (folder.join(&name), format!("{inner}{name}"))),
         );
     }
-    found.dedup();
-    found
+    cases.dedup();
+    cases
 }

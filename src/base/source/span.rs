@@ -1,13 +1,13 @@
-//! Places in source texts.
+//! Spans of source texts.
 
-/// A source text of this run, by the order in which it was read.
+/// Identifies a source text of a run by its index in reading order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
 
-/// A stretch of bytes in one source text, `start` included, `end` not.
+/// A half-open range of bytes in one source text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Span {
-    /// The text.
+    /// The source text.
     pub file: FileId,
     /// The first byte.
     pub start: u32,
@@ -16,13 +16,13 @@ pub struct Span {
 }
 
 impl Span {
-    /// A stretch of `file`.
+    /// A span of `file`.
     #[must_use]
     pub fn new(file: FileId, start: u32, end: u32) -> Self {
         Span { file, start, end }
     }
 
-    /// From the start of this one to the end of `last`; this one alone where `last` lies in another file.
+    /// The span from the start of this one to the end of `last`; only this one if `last` lies in another file.
     #[must_use]
     pub fn to(self, last: Span) -> Span {
         if last.file == self.file && last.end >= self.start {

@@ -1,4 +1,4 @@
-//! Tests of the store of texts and of the search for files.
+//! Tests of the source texts and of the file search.
 
 use super::*;
 use std::fs::{self, File};
@@ -18,12 +18,12 @@ fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
 fn lines_and_columns_count_from_one_in_characters() {
     let mut sources = Sources::new(Vec::new());
     let file = sources.add_text("x", "ab\n\u{e9}c\r\nd\re");
-    let place = |at| sources.line_column(Span::new(file, at, at));
-    let places: Vec<_> = (0..=10).map(place).collect();
+    let position = |at| sources.line_column(Span::new(file, at, at));
+    let positions: Vec<_> = (0..=10).map(position).collect();
     let line_2 = [(2, 1), (2, 1), (2, 2), (2, 3), (2, 4)];
-    assert_eq!(places[..3], [(1, 1), (1, 2), (1, 3)]);
-    assert_eq!(places[3..8], line_2);
-    assert_eq!(places[8..], [(3, 1), (3, 2), (4, 1)]);
+    assert_eq!(positions[..3], [(1, 1), (1, 2), (1, 3)]);
+    assert_eq!(positions[3..8], line_2);
+    assert_eq!(positions[8..], [(3, 1), (3, 2), (4, 1)]);
     assert_eq!(sources.line_column(Span::new(file, 99, 99)), (4, 2));
 }
 
@@ -48,7 +48,7 @@ fn a_file_is_read_once() {
 
 #[test]
 fn a_large_file_is_read_whole() {
-    // Several threads read it; the last piece is shorter than the others.
+    // Several threads read it; the last chunk is shorter than the others.
     let line = |at: usize| format!("{at:>9} sphere\n");
     let text: String = (0..300_000).map(line).collect();
     assert!(text.len() > 4 << 20 && !text.len().is_multiple_of(1 << 20));
@@ -59,7 +59,7 @@ fn a_large_file_is_read_whole() {
 }
 
 #[test]
-fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
+fn requested_files_are_dependencies_and_files_that_the_scene_wrote_are_not() {
     let folder = folder_with(&[("a.pov", "x"), ("data.txt", "1"), ("own.inc", "old")]);
     let path = |name: &str| folder.path().join(name);
     let name = |name: &str| path(name).display().to_string();
@@ -120,7 +120,7 @@ fn include_files_are_searched_near_first_then_in_the_library_in_order() {
 }
 
 #[test]
-fn a_missing_include_file_is_told_with_places_and_other_cases() {
+fn a_missing_include_file_is_reported_with_folders_and_other_cases() {
     let scenes = folder_with(&[("a.pov", "")]);
     let library = folder_with(&[("Colors.inc", ""), ("sub/colors.INC", "")]);
     let mut sources = Sources::new(vec![library.path().to_owned()]);
@@ -156,7 +156,7 @@ fn a_missing_include_file_is_told_with_places_and_other_cases() {
 }
 
 #[test]
-fn a_file_that_cannot_be_read_is_told() {
+fn an_unreadable_file_is_reported() {
     let folder = folder_with(&[]);
     let mut sources = Sources::new(Vec::new());
     let error = sources

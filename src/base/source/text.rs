@@ -1,11 +1,11 @@
-//! From the bytes of a file to a text.
+//! Decoding of files to text.
 
-/// The text that bytes mean, and whether some of them were Latin-1.
+/// Decodes the bytes of a file; the flag is true if some of them were Latin-1.
 ///
-/// UTF-8 stays as it is, but for a byte-order mark at the start, which goes; a text that begins with the mark of
-/// UTF-16 is that. A byte that is no UTF-8 becomes the character of the same code, as in Latin-1, which is what old
-/// scenes are written in; so lines and columns (in characters) are those an editor shows, `°` and `ü` are printed as
-/// they were meant, and only byte offsets differ from those of the file. All spans count bytes of this text.
+/// UTF-8 stays as it is, without a byte-order mark at the start. A text that begins with a UTF-16 byte-order mark is
+/// decoded as UTF-16. A byte that is not valid UTF-8 becomes the character with the same code, as in Latin-1, the
+/// encoding of old scenes. So lines and columns (in characters) match those in an editor, and `°` and `ü` print as
+/// intended; only byte offsets differ from those in the file. All spans count bytes of the decoded text.
 pub(super) fn decode(bytes: Vec<u8>) -> (String, bool) {
     match bytes.as_slice() {
         [0xef, 0xbb, 0xbf, rest @ ..] => from_utf8_or_latin1(rest.to_vec()),
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bytes_become_the_characters_that_were_meant() {
+    fn bytes_decode_to_the_intended_characters() {
         for (bytes, text) in [
             (&b"plain"[..], "plain"),
             (b"\xef\xbb\xbfmarked", "marked"),

@@ -1,7 +1,6 @@
-//! The files that a scene writes itself.
+//! Files that the scene itself writes.
 //!
-//! Where reading is to change nothing on disk, what a scene writes is held in memory, and is found there when the scene
-//! looks for it.
+//! If reading must not change the disk, these files are held in memory, and the scene reads them from there.
 
 use super::Sources;
 use super::read::{Named, read_limited};
@@ -10,35 +9,35 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A file that is written in memory; copies are one file.
+/// A file held in memory; clones share its content.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HeldFile(Arc<Mutex<Content>>);
 
 #[derive(Debug, Default)]
 struct Content {
     /// The file on disk to which the text is appended.
-    behind: Option<PathBuf>,
+    appended_to: Option<PathBuf>,
     text: Vec<u8>,
 }
 
 impl HeldFile {
-    /// A file that holds what the one at `path` holds, and then what is written.
-    fn behind(path: &Path) -> Self {
+    /// A file in memory that begins with the content of the file at `path`, and to which text is appended.
+    fn appended_to(path: &Path) -> Self {
         HeldFile(Arc::new(Mutex::new(Content {
-            behind: Some(path.to_owned()),
+            appended_to: Some(path.to_owned()),
             text: Vec::new(),
         })))
     }
 
-    /// Writes at the end.
+    /// Appends text.
     pub(crate) fn write(&self, text: &str) {
         self.lock().text.extend_from_slice(text.as_bytes());
     }
 
-    /// All bytes; `None` for too many.
+    /// The whole content; `None` above the size limit.
     fn bytes(&self) -> io::Result<Option<Vec<u8>>> {
         let content = self.lock();
-        let Some(path) = &content.behind else {
+        let Some(path) = &content.appended_to else {
             return Ok(Some(content.text.clone()));
         };
         let bytes = read_limited(path, Named::ByScene)?;
@@ -51,35 +50,35 @@ impl HeldFile {
 }
 
 impl Sources {
-    /// Says that the scene itself has written this file: it is read anew, comes before others of its name, and the
-    /// picture does not depend on what it held before.
+    /// Records that the scene has written this file: it is read again, takes precedence over others of its name, and
+    /// its former content is not a dependency of the picture.
     pub fn wrote(&mut self, path: &Path) {
-        if let Ok(place) = place_of(path) {
-            self.by_path.remove(&place);
-            self.data.remove(&place);
-            self.written.insert(place);
+        if let Ok(key) = canonical_path(path) {
+            self.by_path.remove(&key);
+            self.data.remove(&key);
+            self.written.insert(key);
         }
     }
 
-    /// From now on the file of this path is the one in memory.
+    /// Replaces the file at this path by the one in memory.
     pub(crate) fn hold(&mut self, path: &Path, file: &HeldFile) {
-        if let Ok(place) = place_of(path) {
-            self.held.insert(place, file.clone());
+        if let Ok(key) = canonical_path(path) {
+            self.held.insert(key, file.clone());
         }
     }
 
-    /// The file of this path to append to in memory.
+    /// The file in memory that receives text appended to this path.
     pub(crate) fn held_to_append(&mut self, path: &Path) -> HeldFile {
         let held = match self.held(path) {
             Some(held) => held.clone(),
-            None if path.exists() => HeldFile::behind(path),
+            None if path.exists() => HeldFile::appended_to(path),
             None => HeldFile::default(),
         };
         self.hold(path, &held);
         held
     }
 
-    /// The bytes of a file, in memory or on disk; `None` for too many.
+    /// The bytes of a file in memory or on disk; `None` above the size limit.
     pub(super) fn bytes_of(&self, path: &Path, named: Named) -> io::Result<Option<Vec<u8>>> {
         match self.held(path) {
             Some(held) => held.bytes(),
@@ -87,33 +86,35 @@ impl Sources {
         }
     }
 
-    /// True if a scene finds a file at this path. A folder may have the name of a file; a pipe is a file here.
+    /// Returns true if a scene can read a file at this path. A folder does not count, even if it has the name of a
+    /// file; a pipe does.
     pub(super) fn is_file(&self, path: &Path) -> bool {
-        fs::metadata(path).is_ok_and(|found| !found.is_dir()) || self.held(path).is_some()
+        fs::metadata(path).is_ok_and(|metadata| !metadata.is_dir()) || self.held(path).is_some()
     }
 
-    /// The file of this name, seen from the current folder, if the scene wrote it itself.
+    /// The path of this name, relative to the current folder, if the scene wrote that file itself.
     pub(super) fn own_file(&self, name: &str) -> Option<PathBuf> {
         let path = Path::new(name);
         self.has_written(path).then(|| path.to_owned())
     }
 
-    /// True if the scene wrote a file itself.
+    /// Returns true if the scene wrote this file itself.
     pub(super) fn has_written(&self, path: &Path) -> bool {
-        !self.written.is_empty() && place_of(path).is_ok_and(|place| self.written.contains(&place))
+        !self.written.is_empty()
+            && canonical_path(path).is_ok_and(|key| self.written.contains(&key))
     }
 
     fn held(&self, path: &Path) -> Option<&HeldFile> {
         if self.held.is_empty() {
             return None;
         }
-        self.held.get(&place_of(path).ok()?)
+        self.held.get(&canonical_path(path).ok()?)
     }
 }
 
-/// The one path of a file, by whatever path it is named; of a file that is not there, the one it would have. A pipe has
-/// no path of its own: `/dev/stdin` stays what it is.
-pub(super) fn place_of(path: &Path) -> io::Result<PathBuf> {
+/// The canonical path of a file; for a missing file, the one it would have. A pipe has none: `/dev/stdin` stays as it
+/// is.
+pub(super) fn canonical_path(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path).or_else(|error| {
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
