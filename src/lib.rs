@@ -71,7 +71,7 @@ const TRIM_INTERVAL: usize = 8;
 /// Worlds with fewer primitives are dropped at once.
 const LARGE_WORLD: usize = 10_000;
 
-/// Below this quality there is neither radiosity nor photons (facts 4.11).
+/// Below this quality there is neither radiosity nor photons (docs/povray-facts.md, section 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
 /// Reads, lowers and renders a scene. `listen` receives the messages of the scene and its findings as they occur.

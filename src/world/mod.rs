@@ -36,7 +36,7 @@ use lower::lowering::Lowering;
 use lower::parts::targets::Targets;
 use std::sync::Arc;
 
-/// Below this quality there are no photons (facts 4.11).
+/// Below this quality there are no photons (docs/povray-facts.md, section 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;
 
 /// Compiles a scene for ray tracing: folds transforms into the cheapest form of each object, splits up unions, flattens

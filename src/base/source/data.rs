@@ -1,9 +1,9 @@
 //! Binary files that a scene names: pictures, fonts.
 
+use super::held_file::canonical_path;
 use super::read::Named;
 use super::regular::refusal;
 use super::search::not_found;
-use super::written::canonical_path;
 use super::{Diagnostic, FileId, Sources};
 use std::io;
 use std::sync::Arc;

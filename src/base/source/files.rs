@@ -4,11 +4,11 @@
 //! Latin-1. All offsets count bytes of the decoded text.
 
 use super::dependency::Dependencies;
+use super::held_file::{HeldFile, canonical_path};
 use super::read::{MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited};
 use super::regular;
 use super::search::{INCLUDES, not_found};
 use super::text::decode;
-use super::written::{HeldFile, canonical_path};
 use super::{Diagnostic, FileId, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;

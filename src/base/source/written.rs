@@ -3,51 +3,10 @@
 //! If reading must not change the disk, these files are held in memory, and the scene reads them from there.
 
 use super::Sources;
+use super::held_file::{HeldFile, canonical_path};
 use super::read::{Named, read_limited};
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
-/// A file held in memory; clones share its content.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct HeldFile(Arc<Mutex<Content>>);
-
-#[derive(Debug, Default)]
-struct Content {
-    /// The file on disk to which the text is appended.
-    appended_to: Option<PathBuf>,
-    text: Vec<u8>,
-}
-
-impl HeldFile {
-    /// A file in memory that begins with the content of the file at `path`, and to which text is appended.
-    fn appended_to(path: &Path) -> Self {
-        HeldFile(Arc::new(Mutex::new(Content {
-            appended_to: Some(path.to_owned()),
-            text: Vec::new(),
-        })))
-    }
-
-    /// Appends text.
-    pub(crate) fn write(&self, text: &str) {
-        self.lock().text.extend_from_slice(text.as_bytes());
-    }
-
-    /// The whole content; `None` above the size limit.
-    fn bytes(&self) -> io::Result<Option<Vec<u8>>> {
-        let content = self.lock();
-        let Some(path) = &content.appended_to else {
-            return Ok(Some(content.text.clone()));
-        };
-        let bytes = read_limited(path, Named::ByScene)?;
-        Ok(bytes.map(|bytes| [bytes, content.text.clone()].concat()))
-    }
-
-    fn lock(&self) -> MutexGuard<'_, Content> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
+use std::{fs, io};
 
 impl Sources {
     /// Records that the scene has written this file: it is read again, takes precedence over others of its name, and
@@ -110,17 +69,4 @@ impl Sources {
         }
         self.held.get(&canonical_path(path).ok()?)
     }
-}
-
-/// The canonical path of a file; for a missing file, the one it would have. A pipe has none: `/dev/stdin` stays as it
-/// is.
-pub(super) fn canonical_path(path: &Path) -> io::Result<PathBuf> {
-    fs::canonicalize(path).or_else(|error| {
-        let folder = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        let name = path.file_name().ok_or(error)?;
-        Ok(fs::canonicalize(folder)?.join(name))
-    })
 }

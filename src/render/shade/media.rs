@@ -1,7 +1,7 @@
 //! Participating media along a ray: emission, absorption and scattering on each segment between two surfaces.
 //!
 //! A segment is divided where light beams begin and end, each part into intervals, and these are sampled by one of
-//! three methods (facts 2, section 1): at random, evenly, or evenly with adaptive halving.
+//! three methods (docs/povray-facts.md, section 10): at random, evenly, or evenly with adaptive halving.
 
 use super::bsdf::{ViewPoint, is_negligible};
 use super::shading_point::{LightSamples, ShadingPoint};

@@ -551,7 +551,8 @@ pub(super) fn mirror<'f>(
 }
 
 /// The mirror image of a direction about a bumped normal. If it points below the flat surface it is mirrored again
-/// there, or mirrored by the flat normal alone if it points below the bumped surface too (facts 4.5).
+/// there, or mirrored by the flat normal alone if it points below the bumped surface too (docs/povray-facts.md,
+/// section 4.5).
 pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     let image = mirrored(dir, tilted);
     if tilted == flat || image.dot(flat) >= 0.0 {

@@ -8,6 +8,18 @@ use super::graph::{Block, Graph, Id, Node};
 use super::operation::Binary;
 use super::program::{Call, Loop, MAX_REGISTERS, Op, Program, Register, Select, TooLarge};
 
+impl Program {
+    /// Lowers a finished graph of a body with this number of parameters.
+    ///
+    /// # Errors
+    /// If the body needs too many registers.
+    pub fn new(graph: Graph, parameters: usize) -> Result<Self, TooLarge> {
+        let mut program = lower(&graph, parameters)?;
+        program.graph = (graph.nodes.len() <= super::graph::SMALL).then_some(graph);
+        Ok(program)
+    }
+}
+
 /// Lowers a finished graph of a body with this number of parameters.
 pub(super) fn lower(graph: &Graph, parameters: usize) -> Result<Program, TooLarge> {
     let result = graph.result.expect("a finished graph has a result");

@@ -4,8 +4,7 @@
 //! such as intervals. It uses no memory except the stack, so all threads share one program.
 
 use super::Function;
-use super::graph::{Graph, SMALL};
-use super::lower;
+use super::graph::Graph;
 use super::number::{Component, Fold, MAX_ITERATIONS, Number};
 use super::operation::{Binary, Unary};
 use smallvec::SmallVec;
@@ -79,7 +78,7 @@ pub struct Program {
     pub(super) registers: usize,
     pub(super) result: Register,
     /// The graph of the body, if it is small enough to be inlined.
-    graph: Option<Graph>,
+    pub(crate) graph: Option<Graph>,
 }
 
 /// The body needs more registers than a program can have.
@@ -87,16 +86,6 @@ pub struct Program {
 pub struct TooLarge;
 
 impl Program {
-    /// Lowers a finished graph of a body with this number of parameters.
-    ///
-    /// # Errors
-    /// If the body needs too many registers.
-    pub fn new(graph: Graph, parameters: usize) -> Result<Self, TooLarge> {
-        let mut program = lower::lower(&graph, parameters)?;
-        program.graph = (graph.nodes.len() <= SMALL).then_some(graph);
-        Ok(program)
-    }
-
     /// A program without operations.
     pub(super) fn empty() -> Self {
         Program {

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
 const TREE_FROM: usize = 3;
 
-/// Below this quality there is no radiosity (facts 4.11).
+/// Below this quality there is no radiosity (docs/povray-facts.md, section 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
 impl World {

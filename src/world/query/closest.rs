@@ -360,7 +360,7 @@ impl World {
     }
 
     /// Tie rule for two items at exactly the same distance: unbounded ones come first, then the one whose box the ray
-    /// enters first, then the first in the file (facts 11.2).
+    /// enters first, then the first in the file (docs/povray-facts.md, section 5.2).
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {

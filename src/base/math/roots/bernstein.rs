@@ -12,7 +12,7 @@
 //! Error bound: the rounding error is 4 epsilon times the number of coefficients times the sum of their absolute
 //! values. The error of a root is that divided by the slope there.
 
-use super::polynomial::{Roots, bracketed};
+use super::bracket::{Roots, bracketed};
 use smallvec::SmallVec;
 
 /// The Bernstein coefficients of an interval; up to `N` of them stay off the heap.

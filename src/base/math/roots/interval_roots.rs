@@ -6,7 +6,7 @@
 //! Error bound: a root is exact to its last digit, or to the rounding error of the function. The bounds of an interval
 //! are widened by 8 epsilon, so a pair of roots is lost only if the function's own rounding hides it.
 
-use super::polynomial::Roots;
+use super::bracket::Roots;
 
 /// More bisections than an interval has binary digits.
 const MAX_BISECTIONS: u32 = 52;

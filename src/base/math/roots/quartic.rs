@@ -2,7 +2,9 @@
 //! on a convex function never passes the root, so it converges from both ends. Error bound: as for
 //! [`polynomial::sign_changes`].
 
-use super::polynomial::{self, Roots, bracketed, sign_changes_between};
+use super::bracket::{Roots, bracketed};
+use super::polynomial;
+use super::polynomial::sign_changes_between;
 
 /// A Newton step below this ends the iteration: convergence is quadratic, the next step would not change a digit.
 pub(crate) const LAST_STEP: f64 = 1e-9;

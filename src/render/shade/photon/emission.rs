@@ -1,4 +1,4 @@
-//! Photon emission from lights towards targets (facts 2, section 3.2).
+//! Photon emission from lights towards targets (docs/povray-facts.md, section 12.2).
 //!
 //! From each light, rings of photons are emitted around the centre of a target, until the target's bounding box is
 //! covered or a ring has missed it. The order of all random numbers is POV-Ray's.

@@ -1,4 +1,4 @@
-//! Volume photons: deposition in media, and the radiance that they scatter (facts 2, section 3.5).
+//! Volume photons: deposition in media, and the radiance that they scatter (docs/povray-facts.md, section 12.5).
 
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::color::Rgb;

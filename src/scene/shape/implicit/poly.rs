@@ -11,7 +11,8 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
-use crate::base::math::roots::polynomial::{Roots, sign_changes, sign_changes_between, value};
+use crate::base::math::roots::bracket::Roots;
+use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between, value};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossings, Geometry, Root, Start, alternate, first_visible, read};

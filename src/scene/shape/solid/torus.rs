@@ -23,7 +23,8 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
-use crate::base::math::roots::polynomial::{Roots, is_quartic_positive};
+use crate::base::math::roots::bracket::Roots;
+use crate::base::math::roots::polynomial::is_quartic_positive;
 use crate::base::math::roots::quartic::quartic_sign_changes;
 use crate::base::math::roots::ray_sphere::ball_chord;
 use crate::base::math::{Bounds, Ray, Step};

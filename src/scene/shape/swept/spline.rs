@@ -198,7 +198,7 @@ impl Segment {
     }
 
     /// Parameters at which one coordinate has zero slope.
-    pub(crate) fn turns(&self, axis: usize) -> crate::base::math::roots::polynomial::Roots {
+    pub(crate) fn turns(&self, axis: usize) -> crate::base::math::roots::bracket::Roots {
         sign_changes(&[
             self.c[1][axis],
             2.0 * self.c[2][axis],
@@ -213,7 +213,7 @@ impl Segment {
     }
 
     /// Zeros of one coordinate.
-    pub(crate) fn zeros(&self, axis: usize) -> crate::base::math::roots::polynomial::Roots {
+    pub(crate) fn zeros(&self, axis: usize) -> crate::base::math::roots::bracket::Roots {
         sign_changes(&self.c.map(|c| c[axis])[..=self.degree])
     }
 

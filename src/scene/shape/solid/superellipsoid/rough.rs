@@ -8,10 +8,10 @@ use super::norms::{TINY, derivatives, norm, norm_and_derivatives};
 use super::{Crossings, RootRange, Superellipsoid, alternating, root};
 use crate::base::math::Ray;
 use crate::base::math::powers::POWER_ERROR;
+use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{
     Interval, IntervalFunction, exact_change, sign_changes,
 };
-use crate::base::math::roots::polynomial::Roots;
 use crate::base::math::simd::vec3::{abs, add, dot, scale};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::ray_packet::RayPacket;

@@ -12,10 +12,10 @@
 
 use super::climb::{ArcBounds4, ArcTest4, AxisRay, Half, SIDES, bisect};
 use crate::base::math::conditioning::power_of_two;
+use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{
     Interval as Lengths, IntervalFunction, sign_changes,
 };
-use crate::base::math::roots::polynomial::Roots;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use crate::scene::shape::swept::spline;
