@@ -1,25 +1,27 @@
-//! What few of very many things have.
+//! A boxed optional field for values that are rarely set.
 
-/// A value that mostly is the default one, and then takes no room. There may be a million of its owners.
+/// A value that is stored on the heap only if it is not the default. Costs one pointer otherwise; a scene may have a
+/// million owners.
 #[derive(Clone, Debug, Default)]
 pub struct Rare<T>(Option<Box<T>>);
 
 impl<T: Default> Rare<T> {
-    /// The value, unless it is the default one.
+    /// The value, or `None` for the default.
     #[must_use]
     pub fn get(&self) -> Option<&T> {
         self.0.as_deref()
     }
 
-    /// The value, to be changed.
+    /// The value for modification; allocates it if it is the default.
     pub fn get_mut(&mut self) -> &mut T {
         self.0.get_or_insert_default()
     }
 
-    /// Lets `change` change the value, if it says that it has.
+    /// Applies `change`, which returns true if it has changed the value. A default value that stays unchanged is not
+    /// allocated.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// The errors of `change`.
     pub fn change<E>(&mut self, change: impl FnOnce(&mut T) -> Result<bool, E>) -> Result<bool, E> {
         if let Some(value) = &mut self.0 {
             return change(value);

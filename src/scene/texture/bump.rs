@@ -1,4 +1,4 @@
-//! `normal` as rays need it: how bumps tilt the normal of a surface (Blinn, "Simulation of Wrinkled Surfaces", 1978).
+//! Bump mapping: `normal` prepared for rendering (Blinn, "Simulation of Wrinkled Surfaces", 1978).
 
 use super::{Facets, Layer, Normal, NormalKind};
 use crate::base::bitmap;
@@ -10,67 +10,69 @@ use crate::scene::pattern::{
 };
 use glam::{DVec2, DVec3};
 
-/// The corners of a tetrahedron about a point, where a pattern is sampled for its slope.
+/// The corners of a tetrahedron around a point, at which a pattern is sampled for its slope.
 const CORNERS: [DVec3; 4] = [
     DVec3::new(0.942_809_041, -0.333_333_333, 0.0),
     DVec3::new(-0.471_404_521, -0.333_333_333, 0.816_496_581),
     DVec3::new(-0.471_404_521, -0.333_333_333, -0.816_496_581),
     DVec3::new(0.0, 1.0, 0.0),
 ];
-/// The factor on the slope that a pattern has between such samples.
+/// The factor on the slope between these samples.
 const SLOPE: f64 = -5.0;
-/// Samples so far apart give the slope itself.
+/// The distance between samples at which the slope is not scaled.
 const UNIT_ACCURACY: f64 = 0.02;
-/// `facets` are no smaller.
-const LEAST_FACETS: f64 = 1e-6;
+/// The smallest size of `facets`.
+const MIN_FACET_SIZE: f64 = 1e-6;
 
-/// Bumps ready for rays.
+/// A prepared normal.
 #[derive(Debug)]
 pub struct PreparedNormal {
     relief: Relief,
-    /// How normals turn on their way to what carries the bumps.
-    around: NormalTransforms,
-    turns: NormalTransforms,
+    /// The transforms of normals by the texture maps around this normal.
+    outer: NormalTransforms,
+    /// The transforms of normals by the modifiers of this normal.
+    transforms: NormalTransforms,
     amount: f64,
     accuracy: f64,
-    /// Whether normals stay one long on their way to the pattern, so that scaled bumps keep their slope.
+    /// True if normals are normalized after each transform to the pattern, so that scaled bumps keep their slope.
     is_unit: bool,
 }
 
 #[derive(Debug)]
 enum Relief {
-    /// None.
+    /// No bumps.
     Flat,
-    /// The values of a pattern, or a formula of its own.
+    /// The values of a pattern, or the pattern's own formula for normals.
     Pattern(PreparedPattern),
-    /// The values of a pattern through heights and slopes.
+    /// The values of a pattern, mapped by a `slope_map` of heights and slopes.
     Slopes(PreparedPattern, Map<DVec2>),
-    /// A pattern that chooses among normals.
+    /// A pattern that selects among normals.
     Normals(PreparedPattern, Map<PreparedNormal>),
-    /// The mean of normals.
+    /// The weighted mean of normals.
     Average(PreparedWarpChain, Map<PreparedNormal>),
-    /// The brightness of a picture.
+    /// The brightness of an image.
     Image(PreparedWarpChain, bitmap::Source),
     /// Flat faces.
     Facets(PreparedWarpChain, Facets),
-    /// Other bumps at texture coordinates.
+    /// Other bumps, evaluated at the texture coordinates.
     Uv(Box<PreparedNormal>),
 }
 
 impl PreparedNormal {
-    /// The form for drawing, with the transforms of what carries the bumps after their own; `None` where there are none.
+    /// Prepares a normal for rendering. `after` are transforms that follow the normal's own. `None` if it has no bumps.
     #[must_use]
     pub fn new(normal: &Normal, after: &[Step], settings: &Settings) -> Option<Self> {
         PreparedNormal::within_normal(normal, after, settings, true)
     }
 
-    /// The same for the normal of a layer.
+    /// Prepares the normal of a layer.
     pub(super) fn of_layer(layer: &Layer, after: &[Step], settings: &Settings) -> Option<Self> {
         let is_unit = !layer.has_no_bump_scale;
         PreparedNormal::within_normal(layer.normal.as_ref()?, after, settings, is_unit)
     }
 
-    /// The same; what `no_bump_scale` says of a map it says of all its entries (measured with POV-Ray).
+    /// Prepares a normal or an entry of its map. `no_bump_scale` of a map holds for all its entries (measured with
+    /// POV-Ray).
     fn within_normal(
         normal: &Normal,
         after: &[Step],
@@ -100,7 +102,7 @@ impl PreparedNormal {
             NormalKind::Facets(facets) => Relief::Facets(chain(), *facets),
             NormalKind::Uv(mapped) => Relief::Uv(Box::new(entry(mapped))),
         };
-        let turns = match &relief {
+        let transforms = match &relief {
             Relief::Flat | Relief::Uv(_) => NormalTransforms::default(),
             Relief::Pattern(pattern) | Relief::Slopes(pattern, _) | Relief::Normals(pattern, _) => {
                 pattern.normal_transforms(is_unit)
@@ -111,18 +113,18 @@ impl PreparedNormal {
         };
         Some(PreparedNormal {
             relief,
-            around: NormalTransforms::default(),
-            turns,
+            outer: NormalTransforms::default(),
+            transforms,
             amount: normal.amount,
             accuracy: normal.accuracy,
             is_unit,
         })
     }
 
-    /// The same for normals that must be turned so before, on their way to what carries the bumps.
+    /// Sets the transforms of normals by the texture maps around this normal.
     #[must_use]
-    pub(super) fn within(mut self, around: &NormalTransforms) -> Self {
-        self.around = around.clone();
+    pub(super) fn within(mut self, outer: &NormalTransforms) -> Self {
+        self.outer = outer.clone();
         self
     }
 
@@ -130,23 +132,24 @@ impl PreparedNormal {
     fn flat() -> Self {
         PreparedNormal {
             relief: Relief::Flat,
-            around: NormalTransforms::default(),
-            turns: NormalTransforms::default(),
+            outer: NormalTransforms::default(),
+            transforms: NormalTransforms::default(),
             amount: 0.0,
             accuracy: UNIT_ACCURACY,
             is_unit: true,
         }
     }
 
-    /// The normal that the bumps make at a point of a unit normal of the surface, one long but behind textures chosen with
-    /// `no_bump_scale`. The point is that of the place, or for the entries of maps one of the pattern around them.
+    /// The perturbed normal for a unit surface normal. A unit vector except in textures selected by a pattern with
+    /// `no_bump_scale`. `point` is the surface point or, for an entry of a map, the point in the space of the pattern
+    /// around it.
     #[must_use]
     pub fn tilted(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
         self.tilted_and_seen(point, normal, spot).0
     }
 
-    /// The same, and as slope patterns see it: turned as on the way to what carries the bumps, and with
-    /// `no_bump_scale` as long as the bumps make it (measured with POV-Ray).
+    /// The perturbed normal, and the normal that slope patterns use: transformed to the space of the innermost texture
+    /// map, and with `no_bump_scale` not normalized (measured with POV-Ray).
     #[must_use]
     pub fn tilted_and_seen(
         &self,
@@ -154,72 +157,78 @@ impl PreparedNormal {
         normal: DVec3,
         spot: &SurfacePoint,
     ) -> (DVec3, DVec3) {
-        let turned = self.around.to_pattern(normal);
-        let here = if self.is_unit && !self.around.is_unit() {
+        let turned = self.outer.to_pattern(normal);
+        let here = if self.is_unit && !self.outer.is_unit() {
             turned.normalize_or_zero()
         } else {
             turned
         };
-        let seen = self.tilted_here(point, here, spot);
-        if self.is_unit && self.around.is_unit() {
-            return (self.around.from_pattern(seen), seen);
+        let seen = self.tilted_locally(point, here, spot);
+        if self.is_unit && self.outer.is_unit() {
+            return (self.outer.from_pattern(seen), seen);
         }
-        // Only the choices of textures around it lengthen it again, and POV-Ray shades with a normal of that length.
+        // Only the texture maps around it change its length again. POV-Ray shades with a normal of that length.
         let unit = seen.normalize_or_zero();
         let unit = if unit == DVec3::ZERO { here } else { unit };
-        (self.around.from_pattern(unit), seen)
+        (self.outer.from_pattern(unit), seen)
     }
 
-    fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
-        let own = self.turns.to_pattern(normal);
+    fn tilted_locally(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
+        let own = self.transforms.to_pattern(normal);
         let tilted = match &self.relief {
             Relief::Flat => own,
             Relief::Pattern(pattern) => {
-                let moved = pattern.to_pattern_space(point);
-                match pattern.tilt(moved) {
+                let pattern_point = pattern.to_pattern_space(point);
+                match pattern.tilt(pattern_point) {
                     Some(tilt) => own + self.amount * tilt,
-                    None => self.sloped(own, moved, |at| pattern.value(at, spot)),
+                    None => self.by_gradient(own, pattern_point, |at| pattern.value(at, spot)),
                 }
             }
             Relief::Slopes(pattern, map) => {
-                let moved = pattern.to_pattern_space(point);
-                match pattern.tilt(moved) {
+                let pattern_point = pattern.to_pattern_space(point);
+                match pattern.tilt(pattern_point) {
                     Some(tilt) => own + self.amount * tilt,
-                    None => self.sloped(own, moved, |at| height(map, pattern.value(at, spot))),
+                    None => self.by_gradient(own, pattern_point, |at| {
+                        height(map, pattern.value(at, spot))
+                    }),
                 }
             }
             Relief::Normals(pattern, map) => {
-                let moved = pattern.to_pattern_space(point);
-                let of = |entry: &PreparedNormal| entry.tilted_here(moved, own, spot);
-                match map.between(pattern.value(moved, spot)) {
+                let pattern_point = pattern.to_pattern_space(point);
+                let of = |entry: &PreparedNormal| entry.tilted_locally(pattern_point, own, spot);
+                match map.between(pattern.value(pattern_point, spot)) {
                     Between::One(entry) => of(entry),
                     Between::Two(from, to, share) => (1.0 - share) * of(from) + share * of(to),
                 }
             }
             Relief::Average(chain, map) => {
-                let moved = chain.to_pattern_space(point);
+                let pattern_point = chain.to_pattern_space(point);
                 let mut sum = DVec3::ZERO;
                 let mut total = 0.0;
                 for (weight, entry) in map.entries() {
                     let weight = f64::from(*weight);
-                    sum += weight * entry.tilted_here(moved, own, spot);
+                    sum += weight * entry.tilted_locally(pattern_point, own, spot);
                     total += weight;
                 }
                 sum / total
             }
             Relief::Image(chain, source) => {
-                self.by_picture(own, chain.to_pattern_space(point), source)
+                self.by_image(own, chain.to_pattern_space(point), source)
             }
             Relief::Facets(chain, facets) => facet(own, chain.to_pattern_space(point), facets),
-            Relief::Uv(mapped) => mapped.tilted_here(spot.uv_point(), own, spot),
+            Relief::Uv(mapped) => mapped.tilted_locally(spot.uv_point(), own, spot),
         };
-        let tilted = self.turns.from_pattern(tilted);
-        let kept = if self.is_unit {
+        let tilted = self.transforms.from_pattern(tilted);
+        let result = if self.is_unit {
             tilted.normalize_or_zero()
         } else {
             tilted
         };
-        if kept == DVec3::ZERO { normal } else { kept }
+        if result == DVec3::ZERO {
+            normal
+        } else {
+            result
+        }
     }
 
     pub(super) fn uses_uv(&self) -> bool {
@@ -234,21 +243,21 @@ impl PreparedNormal {
         }
     }
 
-    /// A normal tilted by the slope of heights about a point.
-    fn sloped(&self, normal: DVec3, point: DVec3, height: impl Fn(DVec3) -> f64) -> DVec3 {
+    /// Tilts a normal by the gradient of a height field at a point.
+    fn by_gradient(&self, normal: DVec3, point: DVec3, height: impl Fn(DVec3) -> f64) -> DVec3 {
         let amount = self.amount * SLOPE * (UNIT_ACCURACY / self.accuracy);
         CORNERS.iter().fold(normal, |sum, &corner| {
             sum + (height(point + self.accuracy * corner) * amount) * corner
         })
     }
 
-    /// A normal tilted by the slope of a picture's brightness.
-    fn by_picture(&self, normal: DVec3, point: DVec3, source: &bitmap::Source) -> DVec3 {
+    /// Tilts a normal by the gradient of an image's brightness.
+    fn by_image(&self, normal: DVec3, point: DVec3, source: &bitmap::Source) -> DVec3 {
         let Some(at) = source.mapping.place(&source.bitmap, point) else {
             return normal;
         };
-        // From one to the next, each taken into the picture: the last digits of a place count where indices are
-        // interpolated.
+        // Each position is computed from the previous one and wrapped: with interpolated palette indices the last bits
+        // of a position matter.
         let to_the_left = source.bitmap.wrapped(at + DVec2::new(-1.0, 1.0));
         let to_the_right = source.bitmap.wrapped(to_the_left + DVec2::new(2.0, 0.0));
         let heights = source.heights([at, to_the_left, to_the_right]);
@@ -266,7 +275,7 @@ impl PreparedNormal {
     }
 }
 
-/// The height at a value: a cubic through the heights and slopes of the entries about it.
+/// The height at a value: the cubic through the heights and slopes of the adjacent entries.
 fn height(map: &Map<DVec2>, value: f64) -> f64 {
     match map.between(value) {
         Between::One(entry) => entry.x,
@@ -279,16 +288,19 @@ fn height(map: &Map<DVec2>, value: f64) -> f64 {
     }
 }
 
-/// The normal of the flat face that a point belongs to.
+/// The normal of the facet at a point.
 fn facet(normal: DVec3, point: DVec3, facets: &Facets) -> DVec3 {
-    let by_place = facets.coords != 0.0;
-    let asked = if by_place { point } else { normal };
-    let place = nearest_feature(asked / facets.size.max(LEAST_FACETS), facets.metric);
-    if by_place {
-        let noise = vector_noise(place);
+    let by_position = facets.coords != 0.0;
+    let lookup_point = if by_position { point } else { normal };
+    let feature = nearest_feature(
+        lookup_point / facets.size.max(MIN_FACET_SIZE),
+        facets.metric,
+    );
+    if by_position {
+        let noise = vector_noise(feature);
         normal + facets.coords * (noise - normal * normal.dot(noise))
     } else {
-        place.normalize_or_zero()
+        feature.normalize_or_zero()
     }
 }
 
@@ -340,12 +352,12 @@ mod tests {
     }
 
     #[test]
-    fn scaled_bumps_keep_their_slope_unless_the_scene_says_otherwise() {
+    fn scaled_bumps_keep_their_slope_without_no_bump_scale() {
         let point = DVec3::new(0.4, 0.3, 0.2);
         let plain = tilted("{ bumps 0.6 }", point);
         assert!(close(tilted("{ bumps 0.6 scale 3 }", 3.0 * point), plain));
-        let kept = tilted("{ bumps 0.6 scale 3 no_bump_scale }", 3.0 * point);
-        assert!(close(kept, tilted("{ bumps 0.2 }", point)));
+        let unscaled = tilted("{ bumps 0.6 scale 3 no_bump_scale }", 3.0 * point);
+        assert!(close(unscaled, tilted("{ bumps 0.2 }", point)));
     }
 
     #[test]

@@ -1,32 +1,32 @@
-//! `irid` and `subsurface`: what a thin film on a surface, and what is below it, does to light.
+//! `irid` and `subsurface`: thin-film interference and subsurface scattering.
 
 use super::finish::{number, single};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::Rgb;
 use crate::base::source::Span;
 
-/// `irid`: the colours of a thin film, by which all light of the surface is multiplied.
+/// `irid`: thin-film interference. All light from the surface is multiplied by its colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Irid {
-    /// How strong they are; none up to 0.
+    /// The strength of the effect; none for 0 or less.
     pub amount: f32,
     /// The thickness of the film, in the units of `irid_wavelength`.
     pub thickness: f32,
-    /// How much the thickness varies.
+    /// The variation of the thickness.
     pub turbulence: f32,
 }
 
-/// `subsurface`: light that goes on below the surface.
+/// `subsurface`: light that scatters below the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subsurface {
-    /// How far it goes.
+    /// The distance that light travels in each colour channel.
     pub translucency: Rgb,
-    /// Where the scene writes it.
+    /// The location in the scene file, for messages.
     pub at: Span,
 }
 
 impl Irid {
-    /// `irid { AMOUNT ... }`.
+    /// Reads `irid { AMOUNT ... }`.
     pub(super) fn read(args: &mut dyn Args) -> Parse<Irid> {
         args.accept(Word::Irid)?;
         args.open()?;
@@ -46,7 +46,7 @@ impl Irid {
 }
 
 impl Subsurface {
-    /// `subsurface { translucency COLOUR }`.
+    /// Reads `subsurface { translucency COLOUR }`.
     pub(super) fn read(args: &mut dyn Args) -> Parse<Subsurface> {
         let at = args.span();
         args.accept(Word::Subsurface)?;
@@ -86,9 +86,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_below_the_surface_is_kept() {
-        let kept = read("{ subsurface { translucency 0.5 } crand 0.1 }");
-        let translucency = kept.subsurface.map(|subsurface| subsurface.translucency);
-        assert_eq!((translucency, kept.crand), (Some(Rgb::splat(0.5)), 0.1));
+    fn subsurface_is_stored_in_the_finish() {
+        let finish = read("{ subsurface { translucency 0.5 } crand 0.1 }");
+        let translucency = finish.subsurface.map(|subsurface| subsurface.translucency);
+        assert_eq!((translucency, finish.crand), (Some(Rgb::splat(0.5)), 0.1));
     }
 }

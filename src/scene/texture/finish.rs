@@ -1,22 +1,22 @@
-//! `finish`: how a surface answers to light.
+//! `finish`: the reflection properties of a surface.
 
 use super::{Irid, Reflection, Subsurface};
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::Rgb;
 use crate::base::source::Diagnostic;
 
-/// The answer of a surface to light, in single precision as POV-Ray keeps it.
+/// The reflection properties of a surface, in single precision as in POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finish {
-    /// The share of `ambient_light` that the surface gives back.
+    /// The share of `ambient_light` that the surface reflects.
     pub ambient: Rgb,
-    /// The light that the surface gives of itself.
+    /// The light that the surface emits.
     pub emission: Rgb,
     /// Diffuse reflection on the lit side, the `albedo` factor included.
     pub diffuse: f32,
-    /// Diffuse reflection of light from behind.
+    /// Diffuse transmission of light from behind the surface.
     pub diffuse_back: f32,
-    /// Both as the scene gives them: the share of light from all around that is thrown back.
+    /// `diffuse` and `diffuse_back` without the `albedo` factor: the shares of indirect light that are reflected.
     pub diffuse_as_given: [f32; 2],
     /// The exponent of the diffuse cosine.
     pub brilliance: f32,
@@ -26,30 +26,30 @@ pub struct Finish {
     pub phong_size: f32,
     /// The strength of Blinn's highlights, the `albedo` factor included.
     pub specular: f32,
-    /// The reciprocal of `roughness`, which is the exponent of Blinn's highlights; 0 for `roughness 0`.
+    /// The exponent of Blinn's highlights, the reciprocal of `roughness`; 0 for `roughness 0`.
     pub shininess: f32,
-    /// How far highlights take the colour of the pigment.
+    /// The share of the pigment's colour in highlights.
     pub metallic: f32,
-    /// By how much diffuse light is darkened at random.
+    /// The largest amount by which diffuse light is darkened at random.
     pub crand: f32,
-    /// Colours of a thin film.
+    /// Thin-film interference.
     pub irid: Irid,
-    /// How light spreads below the surface; kept, and not drawn yet.
+    /// Subsurface scattering; stored but not rendered yet.
     pub subsurface: Option<Subsurface>,
-    /// The mirror image.
+    /// Specular reflection.
     pub reflection: Reflection,
-    /// Whether what the surface reflects is missing from what it lets through.
+    /// True if transmitted light is reduced by the light that is reflected.
     pub conserve_energy: bool,
-    /// `ior` in a finish, the syntax before version 3.1; it overrules that of the interior.
+    /// `ior` in a finish, the syntax before version 3.1; overrides the interior's.
     pub ior: Option<f32>,
-    /// `caustics` in a finish, the syntax before version 3.1; it overrules that of the interior.
+    /// `caustics` in a finish, the syntax before version 3.1; overrides the interior's.
     pub caustics: Option<f32>,
-    /// `refraction` in a finish, a factor on all light that comes through the surface.
+    /// `refraction` in a finish, a factor on all transmitted light.
     pub refraction: Option<f32>,
 }
 
 impl Default for Finish {
-    /// The finish that POV-Ray 3.7 gives in every language version.
+    /// The default finish of POV-Ray 3.7 in every language version.
     fn default() -> Self {
         Finish {
             ambient: Rgb::splat(0.1),
@@ -75,7 +75,7 @@ impl Default for Finish {
     }
 }
 
-/// Which values of a block are albedos, to be scaled when the block is complete.
+/// The values of a block that are written as `albedo`. They are scaled at the end of the block.
 #[derive(Default)]
 struct Albedo {
     diffuse: bool,
@@ -84,7 +84,7 @@ struct Albedo {
 }
 
 impl Finish {
-    /// Whether light from lamps can be seen on it.
+    /// True if direct light contributes to the surface's colour.
     #[must_use]
     #[inline]
     pub fn takes_light(&self) -> bool {
@@ -92,10 +92,10 @@ impl Finish {
         shares.iter().any(|&share| share != 0.0)
     }
 
-    /// The finish of a block; what the block does not say is as in `base`.
+    /// Reads a finish block. Values that the block does not set are those of `base`.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args, base: &Finish) -> Parse<Finish> {
         args.open()?;
         let mut finish = match declared::<Finish>(args)? {
@@ -118,12 +118,12 @@ impl Finish {
             }
         }
         finish.scale_albedos(&albedo);
-        finish.leave_out_negative_light();
+        finish.clamp_negative_strengths();
         Ok(finish)
     }
 
-    /// Reads `word`, the next token, with its value if it may stand in the texture itself before version 3.0. `diffuse` has
-    /// one number there and `metallic` none.
+    /// Reads `word`, the next token, with its value if scenes before version 3.0 may have it directly in a texture.
+    /// `diffuse` has one number there and `metallic` none.
     pub(super) fn read_bare(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         match word {
             Word::Diffuse => {
@@ -148,22 +148,22 @@ impl Finish {
             Word::Ior | Word::Refraction => return self.read_old(word, args),
             _ => return Ok(false),
         }
-        self.leave_out_negative_light();
+        self.clamp_negative_strengths();
         Ok(true)
     }
 
-    /// Whether the surface has a mirror image.
+    /// True if the surface has specular reflection.
     #[must_use]
     pub fn has_reflection(&self) -> bool {
         self.reflection.min != Rgb::BLACK || self.reflection.max != Rgb::BLACK
     }
 
-    /// Whether it says, as old scenes do, what belongs to the interior.
+    /// True if it has values that belong in the interior since version 3.1.
     pub(crate) fn has_interior(&self) -> bool {
         self.ior.is_some() || self.refraction.is_some() || self.caustics.is_some()
     }
 
-    /// What concerns light and highlights.
+    /// Reads a parameter of diffuse light or highlights; false for another word.
     fn read_light(&mut self, word: Word, args: &mut dyn Args, albedo: &mut Albedo) -> Parse<bool> {
         match word {
             Word::Ambient => self.ambient = rgb(word, args)?,
@@ -201,7 +201,7 @@ impl Finish {
         Ok(true)
     }
 
-    /// What concerns the mirror image.
+    /// Reads a parameter of specular reflection; false for another word.
     fn read_mirror(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         match word {
             Word::Reflection => {
@@ -218,7 +218,7 @@ impl Finish {
         Ok(true)
     }
 
-    /// What version 3.1 moved to the interior.
+    /// Reads a parameter that version 3.1 moved to the interior; false for another word.
     fn read_old(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         match word {
             Word::Ior => {
@@ -256,9 +256,9 @@ impl Finish {
         Ok(true)
     }
 
-    /// Sets to 0 what does not count below it: POV-Ray skips diffuse light and highlights that are not above 0, which
-    /// molecule viewers rely on when they write `phong -1`. Ambient light, mirror images and exponents count as given.
-    fn leave_out_negative_light(&mut self) {
+    /// Clamps negative strengths to 0. POV-Ray skips diffuse light and highlights of 0 or less; molecule viewers rely
+    /// on this when they write `phong -1`. Ambient light, reflection and exponents stay as given.
+    fn clamp_negative_strengths(&mut self) {
         let [front, back] = &mut self.diffuse_as_given;
         let shares = [
             &mut self.diffuse,
@@ -274,7 +274,7 @@ impl Finish {
         }
     }
 
-    /// Turns albedos into strengths, with the exponents that the block has in the end.
+    /// Converts albedos to strengths with the exponents at the end of the block.
     fn scale_albedos(&mut self, albedo: &Albedo) {
         if albedo.diffuse {
             let scale = 0.5 * (self.brilliance + 1.0);
@@ -300,13 +300,13 @@ pub(super) fn single(value: f64) -> f32 {
     value as f32
 }
 
-/// The number after `word`.
+/// Reads `word` and the number after it.
 pub(super) fn number(word: Word, args: &mut dyn Args) -> Parse<f32> {
     args.accept(word)?;
     Ok(single(args.float()?))
 }
 
-/// The colour after `word`; a number is a grey.
+/// Reads `word` and the colour after it; a number is a grey.
 fn rgb(word: Word, args: &mut dyn Args) -> Parse<Rgb> {
     args.accept(word)?;
     Ok(args.color()?.rgb)
@@ -375,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn light_below_0_is_left_out() {
+    fn negative_strengths_are_clamped() {
         let finish = read("{ diffuse albedo -0.5, -1 phong -1 specular albedo -0.25 metallic -1 }");
         assert_eq!((finish.diffuse, finish.diffuse_back), (0.0, 0.0));
         assert_eq!(finish.diffuse_as_given, [0.0, 0.0]);
@@ -388,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn roughness_0_is_doubtful() {
+    fn roughness_0_gives_a_warning() {
         let mut args = TextArgs::new("{ roughness 0 }");
         let finish = Finish::read(&mut args, &Finish::default()).unwrap();
         assert_eq!(finish.shininess, 0.0);
@@ -396,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn refraction_words_of_old_scenes_are_kept() {
+    fn refraction_words_of_old_scenes_are_stored() {
         let mut args = TextArgs::new("{ ior 1.5 refraction 0.5 caustics 0.25 }");
         let finish = Finish::read(&mut args, &Finish::default()).unwrap();
         assert_eq!((finish.ior, finish.refraction), (Some(1.5), Some(0.5)));
@@ -404,7 +404,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_interiors_are_not_expected() {
+    fn interior_words_are_refused() {
         assert_eq!(
             error("{ fade_power 1 }"),
             "expected a parameter of `finish` or `}`, found `fade_power`"

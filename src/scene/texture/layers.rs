@@ -1,4 +1,4 @@
-//! `texture`: layers of pigment and finish, and how later parts of a scene change them.
+//! `texture`: layers of pigment, normal and finish, and changes to them by later parts of a scene.
 
 use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
 use crate::base::args::{Args, Parse, Word, alike, declared, transform_step};
@@ -8,30 +8,30 @@ use crate::scene::pattern::{NormalTransforms, Settings};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// The last language version in which upper layers do not filter but only transmit.
+/// The last language version in which upper layers transmit unfiltered the light that they would filter.
 const LAST_WITHOUT_FILTER: f64 = 3.1;
 
-/// Textures that hold themselves twice double their layers.
-const MOST_LAYERS: usize = 100_000;
+/// Limit on the layers: textures that contain themselves twice double their layers at each declaration.
+const MAX_LAYERS: usize = 100_000;
 
-/// One layer of a texture: the colour and how it answers to light.
+/// One layer of a texture: colour, reflection properties and bumps.
 #[derive(Clone, Debug, Default)]
 pub struct Layer {
     /// The colour.
     pub pigment: Pigment,
-    /// The answer to light.
+    /// The reflection properties.
     pub finish: Arc<Finish>,
     /// Bumps.
     pub normal: Option<Arc<Normal>>,
-    /// `no_bump_scale` in the texture itself: as if it stood in whatever normal the layer has in the end.
+    /// `no_bump_scale` in the texture itself. Holds for the normal that the layer has at the end of the block.
     pub has_no_bump_scale: bool,
 }
 
-/// What a surface looks like: layers, the lowest first, never none.
+/// The appearance of a surface: layers, the lowest first, at least one.
 #[derive(Clone, Debug)]
 pub struct Texture {
     layers: SmallVec<[Layer; 1]>,
-    /// What chooses among textures; the one layer there is does not count then.
+    /// The pattern that selects among textures, if any. The single layer is unused then.
     pub(super) pattern: Option<Box<Patterned>>,
 }
 
@@ -45,11 +45,11 @@ impl From<Layer> for Texture {
 }
 
 impl Layer {
-    /// Reads `pigment`, `normal` or `finish` with its block into this layer if `word`, the next token, is one of them, and
-    /// says whether it was. What a block does not say stays as it is.
+    /// Reads `pigment`, `normal` or `finish` with its block into this layer if `word`, the next token, is one of them;
+    /// false otherwise. Values that the block does not set stay as they are.
     ///
     /// # Errors
-    /// A malformed block, or a part that is not built yet.
+    /// A malformed block, or an unsupported keyword.
     pub fn read_part(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         match word {
             Word::Pigment => {
@@ -70,7 +70,7 @@ impl Layer {
         Ok(true)
     }
 
-    /// The name of a pigment, normal or finish, which may stand without its word; false for anything else.
+    /// Reads the name of a pigment, normal or finish without its word; false for another token.
     fn read_named(&mut self, args: &mut dyn Args) -> Parse<bool> {
         if let Some(pigment) = declared::<Pigment>(args)? {
             self.pigment = (*pigment).clone();
@@ -84,7 +84,7 @@ impl Layer {
         Ok(true)
     }
 
-    /// One colour everywhere, and how it answers to light.
+    /// A layer of one colour and a finish.
     #[must_use]
     pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Layer {
         Layer {
@@ -95,8 +95,8 @@ impl Layer {
         }
     }
 
-    /// The layer as further textures begin with it: `no_bump_scale` goes on with the normal only, if there is one (measured
-    /// with POV-Ray).
+    /// The layer as the default of later textures. `no_bump_scale` stays with the normal, if there is one
+    /// (measured with POV-Ray).
     #[must_use]
     pub(crate) fn into_default(mut self) -> Layer {
         if std::mem::take(&mut self.has_no_bump_scale)
@@ -107,13 +107,13 @@ impl Layer {
         self
     }
 
-    /// Whether it is a pigment without modifiers, and a finish.
+    /// True if the layer has a pigment without modifiers, a finish, and nothing else.
     #[must_use]
     pub(crate) fn is_bare(&self) -> bool {
         self.normal.is_none() && self.pigment.is_bare()
     }
 
-    /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
+    /// Transforms the layer. A pigment that is set later is transformed too, as in POV-Ray.
     pub fn transform(&mut self, step: &Step) {
         self.pigment.transform(step);
         if let Some(normal) = &mut self.normal {
@@ -123,12 +123,12 @@ impl Layer {
 }
 
 impl Texture {
-    /// The texture of a block; what the block does not say is as in `default`.
+    /// Reads a texture block. Parts that the block does not set are those of `default`.
     ///
-    /// Parts after the name of a layered texture change its top layer; transforms move all its layers.
+    /// Parts after the name of a layered texture change its top layer; transforms apply to all its layers.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
         args.open()?;
         let mut texture = Texture::begin(args, default)?;
@@ -143,7 +143,7 @@ impl Texture {
         texture.checked(args)
     }
 
-    /// Takes a transform, or a part of the top layer, or what belongs to the pattern, if one is next.
+    /// Reads a transform, a part of the top layer, or a modifier of the pattern; false if none is next.
     pub(super) fn read_item(&mut self, args: &mut dyn Args, default: &Layer) -> Parse<bool> {
         if let Some(pattern) = &mut self.pattern {
             return pattern.read_item(args, default);
@@ -168,7 +168,7 @@ impl Texture {
         }
     }
 
-    /// The texture at its end; an error if something that it needs has not been read.
+    /// Completes the texture; an error if a required part is missing.
     pub(super) fn checked(mut self, args: &mut dyn Args) -> Parse<Texture> {
         if let Some(pattern) = &mut self.pattern {
             pattern.check(args)?;
@@ -177,7 +177,7 @@ impl Texture {
         Ok(self)
     }
 
-    /// Says `no_bump_scale` of the texture: of its top layer, or of the pattern and what it chooses from.
+    /// Sets `no_bump_scale` on the top layer, or on the pattern and the textures that it selects from.
     pub(super) fn set_no_bump_scale(&mut self) {
         match &mut self.pattern {
             Some(pattern) => {
@@ -188,13 +188,13 @@ impl Texture {
         }
     }
 
-    /// Whether a pattern chooses among textures here.
+    /// True if a pattern selects among textures.
     #[must_use]
     pub fn is_patterned(&self) -> bool {
         self.pattern.is_some()
     }
 
-    /// What chooses among textures, if something does.
+    /// The pattern that selects among textures, if there is one.
     #[must_use]
     pub fn pattern(&self) -> Option<&Patterned> {
         self.pattern.as_deref()
@@ -206,7 +206,7 @@ impl Texture {
         &self.layers
     }
 
-    /// The colour and the finish of a texture that is no more than that.
+    /// The colour and the finish of a texture that has nothing else.
     #[must_use]
     pub(crate) fn bare(&self) -> Option<(Color, &Arc<Finish>)> {
         match (&*self.layers, &self.pattern) {
@@ -218,22 +218,22 @@ impl Texture {
         }
     }
 
-    /// The layer that loose parts change: the one declared last.
+    /// The top layer, declared last, which parts outside of a texture block change.
     pub fn top_mut(&mut self) -> &mut Layer {
         self.layers.last_mut().expect("a texture has a layer")
     }
 
-    /// What is wrong with laying another texture over this one, if anything is.
+    /// The reason why another texture cannot be layered over this one, if there is one.
     #[must_use]
     pub fn fault_below(&self, upper: &Texture) -> Option<String> {
         if self.is_patterned() || upper.is_patterned() {
             return Some("a texture that a pattern chooses is no layer of another".to_owned());
         }
-        let has_too_many = self.layers.len() + upper.layers.len() > MOST_LAYERS;
-        has_too_many.then(|| format!("a texture has at most {MOST_LAYERS} layers"))
+        let has_too_many = self.layers.len() + upper.layers.len() > MAX_LAYERS;
+        has_too_many.then(|| format!("a texture has at most {MAX_LAYERS} layers"))
     }
 
-    /// Lays another texture over this one. In versions up to 3.1 the upper layers transmit what they would filter.
+    /// Layers another texture over this one. In versions up to 3.1 the upper layers transmit instead of filtering.
     pub fn lay_over(&mut self, upper: Texture, version: f64) {
         for mut layer in upper.layers {
             if version <= LAST_WITHOUT_FILTER {
@@ -243,7 +243,7 @@ impl Texture {
         }
     }
 
-    /// Moves all layers.
+    /// Transforms all layers.
     pub fn transform(&mut self, step: &Step) {
         for layer in &mut self.layers {
             layer.transform(step);
@@ -253,7 +253,7 @@ impl Texture {
         }
     }
 
-    /// Whether a transform changes what the texture looks like.
+    /// True if the texture depends on position, so that a transform may change it.
     #[must_use]
     pub fn depends_on_place(&self) -> bool {
         self.pattern.is_some()
@@ -262,7 +262,7 @@ impl Texture {
             })
     }
 
-    /// Whether it asks for the texture coordinates of the surface.
+    /// True if it depends on the texture coordinates of the surface.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         match &self.pattern {
@@ -277,7 +277,7 @@ impl Texture {
         }
     }
 
-    /// The form for tracing, with the transforms of the object after those of the texture.
+    /// Prepares the texture for rendering. The transforms of the object, `after`, follow those of the texture.
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
         PreparedTexture::new(self, after, &NormalTransforms::default(), settings)
@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn a_texture_without_pigment_has_that_of_the_default() {
+    fn a_texture_without_pigment_has_the_default_pigment() {
         let default = glass(0.25).layers()[0].clone();
         let mut args = TextArgs::new("{ finish { phong 1 } }");
         let texture = Texture::read(&mut args, &default).unwrap();
@@ -334,9 +334,9 @@ mod tests {
     }
 
     #[test]
-    fn a_pigment_after_a_transform_continues_from_there() {
-        // In POV-Ray 3.7 the second pigment of `pigment { checker ... translate .5 } translate x pigment { ... }`
-        // is translated by both.
+    fn a_pigment_after_a_transform_is_transformed_too() {
+        // In POV-Ray 3.7 both translations apply to the second pigment of
+        // `pigment { checker ... translate .5 } translate x pigment { ... }`.
         let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
         let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
         assert_eq!(
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn up_to_version_3_1_upper_layers_transmit_what_they_would_filter() {
+    fn upper_layers_do_not_filter_up_to_version_3_1() {
         let mut old = glass(0.5);
         old.lay_over(glass(0.5), 3.1);
         let through: Vec<_> = old.layers().iter().map(color).collect();

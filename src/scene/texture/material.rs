@@ -1,4 +1,4 @@
-//! `material`: a texture, a texture for the inside and an interior under one name.
+//! `material`: a texture, an interior texture and an interior under one name.
 
 use super::{Layer, Texture};
 use crate::base::args::{Args, Parse, Word, declared, transform_step};
@@ -6,22 +6,22 @@ use crate::base::math::Step;
 use crate::base::source::Diagnostic;
 use crate::scene::interior::Interior;
 
-/// The parts of an object that a material brings along.
+/// The attributes of an object that a material sets.
 #[derive(Clone, Debug, Default)]
 pub struct Material {
-    /// The look of the surface.
+    /// The texture of the surface.
     pub texture: Option<Texture>,
-    /// The look of the surface from inside.
+    /// The texture of the surface seen from inside.
     pub interior_texture: Option<Texture>,
-    /// What fills the object.
+    /// The interior.
     pub interior: Option<Interior>,
 }
 
 impl Material {
-    /// The material of a block. Several textures make layers, also over that of a named material.
+    /// Reads a material block. Several textures become layers, also over the texture of a named material.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args, default: &Layer) -> Parse<Material> {
         args.open()?;
         let mut material = match declared::<Material>(args)? {
@@ -46,7 +46,7 @@ impl Material {
         Ok(material)
     }
 
-    /// Moves the textures and the media of the interior, as far as they have been read.
+    /// Transforms the textures and the media of the interior that have been read so far.
     pub fn transform(&mut self, step: &Step) {
         let textures = [&mut self.texture, &mut self.interior_texture];
         for texture in textures.into_iter().flatten() {
@@ -58,6 +58,7 @@ impl Material {
     }
 }
 
+/// Layers `upper` over the texture in `slot`.
 fn lay(slot: &mut Option<Texture>, upper: Texture, args: &dyn Args) -> Parse<()> {
     match slot {
         Some(lower) if lower.is_patterned() || upper.is_patterned() => {

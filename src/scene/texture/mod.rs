@@ -1,5 +1,5 @@
-//! Textures: what a surface looks like. A texture is a stack of layers, each a pigment, a finish and perhaps bumps; or a
-//! pattern chooses it among others.
+//! Textures: the appearance of a surface. A texture is a stack of layers, each with a pigment, a finish and optional
+//! bumps, or a pattern that selects among other textures.
 
 mod boxed_default;
 mod bump;

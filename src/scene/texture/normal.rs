@@ -1,4 +1,4 @@
-//! `normal`: bumps on a surface, as a scene describes them.
+//! `normal`: bump mapping as a scene describes it.
 
 use super::read_pattern;
 use crate::base::args::{Args, Parse, Word, declared, default_of};
@@ -9,44 +9,44 @@ use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Bumps without an amount of their own are so high.
+/// The default height of bumps.
 const AMOUNT: f64 = 0.5;
-/// How far apart a pattern is sampled for its slope where the scene does not say it.
+/// The default distance between the samples of a pattern's slope.
 const ACCURACY: f64 = 0.02;
-/// The size of `facets` without one.
+/// The default size of `facets`.
 const FACETS: f64 = 0.1;
 
 /// Bumps on a surface.
 #[derive(Clone, Debug)]
 pub struct Normal {
-    /// Where it stands, for messages.
+    /// The location in the scene file, for messages.
     pub at: Span,
-    /// What gives the bumps.
+    /// The source of the bumps.
     pub kind: NormalKind,
-    /// How high they are.
+    /// The height of the bumps.
     pub amount: f64,
-    /// How far apart the pattern is sampled, in units of its own space.
+    /// The distance between the samples of the pattern's slope, in units of pattern space.
     pub accuracy: f64,
-    /// Whether bumps keep their slope when the surface is scaled.
+    /// `no_bump_scale`: true if scaling the pattern leaves the height of the bumps unchanged.
     pub has_no_bump_scale: bool,
     /// Transforms, warps, turbulence and waves.
     pub modifiers: Modifiers,
 }
 
-/// What gives the bumps of a [`Normal`].
+/// The source of the bumps of a [`Normal`].
 #[derive(Clone, Debug)]
 pub enum NormalKind {
-    /// Nothing yet: surfaces cannot have it.
+    /// None yet; not valid on a surface.
     None,
     /// The values of a pattern.
     Pattern(Box<dyn Pattern>),
-    /// The values of a pattern through heights and slopes.
+    /// The values of a pattern, mapped by a `slope_map` of heights and slopes.
     Slopes(Box<dyn Pattern>, Map<DVec2>),
-    /// A pattern that chooses among normals.
+    /// A pattern that selects among normals.
     Normals(Box<dyn Pattern>, Map<Arc<Normal>>),
-    /// The mean of normals; `None` until the map is read.
+    /// The weighted mean of normals; `None` until the map is read.
     Average(Option<Map<Arc<Normal>>>),
-    /// The brightness of a picture.
+    /// The brightness of an image.
     Image(bitmap::Source),
     /// Flat faces.
     Facets(Facets),
@@ -57,19 +57,19 @@ pub enum NormalKind {
 /// The parameters of `facets`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facets {
-    /// How large the faces are.
+    /// The size of the faces.
     pub size: f64,
-    /// How far the place counts, and not the direction of the surface.
+    /// The amount of tilt if faces are found by position; 0 to find them by the surface normal.
     pub coords: f64,
-    /// By which power distances are measured.
+    /// The exponent of the distance metric.
     pub metric: f64,
 }
 
 impl Normal {
-    /// The normal of a block behind its word; what the block does not say is as in `base`.
+    /// Reads a normal block after its word. Values that the block does not set are those of `base`.
     ///
     /// # Errors
-    /// A malformed value, no pattern, or a pattern that is not built yet.
+    /// A malformed value, no pattern, or an unsupported pattern.
     pub fn read(args: &mut dyn Args, base: Option<&Arc<Normal>>) -> Parse<Arc<Normal>> {
         let at = args.last_span();
         args.open()?;
@@ -82,31 +82,31 @@ impl Normal {
         normal.checked(args)
     }
 
-    /// Reads `normal_map { ... }` behind its word.
+    /// Reads `normal_map { ... }` after its word.
     ///
     /// # Errors
-    /// A malformed entry, or none.
+    /// A malformed entry, or no entry.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
         Map::read("normal_map", keys, args, &mut Normal::read_entry)
     }
 
-    /// Reads `slope_map { [position <height, slope>] ... }` behind its word.
+    /// Reads `slope_map { [position <height, slope>] ... }` after its word.
     ///
     /// # Errors
-    /// A malformed entry, or none.
+    /// A malformed entry, or no entry.
     pub fn read_slopes(args: &mut dyn Args) -> Parse<Map<DVec2>> {
         Map::read("slope_map", Keys::Positions, args, &mut |args| {
             args.vector2()
         })
     }
 
-    /// Bumps and how high they are, without a block; all else is as in `base`.
+    /// Reads bumps and their height without a block. Other values are those of `base`.
     pub(super) fn read_bare(args: &mut dyn Args, base: Option<&Arc<Normal>>) -> Parse<Arc<Normal>> {
         let at = args.span();
         Normal::begin(args, at, base.map(Arc::as_ref))?.checked(args)
     }
 
-    /// Reads `word`, the next token, with its value if it may stand beside any pattern.
+    /// Reads `word`, the next token, with its value if it is a modifier of patterns in general.
     pub(super) fn read_modifier(
         normal: &mut Arc<Normal>,
         word: Word,
@@ -123,7 +123,7 @@ impl Normal {
         normal.checked(args)
     }
 
-    /// A name, or what there is already, and then perhaps another pattern.
+    /// Reads an optional name, which replaces `base`, and an optional pattern.
     fn begin(args: &mut dyn Args, at: Span, base: Option<&Normal>) -> Parse<Normal> {
         let mut normal = match (declared::<Arc<Normal>>(args)?, base) {
             (Some(known), _) => Normal::clone(&known),
@@ -205,7 +205,7 @@ impl Normal {
         Ok(true)
     }
 
-    /// Whether some of the bumps are found by the texture coordinates of a surface.
+    /// True if any of the bumps depend on the texture coordinates of the surface.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         match &self.kind {
@@ -217,15 +217,15 @@ impl Normal {
         }
     }
 
-    /// Moves the bumps.
+    /// Transforms the bumps.
     pub fn transform(&mut self, step: &Step) {
         self.modifiers.chain.push(step);
     }
 }
 
 impl NormalKind {
-    /// The bumps that begin with this word, if some do. A pattern keeps the map that the scene has given to the one before,
-    /// as in pigments.
+    /// Reads bumps that begin with `word`; `None` if no pattern does. A pattern takes over the map of the pattern that
+    /// it replaces, as in pigments.
     fn begin(&self, word: Word, args: &mut dyn Args) -> Parse<Option<Self>> {
         match word {
             Word::BumpMap => {
@@ -270,7 +270,7 @@ impl NormalKind {
         Ok(Some(kind))
     }
 
-    /// The normals that are chosen from.
+    /// The map of normals, if there is one.
     fn normals(&self) -> Option<&Map<Arc<Normal>>> {
         match self {
             NormalKind::Normals(_, map) => Some(map),
@@ -302,7 +302,7 @@ impl NormalKind {
     }
 }
 
-/// The normals that a pattern with a list chooses from: all of them must be there.
+/// Reads the list of normals of a pattern. All of them must be present.
 fn normal_list(stops: &[Stop], args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
     let count = stops.len();
     let base: Option<Arc<Normal>> = default_of(args);
@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn the_amount_stands_behind_the_pattern_or_its_own_word() {
+    fn the_amount_follows_the_pattern_or_its_own_word() {
         for (text, amount) in [
             ("{ bumps }", 0.5),
             ("{ bumps 0.25 scale 2 }", 0.25),
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn a_block_may_change_what_there_is() {
+    fn a_block_may_change_the_base() {
         let known = read("{ bumps 2 }").unwrap();
         let mut args = TextArgs::new("{ N scale 2 }").with("N", Arc::clone(&known));
         let changed = Normal::read(&mut args, None).unwrap();
@@ -371,9 +371,9 @@ mod tests {
         );
     }
 
-    /// A default may give the height before the pattern.
+    /// A default may set the height before the pattern.
     #[test]
-    fn a_pattern_takes_the_height_of_what_it_changes() {
+    fn a_pattern_takes_the_height_of_its_base() {
         let known = read("{ bump_size 2 }").unwrap();
         assert!(matches!(known.kind, NormalKind::None));
         let bumps = Normal::read(&mut TextArgs::new("{ bumps }"), Some(&known)).unwrap();
@@ -382,7 +382,7 @@ mod tests {
 
     /// POV-Ray refuses each of these.
     #[test]
-    fn what_makes_no_bumps_is_refused() {
+    fn malformed_normals_are_refused() {
         for text in [
             "{ average }",
             "{ checker normal { bumps } }",

@@ -1,7 +1,7 @@
-//! Textures as scenes write them before version 3.0: the words of pigment, normal and finish stand in the texture itself,
-//! in any order, and later ones change or replace what earlier ones have said (POV-Ray 2.2 documentation, "Textures").
+//! Textures of scenes before version 3.0: the words of pigment, normal and finish stand directly in the texture, in any
+//! order, and later ones change or replace earlier ones (POV-Ray 2.2 documentation, "Textures").
 //!
-//! Only the words of that time are known here; `mandel` has the colours of today inside its set.
+//! Only the words of that version are supported. The colours inside the set of `mandel` are those of version 3.7.
 
 use super::{Layer, Normal};
 use crate::base::args::{Args, Parse, Word, alike};
@@ -9,11 +9,11 @@ use crate::base::source::Diagnostic;
 use crate::base::word::Class;
 use crate::scene::pattern::Shape;
 
-/// From this version on textures consist of blocks. POV-Ray rounds versions to hundredths before it compares them.
-const FIRST_OF_BLOCKS: f64 = 2.995;
+/// The first version whose textures consist of blocks. POV-Ray rounds versions to hundredths before it compares them.
+const FIRST_WITH_BLOCKS: f64 = 2.995;
 
-/// What changes the pigment, besides colours.
-const OF_PIGMENT: [Word; 22] = [
+/// The words that change the pigment, besides colours.
+const PIGMENT_WORDS: [Word; 22] = [
     Word::Agate,
     Word::Bozo,
     Word::Checker,
@@ -38,8 +38,8 @@ const OF_PIGMENT: [Word; 22] = [
     Word::Lambda,
 ];
 
-/// What begins a normal.
-const OF_NORMAL: [Word; 6] = [
+/// The words that begin a normal.
+const NORMAL_WORDS: [Word; 6] = [
     Word::BumpMap,
     Word::Bumps,
     Word::Dents,
@@ -48,15 +48,15 @@ const OF_NORMAL: [Word; 6] = [
     Word::Wrinkles,
 ];
 
-/// Tells whether a word that stands first in a texture of this version begins a part of it, and no choice of textures.
+/// True if the first word of a texture in this version begins a pigment or normal rather than a patterned texture.
 pub(super) fn begins_part(word: Word, version: f64) -> bool {
-    version < FIRST_OF_BLOCKS && (OF_PIGMENT.contains(&word) || OF_NORMAL.contains(&word))
+    version < FIRST_WITH_BLOCKS && (PIGMENT_WORDS.contains(&word) || NORMAL_WORDS.contains(&word))
 }
 
 impl Layer {
-    /// Reads what may stand in the texture itself before version 3.0, if that is next.
+    /// Reads a value that scenes before version 3.0 have directly in the texture; false if none is next.
     pub(super) fn read_old(&mut self, args: &mut dyn Args) -> Parse<bool> {
-        if args.version() >= FIRST_OF_BLOCKS {
+        if args.version() >= FIRST_WITH_BLOCKS {
             return Ok(false);
         }
         let Some(word) = args.word()? else {
@@ -67,14 +67,14 @@ impl Layer {
                 Some(normal) => Normal::read_modifier(normal, word, args),
                 None => Err(args.expected("`waves` or another normal before its modifiers")),
             },
-            _ if OF_NORMAL.contains(&word) => {
+            _ if NORMAL_WORDS.contains(&word) => {
                 self.normal = Some(Normal::read_bare(args, self.normal.as_ref())?);
                 Ok(true)
             }
-            _ if OF_PIGMENT.contains(&word) || word.class() == Class::Color => {
+            _ if PIGMENT_WORDS.contains(&word) || word.class() == Class::Color => {
                 let is_read = self.pigment.read_bare(args)?;
                 if matches!(word, Word::Marble | Word::Wood) {
-                    // Today they run up and down.
+                    // Since version 3.0 their default is a triangle wave.
                     self.pigment.modifiers.get_mut().set_shape(Shape::Ramp);
                 }
                 Ok(is_read)
@@ -90,7 +90,7 @@ impl Layer {
         }
     }
 
-    /// A number alone, which is that of `crand`.
+    /// Reads a number alone as `crand`.
     fn read_grain(&mut self, args: &mut dyn Args) -> Parse<bool> {
         if !args.at_expression()? {
             return Ok(false);

@@ -1,4 +1,5 @@
-//! Textures that are chosen by a pattern: `texture_map`, lists behind `checker` and its kin, `tiles`, `material_map`.
+//! Textures that are selected by a pattern: `texture_map`, lists after `checker` and similar patterns, `tiles`,
+//! `material_map`.
 
 use super::old::begins_part;
 use super::{Layer, Texture, read_pattern};
@@ -9,38 +10,38 @@ use crate::base::source::Span;
 use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern};
 use std::sync::Arc;
 
-/// A choice of textures by a pattern.
+/// A pattern that selects among textures.
 #[derive(Clone, Debug)]
 pub struct Patterned {
-    /// The place of the pattern's word, for messages.
+    /// The location of the pattern's word, for messages.
     pub at: Span,
-    /// The word.
+    /// The word that begins the pattern.
     pub word: Word,
-    /// What chooses, and from what.
+    /// The selector and its textures.
     pub kind: PatternedKind,
     /// Transforms, warps, turbulence and waves.
     pub modifiers: Modifiers,
-    /// True if bumps keep their slope when the pattern is scaled.
+    /// `no_bump_scale`: true if scaling the pattern leaves the height of bumps unchanged.
     pub has_no_bump_scale: bool,
 }
 
-/// What chooses a texture.
+/// The selector of a texture, with the textures that it selects from.
 #[derive(Clone, Debug)]
 pub enum PatternedKind {
     /// A pattern; the map is `None` until it is read.
     Map(Box<dyn Pattern>, Option<Map<Texture>>),
-    /// The mean of textures; `None` until the map is read.
+    /// The weighted mean of textures; `None` until the map is read.
     Average(Option<Map<Texture>>),
-    /// Two textures in turn, as tiles.
+    /// Two textures as alternating tiles.
     Tiles(Arc<[Texture; 2]>),
     /// One texture at the texture coordinates of the surface.
     Uv(Arc<Texture>),
-    /// The pixels of a picture: each value has its texture.
+    /// `material_map`: the pixels of an image; each value selects a texture.
     Material(bitmap::Source, Arc<[Texture]>),
 }
 
 impl Patterned {
-    /// The choice that begins with this word, if one does. Takes the word and what belongs to it.
+    /// Reads a patterned texture up to its map; `None` if `word` does not begin one.
     pub(super) fn begin(word: Word, args: &mut dyn Args, default: &Layer) -> Parse<Option<Self>> {
         let at = args.span();
         let kind = match word {
@@ -85,7 +86,7 @@ impl Patterned {
         }))
     }
 
-    /// Takes a modifier of the pattern or its map, if one is next.
+    /// Reads a modifier of the pattern or its map; false if none is next.
     pub(super) fn read_item(&mut self, args: &mut dyn Args, default: &Layer) -> Parse<bool> {
         let Some(word) = args.word()? else {
             return Ok(false);
@@ -120,28 +121,30 @@ impl Patterned {
         }
     }
 
-    /// Says `no_bump_scale` of all entries if it is said of the pattern; those of `material_map` keep what they say
-    /// themselves (measured with POV-Ray).
+    /// Sets `no_bump_scale` on all entries if the pattern has it, except those of `material_map`, which have their own
+    /// (measured with POV-Ray).
     pub(super) fn spread_no_bump_scale(&mut self) {
         if !self.has_no_bump_scale {
             return;
         }
-        let kept = |texture: &Texture| {
+        let without_bump_scale = |texture: &Texture| {
             let mut texture = texture.clone();
             texture.set_no_bump_scale();
             texture
         };
         match &mut self.kind {
             PatternedKind::Map(_, map) | PatternedKind::Average(map) => {
-                *map = map.as_ref().map(|map| map.map(kept));
+                *map = map.as_ref().map(|map| map.map(without_bump_scale));
             }
-            PatternedKind::Tiles(two) => *two = Arc::new([kept(&two[0]), kept(&two[1])]),
-            PatternedKind::Uv(mapped) => *mapped = Arc::new(kept(mapped)),
+            PatternedKind::Tiles(two) => {
+                *two = Arc::new([without_bump_scale(&two[0]), without_bump_scale(&two[1])])
+            }
+            PatternedKind::Uv(mapped) => *mapped = Arc::new(without_bump_scale(mapped)),
             PatternedKind::Material(..) => {}
         }
     }
 
-    /// The textures that are chosen from.
+    /// The textures that can be selected.
     #[must_use]
     pub fn textures(&self) -> Vec<&Texture> {
         match &self.kind {
@@ -155,31 +158,31 @@ impl Patterned {
         }
     }
 
-    /// Moves the pattern and all its textures.
+    /// Transforms the pattern and all its textures.
     pub(super) fn transform(&mut self, step: &Step) {
         self.modifiers.chain.push(step);
     }
 }
 
 impl Texture {
-    /// Reads `texture_map { ... }` behind its word.
+    /// Reads `texture_map { ... }` after its word.
     ///
     /// # Errors
-    /// A malformed entry, or none.
+    /// A malformed entry, or no entry.
     pub fn read_map(keys: Keys, args: &mut dyn Args, default: &Layer) -> Parse<Map<Texture>> {
         Map::read("texture_map", keys, args, &mut |args| {
             Texture::entry(args, default)
         })
     }
 
-    /// A texture without its braces.
+    /// Reads an entry of a map: a texture without braces.
     fn entry(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
         let mut texture = Texture::begin(args, default)?;
         while texture.read_item(args, default)? {}
         texture.checked(args)
     }
 
-    /// A name, a pattern, or the default texture.
+    /// Reads a name or the start of a patterned texture; the default texture otherwise.
     pub(super) fn begin(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
         if let Some(known) = declared::<Texture>(args)? {
             return Ok(Texture::clone(&known));
@@ -205,7 +208,7 @@ impl Texture {
     }
 }
 
-/// `{ texture { ... } tile2 texture { ... } }`.
+/// Reads `{ texture { ... } tile2 texture { ... } }`.
 fn tiles(args: &mut dyn Args, default: &Layer) -> Parse<[Texture; 2]> {
     args.open()?;
     let first = next_texture(args, default)?;
@@ -217,7 +220,7 @@ fn tiles(args: &mut dyn Args, default: &Layer) -> Parse<[Texture; 2]> {
     Ok([first, second])
 }
 
-/// The textures behind a picture, up to the end of the block that the picture has opened.
+/// Reads the textures after an image, up to the end of the block that the image has opened.
 fn materials(args: &mut dyn Args, default: &Layer) -> Parse<Vec<Texture>> {
     let mut textures = vec![next_texture(args, default)?];
     while !args.accept_close()? {
@@ -234,7 +237,7 @@ fn next_texture(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
     }
 }
 
-/// The textures of a pattern with a list; those that are not there are the default one.
+/// Reads the list of textures of a pattern. Missing textures are the default texture.
 fn texture_list(
     pattern: &dyn Pattern,
     args: &mut dyn Args,
@@ -266,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn patterns_choose_textures_by_maps_and_lists() {
+    fn patterns_select_textures_by_maps_and_lists() {
         for text in [
             "{ gradient <1,0,0> texture_map { [0 T] [1 T scale 2] } scale 2 turbulence 1 }",
             "{ gradient <1,0,0> texture_map { [0 pigment { rgb 1 } finish { phong 1 }] [1 T] } }",
@@ -287,7 +290,7 @@ mod tests {
 
     /// POV-Ray refuses each of these.
     #[test]
-    fn what_does_not_go_together_is_refused() {
+    fn malformed_textures_are_refused() {
         for text in [
             "{ gradient <1,0,0> }",
             "{ gradient <1,0,0> color_map { [0 rgb 1] } }",
@@ -309,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_built_is_named() {
+    fn an_unsupported_pattern_is_named() {
         let error = read("{ pavement }").expect_err("it is missing");
         assert_eq!(error.message, "`pavement` is not built yet");
     }

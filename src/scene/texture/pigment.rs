@@ -1,4 +1,4 @@
-//! `pigment`: the colour of a surface, plain or by a pattern.
+//! `pigment`: the colour of a surface, uniform or from a pattern.
 
 use super::{Rare, read_pattern};
 use crate::base::args::{Args, Parse, Word, declared, default_of, not_built};
@@ -11,37 +11,37 @@ use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
 pub struct Pigment {
-    /// Where the colour comes from.
+    /// The source of the colour.
     pub kind: PigmentKind,
     /// `quick_color`: the colour in previews of quality 5 and less.
     pub quick_color: Option<Box<Color>>,
-    /// Turbulence, waves, warps and transforms of the pattern; the transforms of its texture stand behind its own.
+    /// Turbulence, waves, warps and transforms of the pattern. Transforms of the texture are appended to them.
     pub modifiers: Rare<Modifiers>,
 }
 
-/// Where the colour of a pigment comes from. There may be a million of them, most of them plain.
+/// The source of a pigment's colour. A scene may have a million of them, most of them plain.
 #[derive(Clone, Debug)]
 pub enum PigmentKind {
     /// The same colour everywhere.
     Plain(Color),
-    /// A pattern whose value is looked up among colours.
+    /// A pattern with a map of colours.
     Colors(Box<Mapped<Color>>),
-    /// A pattern whose value is looked up among pigments.
+    /// A pattern with a map of pigments.
     Pigments(Box<Mapped<Pigment>>),
-    /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
+    /// `average`: the weighted mean of pigments; `None` until its `pigment_map` is read.
     Average(Option<Box<Map<Pigment>>>),
-    /// `image_map`: the colours of a picture.
+    /// `image_map`: the colours of an image.
     Image(Box<bitmap::Source>),
-    /// `uv_mapping`: another pigment at the texture coordinates of the surface.
+    /// `uv_mapping`: another pigment, evaluated at the texture coordinates of the surface.
     Uv(Box<Pigment>),
 }
 
-/// A pattern, and what its values are looked up among.
+/// A pattern and the map for its values.
 #[derive(Clone, Debug)]
 pub struct Mapped<T> {
     /// The pattern.
     pub pattern: Box<dyn Pattern>,
-    /// What its values stand for.
+    /// The map from pattern values to entries.
     pub map: Map<T>,
 }
 
@@ -54,31 +54,31 @@ impl PigmentKind {
         PigmentKind::Pigments(Box::new(Mapped { pattern, map }))
     }
 
-    /// A pattern in place of what was there. It keeps the map that the scene has given to the pattern before, and takes a
-    /// list for one (measured with POV-Ray: a name or the default pigment may stand before a pattern).
+    /// Replaces the pattern but keeps a map or list that the scene has set for the previous pattern, which a named or
+    /// the default pigment may have (measured with POV-Ray).
     fn with_pattern(&self, pattern: Box<dyn Pattern>) -> Self {
         match self {
             PigmentKind::Pigments(mapped) => PigmentKind::pigments(pattern, mapped.map.clone()),
-            PigmentKind::Colors(mapped) if mapped.is_said() => {
+            PigmentKind::Colors(mapped) if mapped.is_custom() => {
                 PigmentKind::colors(pattern, mapped.map.clone())
             }
             PigmentKind::Average(Some(map)) => PigmentKind::pigments(pattern, (**map).clone()),
             _ => {
-                let usual = Map::of_stops(pattern.default_map());
-                PigmentKind::colors(pattern, usual)
+                let map = Map::of_stops(pattern.default_map());
+                PigmentKind::colors(pattern, map)
             }
         }
     }
 }
 
 impl Mapped<Color> {
-    /// Tells whether the colours are other ones than the pattern has by itself.
-    fn is_said(&self) -> bool {
+    /// True if the scene sets the colours; false for the pattern's default map.
+    fn is_custom(&self) -> bool {
         self.pattern.has_list() || self.map.entries() != self.pattern.default_map()
     }
 }
 
-/// Whose words a pigment is written in: those of a density are other ones, and the two do not mix.
+/// The keywords of a block: a density is read like a pigment, with its own keywords, which do not mix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// `pigment`, `pigment_map`.
@@ -111,14 +111,14 @@ impl Family {
 }
 
 impl Default for Pigment {
-    /// Black, as POV-Ray has it.
+    /// Black, as in POV-Ray.
     fn default() -> Self {
         Pigment::plain(Color::opaque(Rgb::BLACK))
     }
 }
 
 impl Pigment {
-    /// One colour everywhere.
+    /// A pigment of one colour.
     #[must_use]
     pub fn plain(color: Color) -> Self {
         Pigment {
@@ -128,24 +128,24 @@ impl Pigment {
         }
     }
 
-    /// Whether it is no more than where its colour comes from.
+    /// True if it has neither `quick_color` nor modifiers.
     pub(super) fn is_bare(&self) -> bool {
         self.quick_color.is_none() && self.modifiers.get().is_none()
     }
 
-    /// The pigment of a block; what the block does not say is as in `base`.
+    /// Reads a pigment block. Parts that the block does not set are those of `base`.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         args.open()?;
         Pigment::read_inside(args, base)
     }
 
-    /// The same behind the `{`.
+    /// Reads a pigment block after its `{`.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read_inside(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         let known = Pigment::read_known(args, base)?;
         if args.accept(Word::UvMapping)? {
@@ -155,14 +155,14 @@ impl Pigment {
         known.read_on(args, Family::Pigment)
     }
 
-    /// This pigment with another one, at texture coordinates, for its pattern.
+    /// Makes `mapped`, evaluated at the texture coordinates, the source of this pigment's colour.
     fn mapped(mut self, mapped: Pigment) -> Pigment {
         self.quick_color = mapped.quick_color.clone().or(self.quick_color);
         self.kind = PigmentKind::Uv(Box::new(mapped));
         self
     }
 
-    /// Whether it takes some of its colours from the texture coordinates of a surface.
+    /// True if any of its colours depend on the texture coordinates of the surface.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         let any = |map: &Map<Pigment>| map.entries().iter().any(|(_, entry)| entry.uses_uv());
@@ -174,10 +174,10 @@ impl Pigment {
         }
     }
 
-    /// This pigment, changed by all that follows up to the end of a block; `what` is the word of the block.
+    /// Reads changes to this pigment up to the end of the block.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read_on(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
         while !args.accept_close()? {
             if !self.read_item(args, family)? {
@@ -188,21 +188,21 @@ impl Pigment {
         self.checked(args, family)
     }
 
-    /// The same for an entry of a map, up to what is no part of it.
+    /// Reads changes to this pigment up to the end of an entry of a map.
     ///
     /// # Errors
-    /// A malformed value, or a word that is not built yet.
+    /// A malformed value, or an unsupported keyword.
     pub fn read_entry(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
         while self.read_item(args, family)? {}
         self.checked(args, family)
     }
 
-    /// An entry of a map: a pigment without its braces.
+    /// Reads an entry of a map: a pigment without braces.
     fn entry(args: &mut dyn Args) -> Parse<Pigment> {
         let default: Pigment = default_of(args);
         let mut known = Pigment::read_known(args, &default)?;
         let mut is_mapped = false;
-        // Once more says nothing new, and a faulty scene may say it a million times.
+        // Repetitions have no effect. A loop rather than recursion, since a faulty scene may have a million of them.
         while args.accept(Word::UvMapping)? {
             known = Pigment::read_known(args, &default)?;
             is_mapped = true;
@@ -231,20 +231,20 @@ impl Pigment {
         }
     }
 
-    /// Reads `pigment_map { ... }` behind its word.
+    /// Reads `pigment_map { ... }` after its word.
     ///
     /// # Errors
-    /// A malformed entry, none, or too many.
+    /// A malformed entry, no entry, or too many.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
         Map::read("pigment_map", keys, args, &mut Pigment::entry)
     }
 
-    /// A colour, a pattern, a map or a modifier without a block.
+    /// Reads a colour, a pattern, a map or a modifier without a block; false if none is next.
     pub(super) fn read_bare(&mut self, args: &mut dyn Args) -> Parse<bool> {
         self.read_item(args, Family::Pigment)
     }
 
-    /// A colour by its name.
+    /// Reads a colour that begins with a colour word or a name; false if none is next.
     pub(super) fn read_own_color(&mut self, args: &mut dyn Args) -> Parse<bool> {
         let color = args.color_if_any()?;
         if let Some(color) = color {
@@ -253,7 +253,7 @@ impl Pigment {
         Ok(color.is_some())
     }
 
-    /// One part of a pigment; false if none begins here.
+    /// Reads one part of a pigment; false if none is next.
     fn read_item(&mut self, args: &mut dyn Args, family: Family) -> Parse<bool> {
         if self.read_own_color(args)? {
             return Ok(true);
@@ -308,7 +308,7 @@ impl Pigment {
         Ok(true)
     }
 
-    /// The pattern that a map is for: one without a list behind its word.
+    /// The pattern for a map: one that takes no list.
     fn pattern_for_map(&self, args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         let pattern = match &self.kind {
             PigmentKind::Colors(mapped) => Some(&mapped.pattern),
@@ -355,12 +355,12 @@ impl Pigment {
         Ok(true)
     }
 
-    /// Adds a transform.
+    /// Appends a transform.
     pub fn transform(&mut self, step: &Step) {
         self.modifiers.get_mut().chain.push(step);
     }
 
-    /// Moves what filters into what transmits, as versions up to 3.1 do in the upper layers of a texture.
+    /// Converts filter to transmit, as versions up to 3.1 do in the upper layers of a texture.
     pub fn filter_to_transmit(&mut self) {
         let changed = |color: &Color| Color {
             transmit: color.transmit + color.filter,
@@ -389,7 +389,7 @@ impl Pigment {
     }
 }
 
-/// The colours of a list, with or without commas between them; those left out are as in `defaults`.
+/// Reads a list of colours, with or without commas. Missing colours are those of `defaults`.
 fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
     let mut entries = defaults.to_vec();
     for (_, slot) in &mut entries {
@@ -405,7 +405,7 @@ fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
     Ok(Map::of_stops(&entries))
 }
 
-/// The pigments of a list, with or without commas between them; those left out are the default one.
+/// Reads a list of pigments, with or without commas. Missing pigments are the default pigment.
 fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse<Map<Pigment>> {
     let default = match family {
         Family::Pigment => default_of(args),
@@ -551,7 +551,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_is_named() {
+    fn unsupported_or_misplaced_words_are_named() {
         assert_eq!(error("{ pavement }"), "`pavement` is not built yet");
         assert_eq!(
             error("{ rgb 1 uv_mapping }"),
@@ -569,7 +569,8 @@ mod tests {
 
     #[test]
     fn uv_mapping_begins_another_pigment() {
-        // POV-Ray 3.7 forgets what stood before, and moves the texture coordinates by what stands behind.
+        // POV-Ray 3.7 drops everything before `uv_mapping` and applies the transforms after it to the
+        // texture coordinates.
         let known = Pigment::plain(Color::opaque(Rgb::WHITE));
         for text in [
             "{ uv_mapping gradient <1,0,0> scale 2 }",

@@ -1,4 +1,4 @@
-//! `pigment_pattern`: the grey of a pigment as the value of a pattern.
+//! `pigment_pattern`: the grey value of a pigment as a pattern.
 
 use super::{Pigment, PreparedPigment};
 use crate::base::args::{Args, Parse, Word, default_of};
@@ -13,10 +13,10 @@ struct PigmentPattern {
 #[derive(Debug)]
 struct Prepared(PreparedPigment);
 
-/// The pattern of this word, if there is one and it is built. Takes the word and what belongs to it.
+/// Reads a pattern that begins with `word`; `None` if `word` is no supported pattern.
 ///
 /// # Errors
-/// A malformed value behind the word.
+/// A malformed value after the word.
 pub fn read_pattern(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>> {
     if word != Word::PigmentPattern {
         return pattern::read_named(word, args);

@@ -1,6 +1,6 @@
-//! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
+//! Textures prepared for rendering: the top layer first, with inverse matrices for patterns and precomputed properties.
 
-use super::select::{Choice, Choosing};
+use super::select::{Choosing, Selector};
 use super::{Finish, Layer, Look, Pigment, PigmentKind, PreparedNormal, Texture};
 use crate::base::bitmap;
 use crate::base::color::Color;
@@ -13,19 +13,19 @@ use crate::scene::pattern::{
 use glam::DVec3;
 use std::sync::Arc;
 
-/// A texture ready for rays.
+/// A prepared texture.
 #[derive(Debug, Default)]
 pub struct PreparedTexture {
     layers: Layers,
 }
 
-/// The layers of a texture. There may be a million textures, most of which have one.
+/// The layers of a texture. A scene may have a million textures, most of them with one layer.
 #[derive(Debug)]
 enum Layers {
     One(PreparedLayer),
     Some(Vec<PreparedLayer>),
-    /// What chooses among other textures; the layers do not count then.
-    Chosen(Box<(Choice, Vec<PreparedLayer>)>),
+    /// A selector of other textures; the layers are unused.
+    Patterned(Box<(Selector, Vec<PreparedLayer>)>),
 }
 
 impl Default for Layers {
@@ -34,60 +34,60 @@ impl Default for Layers {
     }
 }
 
-/// A layer ready for rays.
+/// A prepared layer.
 #[derive(Debug)]
 pub struct PreparedLayer {
     /// The colour.
     pub pigment: PreparedPigment,
-    /// The answer to light.
+    /// The reflection properties.
     pub finish: Arc<Finish>,
-    /// What few have.
-    more: Option<Box<More>>,
+    /// Rarely used parts.
+    extras: Option<Box<LayerExtras>>,
 }
 
-/// What few layers have.
+/// The parts that most layers do not have.
 #[derive(Debug)]
-struct More {
+struct LayerExtras {
     quick_color: Option<Color>,
     normal: Option<PreparedNormal>,
 }
 
-/// A pigment ready for rays. There may be a million of them, most of them plain.
+/// A prepared pigment. A scene may have a million of them, most of them plain.
 #[derive(Debug)]
 pub enum PreparedPigment {
     /// The same colour everywhere.
     Plain(Color),
-    /// A pattern whose value is looked up among colours.
+    /// A pattern with a map of colours.
     Colors(Box<(PreparedPattern, Map<Color>)>),
-    /// A pattern whose value is looked up among pigments.
+    /// A pattern with a map of pigments.
     Pigments(Box<(PreparedPattern, Map<PreparedPigment>)>),
-    /// The mean of pigments by weight.
+    /// The weighted mean of pigments.
     Average(Box<(PreparedWarpChain, Map<PreparedPigment>)>),
-    /// The colours of a picture.
+    /// The colours of an image.
     Image(Box<(PreparedWarpChain, bitmap::Source)>),
-    /// Another pigment at the texture coordinates.
+    /// Another pigment, evaluated at the texture coordinates.
     Uv(Box<PreparedPigment>),
 }
 
 impl PreparedTexture {
-    /// The form for drawing, with the transforms of what carries it after its own; normals have been turned so `far` on
-    /// their way to it.
+    /// Prepares a texture for rendering. `after` are transforms that follow the texture's own, `outer` the transforms
+    /// of normals by the texture maps around it.
     pub(super) fn new(
         texture: &Texture,
         after: &[Step],
-        far: &NormalTransforms,
+        outer: &NormalTransforms,
         settings: &Settings,
     ) -> Self {
         let prepare = |layer: &Layer| {
             let normal = PreparedNormal::of_layer(layer, after, settings);
-            let normal = normal.map(|normal| normal.within(far));
+            let normal = normal.map(|normal| normal.within(outer));
             let quick_color = layer.pigment.quick_color.as_deref().copied();
-            let has_more = normal.is_some() || quick_color.is_some();
+            let has_extras = normal.is_some() || quick_color.is_some();
             PreparedLayer {
                 pigment: PreparedPigment::new(&layer.pigment, after, settings),
                 finish: Arc::clone(&layer.finish),
-                more: has_more.then(|| {
-                    Box::new(More {
+                extras: has_extras.then(|| {
+                    Box::new(LayerExtras {
                         quick_color,
                         normal,
                     })
@@ -95,79 +95,81 @@ impl PreparedTexture {
             }
         };
         let mut layers: Vec<PreparedLayer> = texture.layers().iter().rev().map(prepare).collect();
-        let choice = texture.pattern();
-        let choice = choice.and_then(|choice| Choice::new(choice, after, far, settings));
+        let pattern = texture.pattern();
+        let selector = pattern.and_then(|pattern| Selector::new(pattern, after, outer, settings));
         PreparedTexture {
-            layers: match choice {
-                Some(choice) => Layers::Chosen(Box::new((choice, layers))),
+            layers: match selector {
+                Some(selector) => Layers::Patterned(Box::new((selector, layers))),
                 None if layers.len() == 1 => layers.pop().map(Layers::One).unwrap_or_default(),
                 None => Layers::Some(layers),
             },
         }
     }
 
-    /// The form of a texture that is no more than a colour and how it answers to light.
+    /// A prepared texture of one colour and a finish.
     #[must_use]
     pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Self {
         PreparedTexture {
             layers: Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(color),
                 finish,
-                more: None,
+                extras: None,
             }),
         }
     }
 
-    /// The same in another colour, of what is no more than a colour and how it answers to light.
+    /// This texture in another colour; `None` if it is more than one colour and a finish.
     #[must_use]
     pub(crate) fn in_color(&self, color: Color) -> Option<Self> {
         match &self.layers {
             Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(_),
                 finish,
-                more: None,
+                extras: None,
             }) => Some(PreparedTexture::colored(color, Arc::clone(finish))),
             _ => None,
         }
     }
 
-    /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
+    /// The layers, the top one first; unused if a pattern selects among other textures.
     #[must_use]
     #[inline]
     pub fn layers(&self) -> &[PreparedLayer] {
         match &self.layers {
             Layers::One(layer) => std::slice::from_ref(layer),
             Layers::Some(layers) => layers,
-            Layers::Chosen(chosen) => &chosen.1,
+            Layers::Patterned(both) => &both.1,
         }
     }
 
-    /// What chooses among other textures, if that is done.
-    fn choice(&self) -> Option<&Choice> {
+    /// The selector of other textures, if there is one.
+    fn selector(&self) -> Option<&Selector> {
         match &self.layers {
-            Layers::Chosen(chosen) => Some(&chosen.0),
+            Layers::Patterned(both) => Some(&both.0),
             Layers::One(_) | Layers::Some(_) => None,
         }
     }
 
-    /// Whether a pattern chooses among other textures.
+    /// True if a pattern selects among other textures.
     #[must_use]
     pub fn is_patterned(&self) -> bool {
-        self.choice().is_some()
+        self.selector().is_some()
     }
 
-    /// Whether some layer is of this kind, of the texture itself or of any that it chooses from.
+    /// True if the predicate holds for any layer of the texture or of a texture that it selects from.
     pub fn has_layer(&self, is_such: &dyn Fn(&PreparedLayer) -> bool) -> bool {
-        match self.choice() {
+        match self.selector() {
             None => self.layers().iter().any(is_such),
-            Some(choice) => choice.textures().any(|texture| texture.has_layer(is_such)),
+            Some(selector) => selector
+                .textures()
+                .any(|texture| texture.has_layer(is_such)),
         }
     }
 
-    /// Adds the textures that are seen of it, whose patterns are asked at `point`.
+    /// Adds this texture, or the textures that it selects, to a selection. Patterns are evaluated at `point`.
     pub fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
-        if let Some(choice) = self.choice() {
-            return choice.look(point, weight, to);
+        if let Some(selector) = self.selector() {
+            return selector.select(point, weight, to);
         }
         to.looks.push(Look {
             weight,
@@ -175,15 +177,15 @@ impl PreparedTexture {
             point,
         });
         if let Some(flat) = &to.flat
-            && let Some(normal) = self.normal_left(point, flat)
+            && let Some(normal) = self.last_perturbed_normal(point, flat)
         {
             to.spot.normal = normal;
         }
     }
 
-    /// The normal that the bumps of its layers have made last once all that can be seen of them are drawn, as slope patterns
-    /// see it.
-    fn normal_left(&self, point: DVec3, flat: &SurfacePoint) -> Option<DVec3> {
+    /// The normal perturbed by the bumps of the visible layer that is shaded last among those with bumps, as slope
+    /// patterns use it.
+    fn last_perturbed_normal(&self, point: DVec3, flat: &SurfacePoint) -> Option<DVec3> {
         let mut layers = self.layers().iter();
         let lowest = layers.position(|layer| !layer.pigment.can_be_transparent());
         let seen = lowest.map_or(self.layers().len(), |lowest| lowest + 1);
@@ -192,43 +194,42 @@ impl PreparedTexture {
         Some(bumps.tilted_and_seen(point, flat.normal, flat).1)
     }
 
-    /// Whether normals decide which textures are seen of it.
+    /// True if the selection of textures depends on the normal.
     #[must_use]
     pub fn minds_normal(&self) -> bool {
-        self.choice().is_some_and(Choice::minds_normal)
+        self.selector().is_some_and(Selector::needs_normal)
     }
 
-    /// Whether something in it asks for the texture coordinates of the surface.
+    /// True if a selector or layer in it depends on the texture coordinates of the surface.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
-        match self.choice() {
+        match self.selector() {
             None => self.layers().iter().any(PreparedLayer::uses_uv),
-            Some(choice) => choice.uses_uv(),
+            Some(selector) => selector.uses_uv(),
         }
     }
 
-    /// Whether no light passes anywhere: some layer has neither filter nor transmit.
+    /// True if no light is transmitted anywhere: some layer has neither filter nor transmit.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
         let is_opaque = |layer: &PreparedLayer| !layer.pigment.can_be_transparent();
-        match self.choice() {
+        match self.selector() {
             None => self.layers().iter().any(is_opaque),
-            Some(choice) => choice.textures().all(PreparedTexture::is_opaque),
+            Some(selector) => selector.textures().all(PreparedTexture::is_opaque),
         }
     }
 
-    /// Whether it is one opaque layer with nothing to it but light and highlights: no bumps, no mirror image, no film, no
-    /// grain.
+    /// True for one opaque layer with only diffuse light and highlights: no bumps, reflection, thin film or `crand`.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.is_opaque() && !self.has_reflection() && self.is_nearly_plain()
     }
 
-    /// Whether it is that but for a mirror image and what shines through.
+    /// True for one layer without bumps, thin film or `crand`; reflection and transparency are allowed.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
         match self.layers() {
-            [layer] if self.choice().is_none() => {
+            [layer] if self.selector().is_none() => {
                 let finish = &layer.finish;
                 layer.normal().is_none()
                     && finish.crand <= 0.0
@@ -239,28 +240,28 @@ impl PreparedTexture {
         }
     }
 
-    /// Whether each of its layers has one colour.
+    /// True if each of its layers has a uniform colour.
     #[must_use]
     pub fn is_even(&self) -> bool {
         let is_plain = |layer: &PreparedLayer| matches!(layer.pigment, PreparedPigment::Plain(_));
-        self.choice().is_none() && self.layers().iter().all(is_plain)
+        self.selector().is_none() && self.layers().iter().all(is_plain)
     }
 
-    /// Whether some layer has a mirror image.
+    /// True if any layer has specular reflection.
     #[must_use]
     pub fn has_reflection(&self) -> bool {
         let has_reflection = |layer: &PreparedLayer| layer.finish.has_reflection();
-        match self.choice() {
+        match self.selector() {
             None => self.layers().iter().any(has_reflection),
-            Some(choice) => choice.textures().any(PreparedTexture::has_reflection),
+            Some(selector) => selector.textures().any(PreparedTexture::has_reflection),
         }
     }
 
-    /// The only layer and its colour, if there is one layer and it is of one colour.
+    /// The colour and the finish of a single layer of uniform colour without bumps.
     #[must_use]
     pub fn plain(&self) -> Option<(Color, &Finish)> {
         match self.layers() {
-            [layer] if self.choice().is_none() && layer.normal().is_none() => {
+            [layer] if self.selector().is_none() && layer.normal().is_none() => {
                 match &layer.pigment {
                     PreparedPigment::Plain(color) => Some((*color, &layer.finish)),
                     _ => None,
@@ -272,18 +273,18 @@ impl PreparedTexture {
 }
 
 impl PreparedLayer {
-    /// The colour in previews of quality 5 and less: `quick_color`, if the scene gives one.
+    /// `quick_color`: the colour in previews of quality 5 and less, if set.
     #[must_use]
     #[inline]
     pub fn quick_color(&self) -> Option<&Color> {
-        self.more.as_ref()?.quick_color.as_ref()
+        self.extras.as_ref()?.quick_color.as_ref()
     }
 
-    /// Bumps.
+    /// The bumps, if any.
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Option<&PreparedNormal> {
-        self.more.as_ref()?.normal.as_ref()
+        self.extras.as_ref()?.normal.as_ref()
     }
 
     fn uses_uv(&self) -> bool {
@@ -293,12 +294,12 @@ impl PreparedLayer {
 }
 
 impl PreparedPigment {
-    /// The form for drawing, with the transforms of what carries the pigment after its own.
+    /// Prepares a pigment for rendering. `after` are transforms that follow the pigment's own.
     #[must_use]
     pub fn new(pigment: &Pigment, after: &[Step], settings: &Settings) -> Self {
         let none = Modifiers::default();
         let modifiers = pigment.modifiers.get().unwrap_or(&none);
-        // The entries of a map are where the pattern takes the point; no other transforms act on them.
+        // Entries of a map receive points in the space of the pattern; no other transforms apply to them.
         let entries = |map: &Map<Pigment>| map.map(|entry| Self::new(entry, &[], settings));
         match &pigment.kind {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
@@ -318,7 +319,7 @@ impl PreparedPigment {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Image(Box::new((chain, (**source).clone())))
             }
-            // Neither its own transforms nor those around it move texture coordinates.
+            // No transforms apply to texture coordinates.
             PigmentKind::Uv(mapped) => {
                 PreparedPigment::Uv(Box::new(Self::new(mapped, &[], settings)))
             }
@@ -326,7 +327,7 @@ impl PreparedPigment {
         }
     }
 
-    /// The colour at a place.
+    /// The colour at a surface point.
     #[must_use]
     #[inline]
     pub fn color(&self, spot: &SurfacePoint) -> Color {
@@ -336,7 +337,8 @@ impl PreparedPigment {
         }
     }
 
-    /// The colour at a point, which for the entries of maps is one of the pattern around them.
+    /// The colour at `point`: the surface point or, for an entry of a map, the point in the space of the pattern
+    /// around it.
     #[must_use]
     pub fn patterned(&self, point: DVec3, spot: &SurfacePoint) -> Color {
         match self {
@@ -347,20 +349,20 @@ impl PreparedPigment {
             }
             PreparedPigment::Pigments(both) => {
                 let (pattern, map) = &**both;
-                let moved = pattern.to_pattern_space(point);
-                match map.between(pattern.value(moved, spot)) {
-                    Between::One(entry) => entry.patterned(moved, spot),
+                let pattern_point = pattern.to_pattern_space(point);
+                match map.between(pattern.value(pattern_point, spot)) {
+                    Between::One(entry) => entry.patterned(pattern_point, spot),
                     Between::Two(from, to, share) => {
-                        let to = to.patterned(moved, spot);
-                        from.patterned(moved, spot).blended(&to, share)
+                        let to = to.patterned(pattern_point, spot);
+                        from.patterned(pattern_point, spot).blended(&to, share)
                     }
                 }
             }
             PreparedPigment::Average(both) => {
                 let (chain, map) = &**both;
-                let moved = chain.to_pattern_space(point);
+                let pattern_point = chain.to_pattern_space(point);
                 let weighted = |(weight, entry): &(f32, PreparedPigment)| {
-                    (*weight, entry.patterned(moved, spot))
+                    (*weight, entry.patterned(pattern_point, spot))
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
@@ -445,7 +447,7 @@ mod tests {
     }
 
     #[test]
-    fn one_plain_layer_is_told_apart() {
+    fn one_layer_of_uniform_colour_is_recognized() {
         let plain = prepare("{ pigment { rgb 0.5 } finish { phong 1 } }", &[]);
         let (color, finish) = plain.plain().expect("it is plain");
         assert_eq!((color.rgb, finish.phong), (Rgb::splat(0.5), 1.0));
@@ -453,13 +455,13 @@ mod tests {
     }
 
     #[test]
-    fn reflection_is_noticed() {
+    fn reflection_is_recognized() {
         assert!(prepare("{ finish { reflection 0.5 } }", &[]).has_reflection());
         assert!(!prepare("{ finish { reflection 0 } }", &[]).has_reflection());
     }
 
     #[test]
-    fn what_is_uv_mapped_is_asked_at_the_texture_coordinates() {
+    fn uv_mapped_pigments_are_evaluated_at_the_texture_coordinates() {
         let text = "{ pigment { gradient <0,0,1> pigment_map { [0 uv_mapping gradient <1,0,0>] [1 rgb 0] } scale 8 } }";
         let texture = prepare(text, &[Step::Scale(DVec3::splat(2.0))]);
         let spot = SurfacePoint {

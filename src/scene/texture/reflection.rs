@@ -1,23 +1,23 @@
-//! `reflection`: the mirror image of a finish.
+//! `reflection`: the specular reflection of a finish.
 
 use super::finish::{number, single};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::Rgb;
 
-/// The mirror image of a finish.
+/// The specular reflection of a finish.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reflection {
-    /// Reflectivity when looking straight at the surface.
+    /// Reflectivity at normal incidence.
     pub min: Rgb,
-    /// Reflectivity at a grazing view.
+    /// Reflectivity at grazing incidence.
     pub max: Rgb,
-    /// Whether the angle counts by Fresnel's law, with the `ior` of the interior, rather than by `falloff`.
+    /// True if reflectivity follows Fresnel's law with the `ior` of the interior, rather than `falloff`.
     pub is_fresnel: bool,
-    /// The exponent by which reflectivity goes from `min` to `max`.
+    /// The exponent of the transition from `min` to `max`.
     pub falloff: f32,
-    /// The reflected colour is raised to the reciprocal of this; 0 makes it black, as in POV-Ray.
+    /// The reciprocal of the power to which the reflected colour is raised; 0 makes it black, as in POV-Ray.
     pub exponent: f32,
-    /// How far the image takes the colour of the pigment.
+    /// The share of the pigment's colour in the reflection.
     pub metallic: f32,
 }
 
@@ -35,7 +35,7 @@ impl Default for Reflection {
 }
 
 impl Reflection {
-    /// `reflection COLOUR` or `reflection { ... }`, after the word.
+    /// Reads `reflection COLOUR` or `reflection { ... }`, after the word.
     pub(super) fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
         if !args.accept_mark('{')? {
             self.min = args.color()?.rgb;
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn one_colour_reflects_alike_at_all_angles() {
+    fn one_colour_is_reflected_equally_at_all_angles() {
         for text in [
             "{ reflection 0.5 }",
             "{ reflection { 0.5 } }",
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn two_colours_reflect_straight_and_grazing() {
+    fn two_colours_are_for_normal_and_grazing_incidence() {
         for text in [
             "{ reflection { 0.25, 1 falloff 2 } }",
             "{ reflection { rgb 0.25 rgb 1 falloff 2 } }",
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn fresnel_with_one_colour_reflects_nothing_straight() {
+    fn fresnel_with_one_colour_reflects_nothing_at_normal_incidence() {
         let reflection = read("{ reflection { 1 fresnel } }").reflection;
         assert_eq!((reflection.min, reflection.is_fresnel), (Rgb::BLACK, true));
         assert_eq!(
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_second_reflection_keeps_what_it_does_not_say() {
+    fn a_second_reflection_keeps_values_that_it_does_not_set() {
         let reflection =
             read("{ reflection { 0.5, 1 exponent 2 metallic } reflection 0.25 }").reflection;
         assert_eq!(reflection.min, Rgb::splat(0.25));

@@ -1,4 +1,4 @@
-//! Textures that a pattern chooses, as rays need them: which ones are seen at a point, and the share of each.
+//! Patterned textures prepared for rendering: selects the textures at a point and the weight of each.
 
 use super::{Patterned, PatternedKind, PreparedTexture, Texture};
 use crate::base::bitmap;
@@ -11,33 +11,33 @@ use crate::scene::pattern::{
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// A texture that is seen at a point.
+/// A texture that is selected at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Look<'t> {
-    /// Its share.
+    /// The share of the texture in the colour of the surface.
     pub weight: f32,
-    /// The texture; no pattern chooses it further.
+    /// The texture; never a patterned one.
     pub texture: &'t PreparedTexture,
-    /// Where its own patterns are asked.
+    /// The point at which its own patterns are evaluated.
     pub point: DVec3,
 }
 
-/// The textures that are seen at a point.
+/// The textures that are selected at a point.
 pub type Looks<'t> = SmallVec<[Look<'t>; 1]>;
 
-/// The textures that are seen at a place as they are chosen one after the other, in the order in which they are drawn.
+/// The selection of textures at a surface point, in shading order.
 #[derive(Clone, Debug)]
 pub struct Choosing<'t> {
-    /// The textures so far.
+    /// The textures selected so far.
     pub looks: Looks<'t>,
-    /// The place, with the normal that choices see.
+    /// The surface point, with the normal that slope patterns use.
     pub(super) spot: SurfacePoint,
-    /// The place itself, where the bumps of what is chosen are seen by choices after it.
+    /// The surface point with its own normal, if slope patterns use the bumps of textures selected before them.
     pub(super) flat: Option<SurfacePoint>,
 }
 
 impl Choosing<'_> {
-    /// Nothing is chosen yet.
+    /// An empty selection.
     #[must_use]
     pub fn at(spot: SurfacePoint) -> Self {
         Choosing {
@@ -47,9 +47,9 @@ impl Choosing<'_> {
         }
     }
 
-    /// The same where the textures are drawn as they are chosen. Then `slope` and `aoi` see the normal that bumps have made
-    /// last, if those of an earlier texture have made one, as in POV-Ray: it draws the upper entry of a map before it
-    /// chooses within the lower one.
+    /// An empty selection for patterns that depend on the normal. `slope` and `aoi` use the normal that the bumps of an
+    /// earlier texture have perturbed last, as in POV-Ray, which shades the upper entry of a map before it selects
+    /// within the lower one.
     #[must_use]
     pub fn drawn_at(spot: SurfacePoint) -> Self {
         Choosing {
@@ -59,122 +59,124 @@ impl Choosing<'_> {
     }
 }
 
-/// A choice among textures, ready for rays.
+/// A prepared selector of textures.
 #[derive(Debug)]
-pub(super) enum Choice {
+pub(super) enum Selector {
     /// By the value of a pattern.
     Map(PreparedPattern, Map<PreparedTexture>),
-    /// All of them, by weight.
+    /// All textures, by weight.
     Average(PreparedWarpChain, Map<PreparedTexture>),
-    /// Two in turn, as a checkerboard.
+    /// Two textures, alternating as in a checkerboard.
     Tiles(PreparedWarpChain, Box<[PreparedTexture; 2]>),
-    /// One, at texture coordinates.
+    /// One texture, evaluated at the texture coordinates.
     Uv(Box<PreparedTexture>),
-    /// By the pixels of a picture.
+    /// By the pixels of an image.
     Material(PreparedWarpChain, Box<bitmap::Source>, Vec<PreparedTexture>),
 }
 
-impl Choice {
-    /// The form for drawing; `None` where there is nothing to choose from.
-    /// Points come to the entries as the pattern moves them, but normals as they are, so that the entries must turn them
-    /// themselves; they have been turned so `far` on their way to the choice.
+impl Selector {
+    /// Prepares a selector for rendering; `None` if it has no textures.
+    ///
+    /// Entries receive points in the space of the pattern but untransformed normals, and transform these
+    /// themselves: `outer` are the transforms of normals by the texture maps around this selector.
     pub(super) fn new(
         patterned: &Patterned,
         after: &[Step],
-        far: &NormalTransforms,
+        outer: &NormalTransforms,
         settings: &Settings,
     ) -> Option<Self> {
         let modifiers = &patterned.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
-        let turns = far.then(&chain().normal_transforms(!patterned.has_no_bump_scale));
-        let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &turns, settings);
+        let transforms = outer.then(&chain().normal_transforms(!patterned.has_no_bump_scale));
+        let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &transforms, settings);
         match &patterned.kind {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,
             PatternedKind::Map(pattern, Some(map)) => {
                 let pattern = modifiers.prepare(&**pattern, after, settings);
-                Some(Choice::Map(pattern, map.map(entry)))
+                Some(Selector::Map(pattern, map.map(entry)))
             }
-            PatternedKind::Average(Some(map)) => Some(Choice::Average(chain(), map.map(entry))),
+            PatternedKind::Average(Some(map)) => Some(Selector::Average(chain(), map.map(entry))),
             PatternedKind::Tiles(two) => {
                 let [first, second] = &**two;
-                Some(Choice::Tiles(
+                Some(Selector::Tiles(
                     chain(),
                     Box::new([entry(first), entry(second)]),
                 ))
             }
-            PatternedKind::Uv(mapped) => Some(Choice::Uv(Box::new(entry(mapped)))),
+            PatternedKind::Uv(mapped) => Some(Selector::Uv(Box::new(entry(mapped)))),
             PatternedKind::Material(source, textures) => {
                 let textures = textures.iter().map(entry).collect();
                 let source = Box::new(source.clone());
-                Some(Choice::Material(chain(), source, textures))
+                Some(Selector::Material(chain(), source, textures))
             }
         }
     }
 
-    /// Everything that may be chosen.
+    /// All textures that can be selected.
     pub(super) fn textures(&self) -> Box<dyn Iterator<Item = &PreparedTexture> + '_> {
         match self {
-            Choice::Map(_, map) | Choice::Average(_, map) => {
+            Selector::Map(_, map) | Selector::Average(_, map) => {
                 Box::new(map.entries().iter().map(|entry| &entry.1))
             }
-            Choice::Tiles(_, two) => Box::new(two.iter()),
-            Choice::Uv(mapped) => Box::new(std::iter::once(&**mapped)),
-            Choice::Material(_, _, textures) => Box::new(textures.iter()),
+            Selector::Tiles(_, two) => Box::new(two.iter()),
+            Selector::Uv(mapped) => Box::new(std::iter::once(&**mapped)),
+            Selector::Material(_, _, textures) => Box::new(textures.iter()),
         }
     }
 
-    /// Whether something in it asks for the texture coordinates of the surface.
+    /// True if a selector or texture in it depends on the texture coordinates of the surface.
     pub(super) fn uses_uv(&self) -> bool {
-        matches!(self, Choice::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
+        matches!(self, Selector::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
     }
 
-    /// Whether normals decide what is chosen, here or further on.
-    pub(super) fn minds_normal(&self) -> bool {
-        matches!(self, Choice::Map(pattern, _) if pattern.needs_normal())
+    /// True if this selector, or one in its textures, depends on the normal.
+    pub(super) fn needs_normal(&self) -> bool {
+        matches!(self, Selector::Map(pattern, _) if pattern.needs_normal())
             || self.textures().any(PreparedTexture::minds_normal)
     }
 
-    /// Adds what is seen at a point.
-    pub(super) fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
+    /// Adds the textures at a point to a selection.
+    pub(super) fn select<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
         match self {
-            Choice::Map(pattern, map) => {
-                let moved = pattern.to_pattern_space(point);
-                match map.between(pattern.value(moved, &to.spot)) {
-                    Between::One(entry) => entry.look(moved, weight, to),
+            Selector::Map(pattern, map) => {
+                let pattern_point = pattern.to_pattern_space(point);
+                match map.between(pattern.value(pattern_point, &to.spot)) {
+                    Between::One(entry) => entry.look(pattern_point, weight, to),
                     Between::Two(first, second, share) => {
                         #[allow(
                             clippy::cast_possible_truncation,
                             reason = "shares are single precision, like colours"
                         )]
                         let share = share as f32;
-                        second.look(moved, weight * share, to);
-                        first.look(moved, weight * (1.0 - share), to);
+                        second.look(pattern_point, weight * share, to);
+                        first.look(pattern_point, weight * (1.0 - share), to);
                     }
                 }
             }
-            Choice::Average(chain, map) => {
-                let moved = chain.to_pattern_space(point);
+            Selector::Average(chain, map) => {
+                let pattern_point = chain.to_pattern_space(point);
                 let total: f32 = map.entries().iter().map(|entry| entry.0).sum();
                 for (own, entry) in map.entries() {
-                    entry.look(moved, weight * own / total, to);
+                    entry.look(pattern_point, weight * own / total, to);
                 }
             }
-            Choice::Tiles(chain, two) => {
-                let moved = chain.to_pattern_space(point);
-                two[tile(moved)].look(moved, weight, to);
+            Selector::Tiles(chain, two) => {
+                let pattern_point = chain.to_pattern_space(point);
+                two[tile(pattern_point)].look(pattern_point, weight, to);
             }
-            Choice::Uv(mapped) => mapped.look(to.spot.uv_point(), weight, to),
-            Choice::Material(chain, source, textures) => {
-                let moved = chain.to_pattern_space(point);
-                if let Some(texture) = textures.get(source.material(moved, textures.len())) {
-                    texture.look(moved, weight, to);
+            Selector::Uv(mapped) => mapped.look(to.spot.uv_point(), weight, to),
+            Selector::Material(chain, source, textures) => {
+                let pattern_point = chain.to_pattern_space(point);
+                if let Some(texture) = textures.get(source.material(pattern_point, textures.len()))
+                {
+                    texture.look(pattern_point, weight, to);
                 }
             }
         }
     }
 }
 
-/// The number of the tile that a point lies in: 0 where the sum of the whole parts of its coordinates is odd, otherwise 1.
+/// The index of the tile at a point: 0 if the sum of the floors of its coordinates is odd, otherwise 1.
 fn tile(point: DVec3) -> usize {
     let cell = (point + NUDGE).map(floor);
     usize::from(remainder(cell.element_sum(), 2.0) == 0.0)
@@ -186,7 +188,7 @@ mod tests {
     use crate::base::args::text::TextArgs;
     use crate::scene::texture::Layer;
 
-    /// The shares of what is seen at a point.
+    /// The weights of the textures at a point.
     fn weights(text: &str, x: f64) -> Vec<f32> {
         let known = Texture::from(Layer::default());
         let mut args = TextArgs::new(text).with("T", known);
@@ -199,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shares_of_all_textures_add_up_to_one() {
+    fn weights_of_all_textures_add_up_to_one() {
         let map = "{ gradient <1,0,0> texture_map { [0 T] [0.5 T] } }";
         assert_eq!(weights(map, 0.125), [0.25, 0.75]);
         assert_eq!(weights(map, 0.75), [1.0]);
@@ -209,8 +211,9 @@ mod tests {
         assert_eq!(weights(nested, 0.0), [0.5, 0.25, 0.25]);
     }
 
-    /// The number of textures that are seen of a bumpy one beside one that shows two where the surface is level.
-    fn seen_beside_bumps(begin: fn(SurfacePoint) -> Choosing<'static>) -> usize {
+    /// The number of textures selected from the mean of a bumpy texture and a map by slope, which has two where the
+    /// surface is level.
+    fn count_beside_bumps(begin: fn(SurfacePoint) -> Choosing<'static>) -> usize {
         let known = Texture::from(Layer::default());
         let text = "{ average texture_map { [normal { bumps 2 }] \
                     [slope <0,1,0> texture_map { [0.99 T] [0.99 average texture_map { [T] [T] }] }] } }";
@@ -228,9 +231,9 @@ mod tests {
     }
 
     #[test]
-    fn slope_sees_the_bumps_of_a_texture_drawn_before() {
-        assert_eq!(seen_beside_bumps(Choosing::at), 3);
-        assert_eq!(seen_beside_bumps(Choosing::drawn_at), 2);
+    fn slope_uses_the_bumps_of_a_texture_shaded_before() {
+        assert_eq!(count_beside_bumps(Choosing::at), 3);
+        assert_eq!(count_beside_bumps(Choosing::drawn_at), 2);
     }
 
     #[test]
