@@ -1,6 +1,6 @@
 //! `irid` and `subsurface`: thin-film interference and subsurface scattering.
 
-use super::finish::{number, single};
+use super::numbers::{number, single};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::Rgb;
 use crate::base::source::Span;

@@ -1,5 +1,6 @@
 //! `finish`: the reflection properties of a surface.
 
+use super::numbers::{number, single};
 use super::{Irid, Reflection, Subsurface};
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::Rgb;
@@ -290,20 +291,6 @@ impl Finish {
             self.specular = single(f64::from(self.specular) * scale);
         }
     }
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "finish values are single precision, as in POV-Ray"
-)]
-pub(super) fn single(value: f64) -> f32 {
-    value as f32
-}
-
-/// Reads `word` and the number after it.
-pub(super) fn number(word: Word, args: &mut dyn Args) -> Parse<f32> {
-    args.accept(word)?;
-    Ok(single(args.float()?))
 }
 
 /// Reads `word` and the colour after it; a number is a grey.

@@ -8,6 +8,7 @@ mod finish;
 mod layers;
 mod material;
 mod normal;
+mod numbers;
 mod old;
 mod patterned;
 mod pigment;

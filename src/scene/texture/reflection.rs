@@ -1,6 +1,6 @@
 //! `reflection`: the specular reflection of a finish.
 
-use super::finish::{number, single};
+use super::numbers::{number, single};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::Rgb;
 
