@@ -1,49 +1,50 @@
-//! BMP: palettes keep their indices, and 32 bits hold alpha, as POV-Ray reads them (measured).
+//! BMP decoding that matches POV-Ray (measured): palette images keep their indices, and the fourth byte of 32-bit
+//! pixels is alpha.
 //!
-//! The pixels of a palette follow it at once, whatever the head of the file says of their place. Packed pixels that the
-//! file passes over have the last colour of the palette, and so have all pixels of one bit. Bit fields and pixels of 16
-//! bits, which POV-Ray refuses, are left to the crate `image`.
+//! The pixels of a palette image follow the palette directly; the pixel offset in the file header is ignored. Pixels
+//! skipped by run-length data get the last palette entry, and so do all pixels of 1-bit images. Bit fields and 16-bit
+//! pixels, which POV-Ray rejects, are decoded by the `image` crate.
 
-use super::decode::{Fault, Handling, by_crate, of_picture};
+use super::decode::{Fault, Handling, bitmap_from_image, decode_by_crate};
 use super::format::Format;
 use super::png::palette_color;
 use super::{Bitmap, Samples};
 use image::{DynamicImage, RgbImage, RgbaImage};
 
-/// A picture as the file has it.
+/// Decoded pixels, before any colour conversion.
 pub(crate) enum Content {
-    /// Indices into a palette of red, green and blue.
+    /// Indices into an RGB palette.
     Indexed {
         width: usize,
         height: usize,
         indices: Vec<u8>,
         palette: Vec<[u8; 3]>,
     },
-    /// Colours.
+    /// RGB or RGBA samples.
     Colors(DynamicImage),
 }
 
-/// The head of a file.
-struct Head {
+/// The file header and the info header.
+struct Header {
     width: usize,
     height: usize,
-    /// True if the rows begin at the top.
+    /// True if the file stores the top row first.
     is_from_top: bool,
     bits: u16,
-    packing: u32,
-    /// Bytes of a colour of the palette.
-    color_bytes: usize,
+    compression: u32,
+    /// Bytes per palette entry.
+    bytes_per_color: usize,
     colors: usize,
-    /// Where the palette begins.
+    /// File offset of the palette.
     palette: usize,
-    /// Where the pixels begin, as the file says.
+    /// File offset of the pixels, as the header states it.
     pixels: usize,
 }
 
 pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault> {
     let transfer = handling.transfer(Format::Bmp, None);
     match content(bytes)? {
-        Content::Colors(picture) => of_picture(picture, transfer, handling),
+        Content::Colors(image) => bitmap_from_image(image, transfer, handling),
         Content::Indexed {
             width,
             height,
@@ -63,31 +64,31 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     }
 }
 
-/// The width and height of a file, and the bytes that decoding takes; `None` for what is left to the crate `image`.
+/// Width and height of the image, and the bytes that decoding needs; `None` for formats left to the `image` crate.
 pub(super) fn size(bytes: &[u8]) -> Result<Option<([u64; 2], u64)>, Fault> {
-    let Some(head) = Head::read(bytes) else {
+    let Some(header) = Header::read(bytes) else {
         return Err("it is no BMP file".to_owned());
     };
-    let size = [head.width, head.height].map(|length| length as u64);
+    let size = [header.width, header.height].map(|length| length as u64);
     let pixels = size[0].saturating_mul(size[1]);
-    Ok(match (head.bits, head.packing) {
+    Ok(match (header.bits, header.compression) {
         (1 | 4 | 8, 0) | (8, 1) | (4, 2) => Some((size, pixels)),
         (24 | 32, 0) => Some((size, pixels.saturating_mul(4))),
         _ => None,
     })
 }
 
-/// The pixels of a file.
+/// Decodes the pixels of a file.
 pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
-    let head = Head::read(bytes).ok_or("it is no BMP file")?;
-    match (head.bits, head.packing) {
-        (1 | 4 | 8, 0) | (8, 1) | (4, 2) => head.indexed(bytes),
-        (24 | 32, 0) => head.colors(bytes).map(Content::Colors),
-        _ => by_crate(bytes, Format::Bmp).map(Content::Colors),
+    let header = Header::read(bytes).ok_or("it is no BMP file")?;
+    match (header.bits, header.compression) {
+        (1 | 4 | 8, 0) | (8, 1) | (4, 2) => header.indexed(bytes),
+        (24 | 32, 0) => header.colors(bytes).map(Content::Colors),
+        _ => decode_by_crate(bytes, Format::Bmp).map(Content::Colors),
     }
 }
 
-impl Head {
+impl Header {
     fn read(bytes: &[u8]) -> Option<Self> {
         let word = |at: usize| Some(u16::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
         let long = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
@@ -100,14 +101,14 @@ impl Head {
         let palette = length.checked_add(14)?;
         if length == 12 {
             let bits = word(24)?;
-            return Some(Head {
+            return Some(Header {
                 width: usize::from(word(18)?),
                 height: usize::from(word(20)?),
                 is_from_top: false,
                 bits,
-                packing: 0,
-                color_bytes: 3,
-                colors: colors_of(bits),
+                compression: 0,
+                bytes_per_color: 3,
+                colors: default_palette_len(bits),
                 palette,
                 pixels,
             });
@@ -118,34 +119,38 @@ impl Head {
         let [width, height] = [18, 22].map(|at| long(at).map(u32::cast_signed));
         let bits = word(28)?;
         let colors = size(46)?;
-        Some(Head {
+        Some(Header {
             width: usize::try_from(width?).ok()?,
             height: usize::try_from(height?.unsigned_abs()).ok()?,
             is_from_top: height? < 0,
             bits,
-            packing: long(30)?,
-            color_bytes: 4,
-            colors: if colors == 0 { colors_of(bits) } else { colors },
+            compression: long(30)?,
+            bytes_per_color: 4,
+            colors: if colors == 0 {
+                default_palette_len(bits)
+            } else {
+                colors
+            },
             palette,
             pixels,
         })
     }
 
     fn indexed(&self, bytes: &[u8]) -> Result<Content, Fault> {
-        let early = || "it ends early".to_owned();
+        let ends_early = || "it ends early".to_owned();
         if self.colors > 256 {
             return Err("its palette is too large".to_owned());
         }
-        let rest = bytes.get(self.palette..).ok_or_else(early)?;
-        let length = self.colors * self.color_bytes;
-        let (palette, pixels) = rest.split_at_checked(length).ok_or_else(early)?;
-        let colors = palette.chunks_exact(self.color_bytes);
+        let rest = bytes.get(self.palette..).ok_or_else(ends_early)?;
+        let length = self.colors * self.bytes_per_color;
+        let (palette, pixels) = rest.split_at_checked(length).ok_or_else(ends_early)?;
+        let colors = palette.chunks_exact(self.bytes_per_color);
         let palette = colors.map(|color| [color[2], color[1], color[0]]).collect();
         let last = u8::try_from(self.colors.saturating_sub(1)).unwrap_or(u8::MAX);
-        let mut indices = if self.packing == 0 {
-            self.plain(pixels).ok_or_else(early)?
+        let mut indices = if self.compression == 0 {
+            self.uncompressed(pixels).ok_or_else(ends_early)?
         } else {
-            self.packed(pixels, last).ok_or_else(early)?
+            self.run_length(pixels, last).ok_or_else(ends_early)?
         };
         if self.bits == 1 {
             indices.fill(last);
@@ -158,7 +163,7 @@ impl Head {
         })
     }
 
-    /// The rows of the file from the top, without what fills them up to four bytes; `None` if it ends early.
+    /// The rows from the top, without their padding to four bytes; `None` if the file ends early.
     fn rows<'a>(&self, pixels: &'a [u8]) -> Option<impl Iterator<Item = &'a [u8]>> {
         let bits = self.width.checked_mul(usize::from(self.bits))?;
         let stride = bits.div_ceil(32) * 4;
@@ -171,15 +176,15 @@ impl Head {
         Some((0..height).map(row))
     }
 
-    fn plain(&self, pixels: &[u8]) -> Option<Vec<u8>> {
+    fn uncompressed(&self, pixels: &[u8]) -> Option<Vec<u8>> {
         let rows = self.rows(pixels)?;
         let mut indices = Vec::with_capacity(self.width * self.height);
         for row in rows {
             match self.bits {
                 8 => indices.extend(row),
                 4 => {
-                    let halves = row.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-                    indices.extend(halves.take(self.width));
+                    let nibbles = row.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+                    indices.extend(nibbles.take(self.width));
                 }
                 _ => {
                     let bits = row
@@ -192,9 +197,9 @@ impl Head {
         Some(indices)
     }
 
-    /// The indices of runs; what runs over an edge is lost, and what they pass over is `untouched`.
-    fn packed(&self, pixels: &[u8], untouched: u8) -> Option<Vec<u8>> {
-        let mut indices = vec![untouched; self.width * self.height];
+    /// Decodes run-length data (RLE8, RLE4). Pixels outside the image are dropped, and skipped pixels are `fill`.
+    fn run_length(&self, pixels: &[u8], fill: u8) -> Option<Vec<u8>> {
+        let mut indices = vec![fill; self.width * self.height];
         let mut bytes = pixels.iter().copied();
         let (mut x, mut y) = (0_usize, 0_usize);
         loop {
@@ -226,12 +231,12 @@ impl Head {
                         }
                         x = x.saturating_add(1);
                     }
-                    let taken = if self.bits == 8 {
+                    let byte_count = if self.bits == 8 {
                         length
                     } else {
                         length.div_ceil(2)
                     };
-                    if !is_run && taken % 2 == 1 {
+                    if !is_run && byte_count % 2 == 1 {
                         bytes.next()?;
                     }
                 }
@@ -239,7 +244,7 @@ impl Head {
         }
     }
 
-    /// A row of the picture by its number in the file.
+    /// The image row for row `y` of the file; `None` outside the image.
     fn row_mut<'a>(&self, indices: &'a mut [u8], y: usize) -> Option<&'a mut [u8]> {
         if y >= self.height {
             return None;
@@ -253,30 +258,30 @@ impl Head {
     }
 
     fn colors(&self, bytes: &[u8]) -> Result<DynamicImage, Fault> {
-        let early = || "it ends early".to_owned();
-        let pixels = bytes.get(self.pixels..).ok_or_else(early)?;
-        let rows = self.rows(pixels).ok_or_else(early)?;
-        let step = usize::from(self.bits / 8);
-        let mut samples = Vec::with_capacity(self.width * self.height * step);
+        let ends_early = || "it ends early".to_owned();
+        let pixels = bytes.get(self.pixels..).ok_or_else(ends_early)?;
+        let rows = self.rows(pixels).ok_or_else(ends_early)?;
+        let bytes_per_pixel = usize::from(self.bits / 8);
+        let mut samples = Vec::with_capacity(self.width * self.height * bytes_per_pixel);
         for row in rows {
-            for pixel in row.chunks_exact(step) {
+            for pixel in row.chunks_exact(bytes_per_pixel) {
                 samples.extend([pixel[2], pixel[1], pixel[0]]);
                 samples.extend(pixel.get(3));
             }
         }
         let [width, height] = [self.width, self.height].map(|length| u32::try_from(length).ok());
         let (width, height) = width.zip(height).ok_or("it is too large")?;
-        let picture = if step == 3 {
+        let image = if bytes_per_pixel == 3 {
             RgbImage::from_raw(width, height, samples).map(DynamicImage::ImageRgb8)
         } else {
             RgbaImage::from_raw(width, height, samples).map(DynamicImage::ImageRgba8)
         };
-        picture.ok_or_else(early)
+        image.ok_or_else(ends_early)
     }
 }
 
-/// The colours of a palette whose size is not written.
-fn colors_of(bits: u16) -> usize {
+/// The palette size where the header gives none.
+fn default_palette_len(bits: u16) -> usize {
     if bits <= 8 { 1 << bits } else { 0 }
 }
 
@@ -284,31 +289,31 @@ fn colors_of(bits: u16) -> usize {
 mod tests {
     use super::*;
 
-    /// A picture of 4 by 3 pixels of eight bits with the colours 0 to 3.
-    fn packed(data: &[u8]) -> Option<Vec<u8>> {
-        let head = Head {
+    /// Decodes RLE8 `data` of a 4×3 image.
+    fn run_length(data: &[u8]) -> Option<Vec<u8>> {
+        let header = Header {
             width: 4,
             height: 3,
             is_from_top: false,
             bits: 8,
-            packing: 1,
-            color_bytes: 4,
+            compression: 1,
+            bytes_per_color: 4,
             colors: 256,
             palette: 54,
             pixels: 0,
         };
-        head.packed(data, 255)
+        header.run_length(data, 255)
     }
 
     #[test]
-    fn runs_fill_rows_from_below_and_what_is_passed_over_has_the_last_index() {
+    fn runs_fill_rows_from_below_and_skipped_pixels_have_the_last_index() {
         let data = [2, 7, 0, 2, 1, 1, 9, 1, 0, 0, 0, 3, 1, 2, 3, 0, 9, 5, 0, 1];
         let rows = [1, 2, 3, 5, 255, 255, 255, 1, 7, 7, 255, 255];
-        assert_eq!(packed(&data), Some(rows.to_vec()));
+        assert_eq!(run_length(&data), Some(rows.to_vec()));
     }
 
     #[test]
-    fn packed_data_without_an_end_are_refused() {
-        assert_eq!(packed(&[4, 1, 0, 0]), None);
+    fn run_length_data_without_an_end_is_rejected() {
+        assert_eq!(run_length(&[4, 1, 0, 0]), None);
     }
 }

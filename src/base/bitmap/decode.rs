@@ -1,4 +1,4 @@
-//! From the bytes of a file to a picture.
+//! Decoding image files into [`Bitmap`]s.
 
 use super::format::Format;
 use super::{Bitmap, Pixels, Samples, Transfer, bmp, gif, jpeg, png};
@@ -6,27 +6,28 @@ use crate::base::color::Gamma;
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
-/// Most pixels of a picture: more than any file of a scene has, and not yet all of the memory.
-pub(super) const MOST_PIXELS: u64 = 1 << 28;
-/// Most bytes that decoding may take. What there is to take has been looked at before.
-const MOST_BYTES: u64 = 1 << 34;
+/// Pixel limit of an image: above any real scene's images, and low enough to fit in memory.
+pub(super) const MAX_PIXELS: u64 = 1 << 28;
+/// Memory limit for the `image` crate. The scene's own memory limit has been checked before decoding starts.
+const MAX_BYTES: u64 = 1 << 34;
 
-/// What a scene says about a file beside its name.
+/// The scene's settings for decoding a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Handling {
-    /// The gamma of the file where the scene gives it.
+    /// The file gamma, if the scene specifies one.
     pub(super) gamma: Option<Gamma>,
     /// The working gamma; `None` without gamma handling.
     pub(super) working: Option<Gamma>,
-    /// Whether files that say nothing hold light by the sRGB curve: from version 3.7 on.
+    /// True if files without gamma information are sRGB, as from version 3.7 on.
     pub(super) assumes_srgb: bool,
-    /// Whether colours are multiplied with alpha.
+    /// True if colours are premultiplied with alpha.
     pub(super) is_premultiplied: bool,
 }
 
 impl Handling {
-    /// How the values of a file of this format become numbers of the scene; `own` is what the file says.
-    pub(super) fn transfer(&self, format: Format, own: Option<Gamma>) -> Transfer {
+    /// The transfer from stored values to the working space. `declared` is the gamma that the file declares; the
+    /// scene's setting overrides it.
+    pub(super) fn transfer(&self, format: Format, declared: Option<Gamma>) -> Transfer {
         let default = if format.is_linear() {
             Some(Gamma::LINEAR)
         } else if format.is_srgb() && self.assumes_srgb {
@@ -35,22 +36,22 @@ impl Handling {
             None
         };
         Transfer {
-            file: self.gamma.or(own).or(default),
+            file: self.gamma.or(declared).or(default),
             working: self.working,
         }
     }
 }
 
-/// Why a file is no picture.
+/// The reason why a file cannot be decoded.
 pub(super) type Fault = String;
 
-/// The picture of a file.
+/// Decodes a file of the given format.
 pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
     match format {
         Format::Bmp => bmp::decode(bytes, handling),
         Format::Png => png::decode(bytes, handling),
         Format::Gif => gif::decode(bytes, handling),
-        _ => of_picture(
+        _ => bitmap_from_image(
             picture(bytes, format)?,
             handling.transfer(format, None),
             handling,
@@ -58,25 +59,25 @@ pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Resul
     }
 }
 
-/// The samples of a file without a palette, as they are stored.
+/// Decodes a file to its stored samples, with palettes expanded and without gamma handling.
 pub(crate) fn picture(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
     match format {
         Format::Jpeg => jpeg::decode(bytes),
-        _ => by_crate(bytes, format),
+        _ => decode_by_crate(bytes, format),
     }
 }
 
-/// Whether a picture of this size is too large or empty.
+/// Rejects empty images and images above [`MAX_PIXELS`].
 pub(super) fn check_size(width: u64, height: u64) -> Result<(), Fault> {
     match width.checked_mul(height) {
         Some(0) => Err("it has no pixels".to_owned()),
-        Some(pixels) if pixels <= MOST_PIXELS => Ok(()),
-        _ => Err(format!("it has more than {MOST_PIXELS} pixels")),
+        Some(pixels) if pixels <= MAX_PIXELS => Ok(()),
+        _ => Err(format!("it has more than {MAX_PIXELS} pixels")),
     }
 }
 
-/// The format as the crate `image` calls it.
-pub(super) fn crate_format(format: Format) -> ImageFormat {
+/// The `image` crate's name for a format.
+pub(super) fn image_format(format: Format) -> ImageFormat {
     match format {
         Format::Bmp => ImageFormat::Bmp,
         Format::Exr => ImageFormat::OpenExr,
@@ -90,27 +91,28 @@ pub(super) fn crate_format(format: Format) -> ImageFormat {
     }
 }
 
-pub(super) fn by_crate(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), crate_format(format));
+pub(super) fn decode_by_crate(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), image_format(format));
     let mut limits = Limits::default();
-    limits.max_alloc = Some(MOST_BYTES);
+    limits.max_alloc = Some(MAX_BYTES);
     reader.limits(limits);
     reader.decode().map_err(|error| error.to_string())
 }
 
-/// The picture that the `image` crate decodes.
-pub(super) fn of_picture(
-    picture: DynamicImage,
+/// Builds a bitmap from a decoded image. Float samples are converted to the working space here, integer samples on
+/// lookup.
+pub(super) fn bitmap_from_image(
+    image: DynamicImage,
     transfer: Transfer,
     handling: &Handling,
 ) -> Result<Bitmap, Fault> {
-    check_size(u64::from(picture.width()), u64::from(picture.height()))?;
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let has_alpha = picture.color().has_alpha();
-    let channels = usize::from(picture.color().channel_count());
+    check_size(u64::from(image.width()), u64::from(image.height()))?;
+    let (width, height) = (image.width() as usize, image.height() as usize);
+    let has_alpha = image.color().has_alpha();
+    let channels = usize::from(image.color().channel_count());
     let bytes = |samples| Samples::Bytes(Pixels { samples, channels }, transfer.table());
     let words = |samples| Samples::Words(Pixels { samples, channels }, transfer);
-    let samples = match picture {
+    let samples = match image {
         DynamicImage::ImageLuma8(it) => bytes(it.into_raw()),
         DynamicImage::ImageLumaA8(it) => bytes(it.into_raw()),
         DynamicImage::ImageRgb8(it) => bytes(it.into_raw()),

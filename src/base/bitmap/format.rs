@@ -1,8 +1,8 @@
-//! The formats of pictures: their words, the endings of their names, and how they store light.
+//! Image file formats: their keywords, file name extensions and default transfer curves.
 
 use crate::base::args::Word;
 
-/// A format that is read.
+/// A supported image format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
     Bmp,
@@ -17,7 +17,7 @@ pub(crate) enum Format {
     Tiff,
 }
 
-/// The formats with their words and endings of file names.
+/// The formats with their keywords and file name extensions.
 const FORMATS: [(Format, Word, &[&str]); 10] = [
     (Format::Bmp, Word::Bmp, &[".bmp", ".BMP"]),
     (Format::Exr, Word::Exr, &[".exr", ".EXR"]),
@@ -40,27 +40,28 @@ const FORMATS: [(Format, Word, &[&str]); 10] = [
 ];
 
 impl Format {
-    /// The format that a scene names.
+    /// The format for a keyword of the scene language.
     pub(super) fn of_word(word: Word) -> Option<Self> {
         let entry = FORMATS.iter().find(|entry| entry.1 == word);
         entry.map(|entry| entry.0)
     }
 
-    /// The format by the ending of a file name.
+    /// The format for the extension of a file name, in any case.
     pub(super) fn of_name(name: &str) -> Option<Self> {
         let name = name.to_lowercase();
-        let is_its =
-            |entry: &&(Format, Word, &[&str])| entry.2.iter().any(|ending| name.ends_with(ending));
-        FORMATS.iter().find(is_its).map(|entry| entry.0)
+        let has_extension = |entry: &&(Format, Word, &[&str])| {
+            entry.2.iter().any(|extension| name.ends_with(extension))
+        };
+        FORMATS.iter().find(has_extension).map(|entry| entry.0)
     }
 
-    /// The endings of names of such files.
-    pub(super) fn endings(self) -> &'static [&'static str] {
+    /// The file name extensions of the format.
+    pub(super) fn extensions(self) -> &'static [&'static str] {
         let entry = FORMATS.iter().find(|entry| entry.0 == self);
         entry.map_or(&[], |entry| entry.2)
     }
 
-    /// Whether files that do not say it hold light by the sRGB curve (measured). The others are taken as they are.
+    /// True if POV-Ray assumes sRGB for files without gamma information (measured). Other formats are used as stored.
     pub(super) fn is_srgb(self) -> bool {
         matches!(
             self,
@@ -68,7 +69,7 @@ impl Format {
         )
     }
 
-    /// Whether files hold light itself.
+    /// True if files store linear light.
     pub(super) fn is_linear(self) -> bool {
         matches!(self, Format::Exr | Format::Hdr)
     }
@@ -79,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_format_is_known_by_its_word_and_by_the_name_of_the_file() {
+    fn a_format_is_known_by_its_keyword_and_by_its_file_name() {
         assert_eq!(Format::of_name("a.b/Photo.JPEG"), Some(Format::Jpeg));
         assert_eq!(Format::of_name("photo"), None);
         assert_eq!(Format::of_word(Word::Tiff), Some(Format::Tiff));

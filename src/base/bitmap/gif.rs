@@ -1,4 +1,4 @@
-//! GIF: the first frame, with its palette. Interlaced rows stay in the order of the file, as POV-Ray leaves them.
+//! GIF decoding: the first frame and its palette. Interlaced rows stay in file order, as in POV-Ray.
 
 use super::decode::{Fault, Handling};
 use super::format::Format;
@@ -20,13 +20,13 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     decoder.read_into_buffer(&mut buffer).map_err(fault)?;
     let (width, height) = (usize::from(frame.width), usize::from(frame.height));
     let transfer = handling.transfer(Format::Gif, None);
-    let stored = frame.palette.or(global).unwrap_or_default();
-    let mut palette: Vec<Color> = stored
+    let rgb_entries = frame.palette.or(global).unwrap_or_default();
+    let mut palette: Vec<Color> = rgb_entries
         .chunks_exact(3)
         .map(|rgb| palette_color(rgb, None, transfer))
         .collect();
-    if let Some(clear) = frame.transparent
-        && let Some(color) = palette.get_mut(usize::from(clear))
+    if let Some(transparent_index) = frame.transparent
+        && let Some(color) = palette.get_mut(usize::from(transparent_index))
     {
         color.transmit = 1.0;
     }
@@ -35,7 +35,10 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     }
     let indices = if frame.interlaced {
         let row = |y: usize| &buffer[y * width..(y + 1) * width];
-        order_of_rows(height).flat_map(row).copied().collect()
+        interlaced_row_order(height)
+            .flat_map(row)
+            .copied()
+            .collect()
     } else {
         buffer
     };
@@ -48,7 +51,7 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     })
 }
 
-/// The width and height of the first frame, and the bytes that decoding takes.
+/// Width and height of the first frame, and the bytes that decoding needs.
 pub(super) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     let fault = |error: gif::DecodingError| error.to_string();
     let options = gif::DecodeOptions::new();
@@ -59,8 +62,8 @@ pub(super) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     Ok((size, 2 * size[0] * size[1]))
 }
 
-/// The order in which an interlaced file holds its rows.
-fn order_of_rows(height: usize) -> impl Iterator<Item = usize> {
+/// Image rows in the order in which an interlaced file stores them.
+fn interlaced_row_order(height: usize) -> impl Iterator<Item = usize> {
     let passes = [(0, 8), (4, 8), (2, 4), (1, 2)];
     passes
         .into_iter()
@@ -70,8 +73,8 @@ fn order_of_rows(height: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn interlaced_rows_come_in_four_passes() {
-        let order: Vec<_> = super::order_of_rows(9).collect();
+    fn interlaced_rows_come_in_passes() {
+        let order: Vec<_> = super::interlaced_row_order(9).collect();
         assert_eq!(order, [0, 8, 4, 2, 6, 1, 3, 5, 7]);
     }
 }

@@ -1,4 +1,4 @@
-//! How a picture is laid over space: which of its pixels show at a point.
+//! Image mapping (`map_type`, `interpolate`, `once`): from points in space to pixels of a bitmap.
 
 use super::{Bitmap, Purpose};
 use crate::base::args::{Args, Parse, Word};
@@ -7,14 +7,14 @@ use crate::base::source::Diagnostic;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// What POV-Ray adds to coordinates, in pixels.
-const NUDGE: f64 = 1e-10;
+/// Offset in pixels that POV-Ray adds to image coordinates.
+const PIXEL_OFFSET: f64 = 1e-10;
 
-/// The index of what has no palette: the colour counts instead, as it does where indices interpolated beyond their
-/// range come to just this number.
+/// Palette index of images without a palette; the colour is used instead. Interpolation that overshoots to exactly this
+/// value has the same effect.
 pub(super) const NO_INDEX: i64 = -1;
 
-/// `map_type`: the surface that the picture is wrapped about.
+/// `map_type`: the surface around which the image is wrapped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MapType {
     /// 0: the unit square of the xy plane.
@@ -28,7 +28,7 @@ pub enum MapType {
     Toroidal,
 }
 
-/// `interpolate`: what shows between the middles of pixels.
+/// `interpolate`: the filter between pixel centres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
     /// 0: the nearest pixel.
@@ -38,27 +38,27 @@ pub enum Interpolation {
     Bilinear,
     /// 3: bicubic.
     Bicubic,
-    /// 4: by normalised distance.
+    /// 4: normalised distance.
     NormalisedDistance,
 }
 
-/// How a picture is laid over space.
+/// The mapping of an image to space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mapping {
     /// The surface.
     pub map_type: MapType,
-    /// What shows between pixels.
+    /// The filter between pixel centres.
     pub interpolation: Interpolation,
-    /// Whether the picture is there only once, rather than again and again.
+    /// `once`: the image does not repeat.
     pub is_once: bool,
 }
 
 impl Mapping {
-    /// Reads `word`, the next token, with its value if it is one of a mapping, and says whether it was. A number of no
-    /// map is the flat one, but where colours are read for.
+    /// Reads the next token `word` and its value if it is a mapping parameter; returns false otherwise. An unknown
+    /// `map_type` means planar, except for [`Purpose::Colors`], where it is an error.
     ///
     /// # Errors
-    /// A number that the language does not know.
+    /// The number of `map_type` or `interpolate` is unknown.
     pub fn read(&mut self, word: Word, purpose: Purpose, args: &mut dyn Args) -> Parse<bool> {
         if !matches!(word, Word::Once | Word::MapType | Word::Interpolate) {
             return Ok(false);
@@ -70,38 +70,37 @@ impl Mapping {
         }
         let start = args.span();
         let number = args.float()?.trunc();
-        let (is_known, numbers) = if word == Word::MapType {
-            let known = [
+        let (is_known, valid_numbers) = if word == Word::MapType {
+            let entries = [
                 (0.0, MapType::Planar),
                 (1.0, MapType::Spherical),
                 (2.0, MapType::Cylindrical),
                 (5.0, MapType::Toroidal),
             ];
-            let found = known.into_iter().find(|entry| entry.0 == number);
-            self.map_type = found.map_or(MapType::Planar, |entry| entry.1);
-            let is_known = found.is_some() || purpose != Purpose::Colors;
+            let matching_entry = entries.into_iter().find(|entry| entry.0 == number);
+            self.map_type = matching_entry.map_or(MapType::Planar, |entry| entry.1);
+            let is_known = matching_entry.is_some() || purpose != Purpose::Colors;
             (is_known, "0, 1, 2 or 5")
         } else {
-            let known = [
+            let entries = [
                 (0.0, Interpolation::None),
                 (2.0, Interpolation::Bilinear),
                 (3.0, Interpolation::Bicubic),
                 (4.0, Interpolation::NormalisedDistance),
             ];
-            let found = known.into_iter().find(|entry| entry.0 == number);
-            self.interpolation = found.map_or(self.interpolation, |entry| entry.1);
-            (found.is_some(), "0, 2, 3 or 4")
+            let matching_entry = entries.into_iter().find(|entry| entry.0 == number);
+            self.interpolation = matching_entry.map_or(self.interpolation, |entry| entry.1);
+            (matching_entry.is_some(), "0, 2, 3 or 4")
         };
         if is_known {
             return Ok(true);
         }
-        let place = start.to(args.last_span());
-        let message = format!("`{word}` is {numbers}, found {number}");
-        Err(Box::new(Diagnostic::error(place, message)))
+        let span = start.to(args.last_span());
+        let message = format!("`{word}` is {valid_numbers}, found {number}");
+        Err(Box::new(Diagnostic::error(span, message)))
     }
 
-    /// Where in the picture a point lies, in pixels from the left and from the top; `None` outside of a picture that
-    /// is there once.
+    /// Image position of a point, in pixels from the top left; `None` outside an image mapped `once`.
     #[must_use]
     pub fn place(&self, bitmap: &Bitmap, point: DVec3) -> Option<DVec2> {
         let at = match self.map_type {
@@ -109,24 +108,24 @@ impl Mapping {
             MapType::Spherical => {
                 let unit = point.try_normalize()?;
                 DVec2::new(
-                    turn(unit.x, unit.z),
+                    angle_in_turns(unit.x, unit.z),
                     0.5 + unit.y.clamp(-1.0, 1.0).asin() / PI,
                 )
             }
-            MapType::Cylindrical => DVec2::new(turn(point.x, point.z), point.y),
+            MapType::Cylindrical => DVec2::new(angle_in_turns(point.x, point.z), point.y),
             MapType::Toroidal => {
-                let out = point.x.hypot(point.z) - 1.0;
-                let distance = out.hypot(point.y);
+                let radial_distance = point.x.hypot(point.z) - 1.0;
+                let distance = radial_distance.hypot(point.y);
                 let angle = if distance == 0.0 {
                     0.0
                 } else {
-                    (-out / distance).clamp(-1.0, 1.0).acos()
+                    (-radial_distance / distance).clamp(-1.0, 1.0).acos()
                 };
                 let angle = if point.y > 0.0 { TAU - angle } else { angle };
-                DVec2::new(turn(point.x, point.z), angle / TAU)
+                DVec2::new(angle_in_turns(point.x, point.z), angle / TAU)
             }
         };
-        // Both ends are inside; lengths, though not angles, then fall from the far end on the near one.
+        // The interval is closed. A length of exactly 1 then wraps to 0; an angle does not.
         let is_inside = |at: f64| (0.0..=1.0).contains(&at);
         if self.is_once && !(is_inside(at.x) && is_inside(at.y)) {
             return None;
@@ -134,25 +133,25 @@ impl Mapping {
         let size = DVec2::new(bitmap.width as f64, bitmap.height as f64);
         let mut at = at * size;
         match self.map_type {
-            MapType::Planar => at = DVec2::new(rest(at.x, size.x), rest(at.y, size.y)),
-            MapType::Cylindrical => at.y = rest(at.y, size.y),
+            MapType::Planar => at = DVec2::new(remainder(at.x, size.x), remainder(at.y, size.y)),
+            MapType::Cylindrical => at.y = remainder(at.y, size.y),
             MapType::Spherical | MapType::Toroidal => {}
         }
-        at += NUDGE;
+        at += PIXEL_OFFSET;
         if self.is_once && at.cmpge(size).any() {
             return None;
         }
         Some(DVec2::new(wrapped(at.x, size.x), wrapped(-at.y, size.y)))
     }
 
-    /// The colour at a point; `None` outside of a picture that is there once.
+    /// The colour at a point; `None` outside an image mapped `once`.
     #[must_use]
     pub fn color(&self, bitmap: &Bitmap, point: DVec3) -> Option<Color> {
         let at = self.place(bitmap, point)?;
         Some(self.color_at(bitmap, at))
     }
 
-    /// The colour at a place in pixels from the left and from the top, which may lie outside.
+    /// The interpolated colour at an image position in pixels from the top left; it may lie outside the image.
     #[must_use]
     pub fn color_at(&self, bitmap: &Bitmap, at: DVec2) -> Color {
         if self.interpolation == Interpolation::None {
@@ -160,14 +159,14 @@ impl Mapping {
             return bitmap.color(x, y);
         }
         let mut sum = Sum::default();
-        self.about(bitmap, at, |weight, x, y| {
+        self.visit_neighbors(bitmap, at, |weight, x, y| {
             sum.add(weight, bitmap.color(x, y));
         });
         sum.color()
     }
 
-    /// The index in the palette at such a place, interpolated like a colour and cut off behind the point. Without a
-    /// palette all pixels count as -1, which rounding may spoil.
+    /// The palette index at an image position, interpolated like a colour and truncated to an integer. Without a
+    /// palette every pixel is -1; rounding of the weights may change the interpolated value.
     #[must_use]
     pub fn index_at(&self, bitmap: &Bitmap, at: DVec2) -> i64 {
         let index = |x, y| bitmap.index(x, y).map_or(NO_INDEX, i64::from);
@@ -176,37 +175,42 @@ impl Mapping {
             return index(x, y);
         }
         let mut sum = 0.0;
-        self.about(bitmap, at, |weight, x, y| {
+        self.visit_neighbors(bitmap, at, |weight, x, y| {
             sum += weight * index(x, y) as f64;
         });
         trunc(sum)
     }
 
-    /// Visits the pixels whose middles lie about a place, with what each weighs.
-    fn about(&self, bitmap: &Bitmap, at: DVec2, visit: impl FnMut(f64, usize, usize)) {
+    /// Visits the pixels around an image position, with their interpolation weights.
+    fn visit_neighbors(&self, bitmap: &Bitmap, at: DVec2, visit: impl FnMut(f64, usize, usize)) {
         match self.interpolation {
             Interpolation::None | Interpolation::Bilinear => {
-                self.four(bitmap, at, bilinear, visit);
+                self.visit_2x2(bitmap, at, bilinear, visit);
             }
-            Interpolation::NormalisedDistance => self.four(bitmap, at, normalised_distance, visit),
-            Interpolation::Bicubic => self.sixteen(bitmap, at, visit),
+            Interpolation::NormalisedDistance => {
+                self.visit_2x2(bitmap, at, normalised_distance, visit);
+            }
+            Interpolation::Bicubic => self.visit_4x4(bitmap, at, visit),
         }
     }
 
-    /// Column and row of the pixel at such a place.
+    /// Column and row of the pixel at an image position.
     fn pixel(&self, bitmap: &Bitmap, at: DVec2) -> [usize; 2] {
         let [x, y] = [at.x, at.y].map(trunc);
-        [self.kept(x, bitmap.width), self.kept(y, bitmap.height)]
+        [
+            self.wrap_or_clamp(x, bitmap.width),
+            self.wrap_or_clamp(y, bitmap.height),
+        ]
     }
 
-    /// A column or row within the picture.
+    /// A column or row clamped to the image if it is mapped `once`, otherwise wrapped around.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_possible_wrap,
         clippy::cast_sign_loss,
         reason = "the size is below 2^28, and the result within it"
     )]
-    fn kept(&self, at: i64, size: usize) -> usize {
+    fn wrap_or_clamp(&self, at: i64, size: usize) -> usize {
         let size = size as i64;
         if self.is_once {
             at.clamp(0, size - 1) as usize
@@ -217,8 +221,8 @@ impl Mapping {
         }
     }
 
-    /// Four pixels by the weights of right and left below, right and left above.
-    fn four(
+    /// Visits 2×2 pixels; `weights` are in the order lower right, lower left, upper right, upper left.
+    fn visit_2x2(
         &self,
         bitmap: &Bitmap,
         at: DVec2,
@@ -229,30 +233,30 @@ impl Mapping {
         let [x, y] = [at.x, at.y].map(trunc);
         let (p, q) = (at.x - x as f64, at.y - y as f64);
         for (corner, weight) in (0_i64..).zip(weights(p, q)) {
-            let column = self.kept(x - corner % 2, bitmap.width);
-            let row = self.kept(y - corner / 2, bitmap.height);
+            let column = self.wrap_or_clamp(x - corner % 2, bitmap.width);
+            let row = self.wrap_or_clamp(y - corner / 2, bitmap.height);
             visit(weight, column, row);
         }
     }
 
-    /// Sixteen pixels, column by column.
-    fn sixteen(&self, bitmap: &Bitmap, at: DVec2, mut visit: impl FnMut(f64, usize, usize)) {
+    /// Visits 4×4 pixels, column by column, with bicubic weights.
+    fn visit_4x4(&self, bitmap: &Bitmap, at: DVec2, mut visit: impl FnMut(f64, usize, usize)) {
         let at = at + 0.5;
         let [x, y] = [at.x, at.y].map(trunc);
-        let of_columns = cubic(at.x - x as f64);
-        let of_rows = cubic(at.y - y as f64);
-        for (column, of_column) in (x - 2..).zip(of_columns) {
-            for (row, of_row) in (y - 2..).zip(of_rows) {
-                let column = self.kept(column, bitmap.width);
-                let row = self.kept(row, bitmap.height);
-                visit(of_row * of_column, column, row);
+        let column_weights = cubic(at.x - x as f64);
+        let row_weights = cubic(at.y - y as f64);
+        for (column, column_weight) in (x - 2..).zip(column_weights) {
+            for (row, row_weight) in (y - 2..).zip(row_weights) {
+                let column = self.wrap_or_clamp(column, bitmap.width);
+                let row = self.wrap_or_clamp(row, bitmap.height);
+                visit(row_weight * column_weight, column, row);
             }
         }
     }
 }
 
 impl Bitmap {
-    /// A place, no farther from the picture than it is large, on one of its copies side by side.
+    /// Wraps an image position at most one image size outside back into the image.
     #[must_use]
     pub fn wrapped(&self, at: DVec2) -> DVec2 {
         let wrapped = |at: f64, size: usize| {
@@ -270,7 +274,7 @@ impl Bitmap {
 }
 
 /// The angle of (x, z) from +x towards +z, in turns from 0 to 1.
-fn turn(x: f64, z: f64) -> f64 {
+fn angle_in_turns(x: f64, z: f64) -> f64 {
     let length = x.hypot(z);
     if length == 0.0 {
         return 0.0;
@@ -283,15 +287,19 @@ fn turn(x: f64, z: f64) -> f64 {
     }
 }
 
-/// `at % size`, which mostly is the coordinate itself.
-fn rest(at: f64, size: f64) -> f64 {
+/// `at % size`, without the division in the usual case `|at| < size`.
+fn remainder(at: f64, size: f64) -> f64 {
     if at.abs() < size { at } else { at % size }
 }
 
-/// A coordinate taken into `0..size`.
+/// A coordinate wrapped into `0..size`.
 fn wrapped(at: f64, size: f64) -> f64 {
-    let rest = rest(at, size);
-    let at = if rest < 0.0 { rest + size } else { rest };
+    let remainder = remainder(at, size);
+    let at = if remainder < 0.0 {
+        remainder + size
+    } else {
+        remainder
+    };
     if at < size { at } else { 0.0 }
 }
 
@@ -306,14 +314,19 @@ fn bilinear(p: f64, q: f64) -> [f64; 4] {
 }
 
 fn normalised_distance(p: f64, q: f64) -> [f64; 4] {
-    let near = |a: f64, b: f64| 1.0 / (a * a + b * b).max(f64::MIN_POSITIVE);
+    let inverse_distance_sq = |a: f64, b: f64| 1.0 / (a * a + b * b).max(f64::MIN_POSITIVE);
     let (left, above) = (1.0 - p, 1.0 - q);
-    let weights = [near(left, above), near(p, above), near(left, q), near(p, q)];
+    let weights = [
+        inverse_distance_sq(left, above),
+        inverse_distance_sq(p, above),
+        inverse_distance_sq(left, q),
+        inverse_distance_sq(p, q),
+    ];
     let total: f64 = weights.iter().sum();
     weights.map(|weight| weight / total)
 }
 
-/// The weights of four pixels in a row.
+/// Cubic weights of four consecutive pixels.
 fn cubic(p: f64) -> [f64; 4] {
     let q = 1.0 - p;
     [
@@ -324,7 +337,7 @@ fn cubic(p: f64) -> [f64; 4] {
     ]
 }
 
-/// A sum of colours by weight.
+/// A weighted sum of colours.
 #[derive(Default)]
 struct Sum([f64; 5]);
 
@@ -360,14 +373,17 @@ mod tests {
     }
 
     #[test]
-    fn places_wrap_or_end() {
+    fn coordinates_wrap_or_are_clamped() {
         assert_eq!(wrapped(-1.0, 4.0), 3.0);
         assert_eq!(wrapped(-1e-20, 4.0), 0.0);
         let once = Mapping {
             is_once: true,
             ..Mapping::default()
         };
-        assert_eq!((once.kept(-1, 4), once.kept(4, 4)), (0, 3));
-        assert_eq!(Mapping::default().kept(-1, 4), 3);
+        assert_eq!(
+            (once.wrap_or_clamp(-1, 4), once.wrap_or_clamp(4, 4)),
+            (0, 3)
+        );
+        assert_eq!(Mapping::default().wrap_or_clamp(-1, 4), 3);
     }
 }

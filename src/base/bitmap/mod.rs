@@ -1,7 +1,7 @@
-//! Pictures that a scene reads: for `image_map`, `image_pattern`, bumps and heights.
+//! Bitmaps read by a scene, for `image_map`, `image_pattern`, `bump_map`, `material_map` and height fields.
 //!
-//! A picture keeps its samples as they are stored and decodes them when they are looked up: eight bits by a table.
-//! Rows are from the top. What the file says of alpha becomes transmit.
+//! A bitmap stores the samples of the file and decodes them on lookup; 8-bit samples use a table. Rows run from the
+//! top. Alpha becomes transmit.
 
 mod bmp;
 mod decode;
@@ -17,38 +17,38 @@ pub(crate) use bmp::{Content as BmpContent, content as bmp_content};
 pub(crate) use decode::picture;
 pub(crate) use format::Format;
 pub use mapping::{Interpolation, MapType, Mapping};
-pub use read::{Alpha, Purpose, Source, read};
+pub use read::{AddedTransparency, Alpha, Purpose, Source, read};
 pub(crate) use size::bytes_to_decode;
 
 use crate::base::color::{Color, Gamma, Rgb};
 
-/// A picture ready to be looked up.
+/// A decoded image, ready for lookups.
 #[derive(Debug)]
 pub struct Bitmap {
     width: usize,
     height: usize,
     samples: Samples,
     has_alpha: bool,
-    /// Whether colours are stored already multiplied with alpha.
+    /// True if colours are stored premultiplied with alpha.
     is_premultiplied: bool,
 }
 
-/// The samples of a picture, row by row from the top.
+/// Samples in row-major order from the top.
 #[derive(Debug)]
 enum Samples {
-    /// Samples of eight bits, and the numbers that those of colours stand for.
+    /// 8-bit samples, and the decoded value of each colour sample.
     Bytes(Pixels<u8>, Box<[f32; 256]>),
-    /// The same of sixteen bits.
+    /// 16-bit samples, and the transfer that decodes the colour samples.
     Words(Pixels<u16>, Transfer),
-    /// Numbers of the working space.
+    /// Samples in the working space.
     Floats(Pixels<f32>),
-    /// Colours of the scene.
+    /// Scene colours with filter and transmit, from a sampled function.
     Colors(Vec<Color>),
     /// Indices into a palette.
     Indexed(Vec<u8>, Vec<Color>),
 }
 
-/// Pixels of one to four samples, as files hold them: grey or red, green and blue, and then alpha if there is any.
+/// Interleaved pixels of one to four channels: grey or RGB, followed by alpha if the file has it.
 #[derive(Debug)]
 struct Pixels<T> {
     samples: Vec<T>,
@@ -56,7 +56,7 @@ struct Pixels<T> {
 }
 
 impl<T: Copy> Pixels<T> {
-    /// Red, green, blue and alpha of a pixel, where `opaque` is the alpha of pixels without any.
+    /// RGBA of the pixel at an index; pixels without alpha get `opaque`.
     #[inline]
     fn get(&self, at: usize, opaque: T) -> [T; 4] {
         match self.samples[at * self.channels..][..self.channels] {
@@ -69,12 +69,12 @@ impl<T: Copy> Pixels<T> {
     }
 }
 
-/// How stored values become numbers of the scene; nothing is done without gamma handling.
+/// The conversion from stored values to the working space; the identity if either gamma is missing.
 #[derive(Clone, Copy, Debug)]
 struct Transfer {
-    /// How the file stores light.
+    /// The gamma of the file.
     file: Option<Gamma>,
-    /// How the scene counts it.
+    /// The gamma of the working space.
     working: Option<Gamma>,
 }
 
@@ -108,13 +108,13 @@ impl Bitmap {
         self.height
     }
 
-    /// Whether the file stores alpha.
+    /// True if the file stores alpha.
     #[must_use]
     pub fn has_alpha(&self) -> bool {
         self.has_alpha
     }
 
-    /// How many colours the palette has, if there is one.
+    /// The number of palette entries, if there is a palette.
     #[must_use]
     pub fn palette_len(&self) -> Option<usize> {
         match &self.samples {
@@ -123,8 +123,8 @@ impl Bitmap {
         }
     }
 
-    /// Whether some colour of the scene or of the palette lets light through.
-    fn has_clear_colors(&self) -> bool {
+    /// True if a palette entry or sampled colour has filter or transmit.
+    fn has_transparent_colors(&self) -> bool {
         match &self.samples {
             Samples::Indexed(_, colors) | Samples::Colors(colors) => {
                 colors.iter().any(|color| color.is_transparent())
@@ -141,7 +141,7 @@ impl Bitmap {
         }
     }
 
-    /// The index of a pixel in the palette, if there is one. `x < width`, `y < height`, from the top.
+    /// The palette index of a pixel, if there is a palette. `x < width`, `y < height`, from the top.
     #[must_use]
     pub fn index(&self, x: usize, y: usize) -> Option<u8> {
         match &self.samples {

@@ -1,4 +1,4 @@
-//! Reading `{ [format] "file" [gamma g] [premultiplied] ... }`, what `image_map` and its kin hold.
+//! Parser of `{ [format] "file" [gamma g] [premultiplied] ... }`, the block of `image_map` and its relatives.
 
 use super::decode::{Handling, decode};
 use super::format::Format;
@@ -10,48 +10,57 @@ use crate::base::source::{Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// What a picture is read for.
+/// The use of an image, which decides its gamma handling and parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Its colours: stored values are decoded, and `filter` and `transmit` may change them.
+    /// Colours: stored values are decoded, and `filter` and `transmit` are accepted.
     Colors,
-    /// Its values as they are stored.
+    /// Values as stored, without gamma decoding.
     Values,
-    /// Its values, for bumps: `bump_size` may stand among its parameters.
+    /// Values for a `bump_map`: also accepts `bump_size`.
     Bumps,
-    /// Its values, for a list of textures: it begins at the first `texture` of the block, which stays open.
+    /// Values for a `material_map`: reading stops at the first `texture` of the block and leaves the block open.
     Textures,
 }
 
-/// What `image_pattern` takes for its value.
+/// The channel that `image_pattern` takes for its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Alpha {
     /// The grey of the colour.
     #[default]
     Ignored,
-    /// How clear it is, where the file has alpha.
+    /// The alpha channel, if the file has one.
     Used,
 }
 
-/// A picture of a scene, and how it is laid over space.
+/// The amounts of `filter all` and `transmit all`, for images without a palette.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AddedTransparency {
+    /// Added to the filter of every pixel.
+    pub filter: f32,
+    /// Added to the transmit of every pixel.
+    pub transmit: f32,
+}
+
+/// A bitmap with its mapping to space and the parameters of its block.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// The pixels.
     pub bitmap: Arc<Bitmap>,
-    /// How they are laid over space.
+    /// The mapping from points to pixels.
     pub mapping: Mapping,
-    /// What is added to the filter and transmit of every pixel.
-    pub all: (f32, f32),
+    /// Filter and transmit added to every pixel (`filter all`, `transmit all`).
+    pub added: AddedTransparency,
     /// `use_alpha`.
     pub alpha: Alpha,
-    /// `use_index`: the index in the palette counts, not the colour.
+    /// `use_index`: lookups use the palette index instead of the colour.
     pub uses_index: bool,
-    /// `bump_size` among the parameters.
+    /// `bump_size`, if given in the block.
     pub bump_size: Option<f64>,
 }
 
 impl Source {
-    /// The colour at a point: of the picture, with what the scene adds; clear outside of a picture that is there once.
+    /// The bitmap's colour at a point plus `filter all` and `transmit all`; transparent outside an image mapped `once`.
     #[must_use]
     pub fn color(&self, point: DVec3) -> Color {
         let Some(mut color) = self.mapping.color(&self.bitmap, point) else {
@@ -61,27 +70,28 @@ impl Source {
                 transmit: 1.0,
             };
         };
-        color.filter += self.all.0;
-        color.transmit += self.all.1;
+        color.filter += self.added.filter;
+        color.transmit += self.added.transmit;
         color
     }
 
-    /// The heights of a `bump_map` at three places in the picture, in pixels from the left and from the top: the greys
-    /// of the colours, or with `use_index` the indices where all three have one.
+    /// Heights of a `bump_map` at three image positions, in pixels from the top left: the grey values of the colours,
+    /// or with `use_index` the palette indices if all three have one.
     #[must_use]
-    pub fn heights(&self, places: [DVec2; 3]) -> [f64; 3] {
+    pub fn heights(&self, positions: [DVec2; 3]) -> [f64; 3] {
         if self.uses_index {
-            let indices = places.map(|at| self.mapping.index_at(&self.bitmap, at));
+            let indices = positions.map(|at| self.mapping.index_at(&self.bitmap, at));
             if !indices.contains(&NO_INDEX) {
                 return indices.map(|index| index as f64);
             }
         }
-        places.map(|at| f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey()))
+        positions.map(|at| f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey()))
     }
 
-    /// Which of so many textures `material_map` takes at a point: the one numbered like the index in the palette, or
-    /// like the red of the colour as a byte. A number beyond the textures is divided by their count and the remainder
-    /// counts, but the count itself is the last one. The first outside of a picture that is there once.
+    /// Index of the texture that a `material_map` of `textures` textures selects at a point.
+    ///
+    /// The number is the palette index, or without a palette the red channel as a byte. Numbers above `textures` wrap
+    /// around (modulo), but `textures` itself selects the last one. Outside an image mapped `once` the result is 0.
     #[must_use]
     pub fn material(&self, point: DVec3, textures: usize) -> usize {
         let Some(at) = self.mapping.place(&self.bitmap, point) else {
@@ -103,31 +113,31 @@ impl Source {
         }
     }
 
-    /// Whether light passes somewhere.
+    /// True if some point may have a transparent colour.
     #[must_use]
     pub fn can_be_transparent(&self) -> bool {
         self.mapping.is_once
-            || self.all != (0.0, 0.0)
+            || self.added != AddedTransparency::default()
             || self.bitmap.has_alpha()
-            || self.bitmap.has_clear_colors()
+            || self.bitmap.has_transparent_colors()
     }
 }
 
-/// `filter` or `transmit` of one colour of a palette, or of all.
-struct Entry {
+/// A `filter` or `transmit` parameter: of one palette entry, or of all if `number` is `None`.
+struct TransparencyEntry {
     word: Word,
     number: Option<f64>,
     amount: f32,
     span: Span,
 }
 
-/// Reads the block behind `image_map` and the like, with the braces unless a list of textures follows in it.
+/// Reads the block of `image_map` and its relatives, with both braces; [`Purpose::Textures`] leaves it open.
 ///
 /// # Errors
-/// A malformed block, or a file that is missing or no picture.
+/// The block is malformed, or the file is missing or cannot be decoded.
 pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     args.open()?;
-    pass_orientation(args)?;
+    skip_orientation(args)?;
     let content = match args.sampled()? {
         Some(sampled) => Content::Sampled(sampled),
         None => read_file(args)?,
@@ -138,12 +148,12 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
         assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
         is_premultiplied: false,
     };
-    // Values are as they are stored; a gamma must be written to change them.
+    // Values are used as stored unless the block specifies a gamma.
     if purpose != Purpose::Colors {
         handling.working = None;
     }
     let mut mapping = Mapping::default();
-    let mut all = (0.0, 0.0);
+    let mut added = AddedTransparency::default();
     let mut alpha = Alpha::Ignored;
     let mut uses_index = false;
     let mut bump_size = None;
@@ -156,7 +166,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             Word::Gamma => {
                 args.accept(word)?;
                 handling.gamma = Some(read_gamma(args)?);
-                // A gamma that is written is heeded without gamma handling too. Values become light itself.
+                // An explicit gamma applies even without gamma handling; the values then become linear.
                 let working = handling.working.unwrap_or(Gamma::LINEAR);
                 handling.working = Some(working);
             }
@@ -185,24 +195,24 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     }
     let mut bitmap = content.into_bitmap(&handling, args)?;
     for entry in &entries {
-        entry.apply(&mut bitmap, &mut all)?;
+        entry.apply(&mut bitmap, &mut added)?;
     }
     Ok(Source {
         bitmap: Arc::new(bitmap),
         mapping,
-        all,
+        added,
         alpha,
         uses_index,
         bump_size,
     })
 }
 
-/// From this version on, files that say nothing hold light by the sRGB curve.
+/// The language version from which files without gamma information are sRGB.
 const SRGB_SINCE: f64 = 3.7;
 
-/// What a picture is made of.
+/// The content of a bitmap before decoding.
 enum Content {
-    /// The bytes of a file, its format, and its place in the scene.
+    /// The bytes of a file, its format, and the span of its name in the scene.
     File(Arc<[u8]>, Format, Span),
     Sampled(Sampled),
 }
@@ -211,13 +221,13 @@ impl Content {
     fn into_bitmap(self, handling: &Handling, args: &mut dyn Args) -> Parse<Bitmap> {
         match self {
             Content::File(bytes, format, span) => {
-                let fault = |fault| {
-                    let message = format!("this file cannot be read as a picture: {fault}");
+                let error = |error| {
+                    let message = format!("this file cannot be read as a picture: {error}");
                     Box::new(Diagnostic::error(span, message))
                 };
-                let wanted = bytes_to_decode(&bytes, format).map_err(fault)?;
-                args.make_room("this picture", wanted, span)?;
-                decode(&bytes, format, handling).map_err(fault)
+                let bytes_needed = bytes_to_decode(&bytes, format).map_err(error)?;
+                args.make_room("this picture", bytes_needed, span)?;
+                decode(&bytes, format, handling).map_err(error)
             }
             Content::Sampled(sampled) => Ok(Bitmap {
                 width: sampled.width,
@@ -230,17 +240,16 @@ impl Content {
     }
 }
 
-/// Passes over what may stand before the file: a vector that once said how the picture lies, or a number that said
-/// which map it is.
-fn pass_orientation(args: &mut dyn Args) -> Parse<()> {
+/// Skips the obsolete vector (orientation) or number (map type) before the file name, with a warning.
+fn skip_orientation(args: &mut dyn Args) -> Parse<()> {
     if !args.at_expression()? {
         return Ok(());
     }
     let start = args.span();
     args.vector()?;
-    let place = start.to(args.last_span());
+    let span = start.to(args.last_span());
     args.warn(
-        Diagnostic::warning(place, "a vector or number before a picture has no effect").with_hint(
+        Diagnostic::warning(span, "a vector or number before a picture has no effect").with_hint(
             "Turn the picture with transformations, and choose the map with `map_type`.",
         ),
     );
@@ -250,9 +259,9 @@ fn pass_orientation(args: &mut dyn Args) -> Parse<()> {
 /// `[format] "file"`.
 fn read_file(args: &mut dyn Args) -> Parse<Content> {
     let word = args.word()?;
-    let said = word.and_then(Format::of_word);
+    let explicit = word.and_then(Format::of_word);
     match word {
-        Some(word) if said.is_some() => {
+        Some(word) if explicit.is_some() => {
             args.accept(word)?;
         }
         Some(word @ (Word::Iff | Word::Sys | Word::Pot)) => {
@@ -260,10 +269,10 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
         }
         _ => {}
     }
-    let endings = said.map_or(&[][..], Format::endings);
-    let (name, bytes) = args.file("the picture", endings)?;
+    let extensions = explicit.map_or(&[][..], Format::extensions);
+    let (name, bytes) = args.file("the picture", extensions)?;
     let span = args.last_span();
-    match said.or_else(|| Format::of_name(&name)) {
+    match explicit.or_else(|| Format::of_name(&name)) {
         Some(format) => Ok(Content::File(bytes, format, span)),
         None => Err(Box::new(
             Diagnostic::error(span, "the name does not tell the format of this picture")
@@ -281,13 +290,13 @@ fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
     if gamma > 0.0 {
         return Ok(Gamma::power(gamma));
     }
-    let place = start.to(args.last_span());
+    let span = start.to(args.last_span());
     let message = format!("`gamma` is a positive number or `srgb`, found {gamma}");
-    Err(Box::new(Diagnostic::error(place, message)))
+    Err(Box::new(Diagnostic::error(span, message)))
 }
 
-/// `filter all f` or `filter n, f`, and the same with `transmit`; the word is taken.
-fn read_entry(word: Word, args: &mut dyn Args) -> Parse<Entry> {
+/// Reads `all f` or `n, f` after `filter` or `transmit`; `word` is already consumed.
+fn read_entry(word: Word, args: &mut dyn Args) -> Parse<TransparencyEntry> {
     let start = args.span();
     let number = if args.accept(Word::All)? {
         None
@@ -296,7 +305,7 @@ fn read_entry(word: Word, args: &mut dyn Args) -> Parse<Entry> {
         args.comma()?;
         Some(number)
     };
-    Ok(Entry {
+    Ok(TransparencyEntry {
         word,
         number,
         amount: args.single()?,
@@ -304,11 +313,11 @@ fn read_entry(word: Word, args: &mut dyn Args) -> Parse<Entry> {
     })
 }
 
-impl Entry {
-    /// Sets what passes through colours of a palette; without a palette, what is added to every pixel.
-    fn apply(&self, bitmap: &mut Bitmap, all: &mut (f32, f32)) -> Parse<()> {
+impl TransparencyEntry {
+    /// Sets filter or transmit of palette entries, or without a palette the amount added to every pixel.
+    fn apply(&self, bitmap: &mut Bitmap, added: &mut AddedTransparency) -> Parse<()> {
         let Some(palette) = bitmap.palette_mut() else {
-            return self.apply_to_all(all);
+            return self.add_to_all(added);
         };
         let len = palette.len();
         let mut is_known = self.number.is_none();
@@ -329,8 +338,8 @@ impl Entry {
         Err(Box::new(Diagnostic::error(self.span, message)))
     }
 
-    fn apply_to_all(&self, all: &mut (f32, f32)) -> Parse<()> {
-        let Entry { word, number, .. } = self;
+    fn add_to_all(&self, added: &mut AddedTransparency) -> Parse<()> {
+        let TransparencyEntry { word, number, .. } = self;
         if let Some(number) = number {
             let message = format!("`{word} {number}` needs a picture with a palette");
             let hint = format!("Write `{word} all` for every colour.");
@@ -338,9 +347,9 @@ impl Entry {
             return Err(Box::new(error));
         }
         if *word == Word::Filter {
-            all.0 = self.amount;
+            added.filter = self.amount;
         } else {
-            all.1 = self.amount;
+            added.transmit = self.amount;
         }
         Ok(())
     }

@@ -1,44 +1,44 @@
-//! The bits of a scan: stuffed zeros are taken out, and behind a marker come zeros without end.
+//! Reading bytes and entropy-coded bits. Stuffed zero bytes are removed, and past a marker the bits are zeros.
 
-/// A place among the bytes of a file, with the marker met but not yet taken.
+/// A cursor over the bytes of a file, with a marker that has been read but not handled.
 #[derive(Clone, Debug)]
-pub(super) struct Rest<'a> {
+pub(super) struct ByteReader<'a> {
     bytes: &'a [u8],
-    /// A marker that stopped the bits before it.
+    /// The marker that ended the entropy-coded data.
     pub(super) marker: Option<u8>,
 }
 
-/// The file has no more bytes.
+/// The input ends unexpectedly.
 #[derive(Debug)]
-pub(super) struct Ended;
+pub(super) struct UnexpectedEnd;
 
-impl<'a> Rest<'a> {
+impl<'a> ByteReader<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Rest {
+        ByteReader {
             bytes,
             marker: None,
         }
     }
 
-    pub(super) fn byte(&mut self) -> Result<u8, Ended> {
-        let (&byte, rest) = self.bytes.split_first().ok_or(Ended)?;
+    pub(super) fn byte(&mut self) -> Result<u8, UnexpectedEnd> {
+        let (&byte, rest) = self.bytes.split_first().ok_or(UnexpectedEnd)?;
         self.bytes = rest;
         Ok(byte)
     }
 
-    pub(super) fn word(&mut self) -> Result<u16, Ended> {
+    pub(super) fn word(&mut self) -> Result<u16, UnexpectedEnd> {
         Ok(u16::from_be_bytes([self.byte()?, self.byte()?]))
     }
 
-    /// The next bytes, as many as that.
-    pub(super) fn take(&mut self, count: usize) -> Result<&'a [u8], Ended> {
-        let (taken, rest) = self.bytes.split_at_checked(count).ok_or(Ended)?;
+    /// The next `count` bytes.
+    pub(super) fn take(&mut self, count: usize) -> Result<&'a [u8], UnexpectedEnd> {
+        let (bytes, rest) = self.bytes.split_at_checked(count).ok_or(UnexpectedEnd)?;
         self.bytes = rest;
-        Ok(taken)
+        Ok(bytes)
     }
 
-    /// The marker that was met, or else the next one, whatever stands before it.
-    pub(super) fn next_marker(&mut self) -> Result<u8, Ended> {
+    /// Returns the pending marker, or else skips to the next one.
+    pub(super) fn next_marker(&mut self) -> Result<u8, UnexpectedEnd> {
         if let Some(marker) = self.marker.take() {
             return Ok(marker);
         }
@@ -55,77 +55,77 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// A reader of bits.
+/// A reader of entropy-coded bits, most significant bit first.
 #[derive(Debug)]
-pub(super) struct Bits<'r, 'a> {
-    rest: &'r mut Rest<'a>,
-    /// Bits not yet taken, from the highest on, and zeros behind them.
-    held: u64,
-    count: u32,
-    /// True if more bits were taken than there are before the next marker.
-    pub(super) is_short: bool,
+pub(super) struct BitReader<'r, 'a> {
+    input: &'r mut ByteReader<'a>,
+    /// Unread bits, aligned to the most significant bit and followed by zeros.
+    buffer: u64,
+    buffered_bits: u32,
+    /// True if bits were consumed past the next marker.
+    pub(super) is_past_end: bool,
 }
 
-impl<'r, 'a> Bits<'r, 'a> {
-    pub(super) fn new(rest: &'r mut Rest<'a>) -> Self {
-        Bits {
-            rest,
-            held: 0,
-            count: 0,
-            is_short: false,
+impl<'r, 'a> BitReader<'r, 'a> {
+    pub(super) fn new(input: &'r mut ByteReader<'a>) -> Self {
+        BitReader {
+            input,
+            buffer: 0,
+            buffered_bits: 0,
+            is_past_end: false,
         }
     }
 
-    /// Fetches bytes up to the next marker.
+    /// Refills the buffer, up to the next marker.
     fn fill(&mut self) {
-        while self.count <= 56 && self.rest.marker.is_none() {
-            let Some((&first, mut rest)) = self.rest.bytes.split_first() else {
+        while self.buffered_bits <= 56 && self.input.marker.is_none() {
+            let Some((&first, mut rest)) = self.input.bytes.split_first() else {
                 return;
             };
             if first == 0xff {
                 let code = loop {
                     match rest.split_first() {
-                        Some((0xff, behind)) => rest = behind,
-                        Some((&code, behind)) => {
-                            rest = behind;
+                        Some((0xff, remaining)) => rest = remaining,
+                        Some((&code, remaining)) => {
+                            rest = remaining;
                             break code;
                         }
                         None => {
-                            self.rest.bytes = rest;
+                            self.input.bytes = rest;
                             return;
                         }
                     }
                 };
                 if code != 0 {
-                    self.rest.bytes = rest;
-                    self.rest.marker = Some(code);
+                    self.input.bytes = rest;
+                    self.input.marker = Some(code);
                     return;
                 }
             }
-            self.rest.bytes = rest;
-            self.held |= u64::from(first) << (56 - self.count);
-            self.count += 8;
+            self.input.bytes = rest;
+            self.buffer |= u64::from(first) << (56 - self.buffered_bits);
+            self.buffered_bits += 8;
         }
     }
 
-    /// The next 17 bits at least, in the highest places.
+    /// At least the next 17 bits, aligned to the most significant bit.
     #[inline]
     pub(super) fn peek(&mut self) -> u64 {
-        if self.count < 32 {
+        if self.buffered_bits < 32 {
             self.fill();
         }
-        self.held
+        self.buffer
     }
 
-    /// Passes as many of the bits that were peeked at, at most 17.
+    /// Consumes `count` peeked bits, at most 17.
     #[inline]
-    pub(super) fn pass(&mut self, count: u32) {
-        self.is_short |= count > self.count;
-        self.count = self.count.saturating_sub(count);
-        self.held <<= count;
+    pub(super) fn consume(&mut self, count: u32) {
+        self.is_past_end |= count > self.buffered_bits;
+        self.buffered_bits = self.buffered_bits.saturating_sub(count);
+        self.buffer <<= count;
     }
 
-    /// As many bits as a number; at most 16.
+    /// Reads `count` bits as an unsigned number; at most 16.
     #[inline]
     #[allow(
         clippy::cast_possible_truncation,
@@ -137,11 +137,11 @@ impl<'r, 'a> Bits<'r, 'a> {
             return 0;
         }
         let bits = (self.peek() >> (64 - count)) as i32;
-        self.pass(count);
+        self.consume(count);
         bits
     }
 
-    /// A number of as many bits with a sign: those that begin with a zero stand for negative ones.
+    /// Reads a signed number of `count` bits (`EXTEND` in T.81, F.2.2.1): a leading zero means negative.
     #[inline]
     pub(super) fn take_signed(&mut self, count: u32) -> i32 {
         let bits = self.take(count);
@@ -152,31 +152,31 @@ impl<'r, 'a> Bits<'r, 'a> {
         }
     }
 
-    /// Goes on behind the restart marker of this number. Where another marker stands, it is passed over or left for
-    /// later, by its number: it may belong to a part of the scan that is yet to come, and its data then count there.
-    pub(super) fn restart(&mut self, number: u8) -> Result<(), Ended> {
-        (self.held, self.count) = (0, 0);
-        let mut marker = self.rest.next_marker()?;
+    /// Synchronises to restart marker `number`, like libjpeg. A marker slightly ahead is left pending, because data
+    /// were lost and its interval is still to come; a marker slightly behind is skipped.
+    pub(super) fn restart(&mut self, number: u8) -> Result<(), UnexpectedEnd> {
+        (self.buffer, self.buffered_bits) = (0, 0);
+        let mut marker = self.input.next_marker()?;
         loop {
             let ahead = marker.wrapping_sub(0xd0).wrapping_sub(number) & 7;
             match marker {
                 0..0xc0 => {}
                 0xd0..=0xd7 if ahead == 0 => break,
                 0xd0..=0xd7 if ahead == 1 || ahead == 2 => {
-                    self.rest.marker = Some(marker);
+                    self.input.marker = Some(marker);
                     break;
                 }
                 0xd0..=0xd7 if ahead == 6 || ahead == 7 => {}
                 0xd0..=0xd7 => break,
                 _ => {
-                    self.rest.marker = Some(marker);
+                    self.input.marker = Some(marker);
                     break;
                 }
             }
-            marker = self.rest.next_marker()?;
+            marker = self.input.next_marker()?;
         }
-        if self.rest.marker.is_none() {
-            self.is_short = false;
+        if self.input.marker.is_none() {
+            self.is_past_end = false;
         }
         Ok(())
     }

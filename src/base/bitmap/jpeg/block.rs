@@ -1,140 +1,143 @@
-//! The coefficients of a block, from Huffman codes. Whatever the bits are, all comes to an end, and nothing is written
-//! outside of the block.
+//! Decoding the DCT coefficients of a block. Any input bits terminate, and no write goes outside the block.
 
-use super::bits::Bits;
-use super::huffman::Huffman;
+use super::bits::BitReader;
+use super::huffman::HuffmanDecoder;
 use super::tables::ZIGZAG;
 
-/// Coefficients, row by row.
+/// DCT coefficients in row-major order.
 pub(super) type Block = [i16; 64];
 
 #[allow(
     clippy::cast_possible_truncation,
     reason = "what is beyond 16 bits is lost in libjpeg too"
 )]
-fn short(value: i32) -> i16 {
+fn truncate_to_i16(value: i32) -> i16 {
     value as i16
 }
 
-/// Reads the first coefficient of a block without its `low` lowest bits (T.81, F.2.2.1); `before` is that of the block
-/// before.
-pub(super) fn first(
-    bits: &mut Bits<'_, '_>,
-    codes: &Huffman,
-    before: &mut i32,
-    low: u8,
+/// Decodes the DC coefficient of a block without its `approx_low` lowest bits (T.81, F.2.2.1). `dc_predictor` is the DC
+/// coefficient of the previous block and is updated.
+pub(super) fn decode_dc(
+    bits: &mut BitReader<'_, '_>,
+    huffman: &HuffmanDecoder,
+    dc_predictor: &mut i32,
+    approx_low: u8,
     block: &mut Block,
 ) {
-    let length = codes.symbol(bits);
-    *before = before.wrapping_add(bits.take_signed(length.into()));
-    block[0] = short(*before << low);
+    let length = huffman.symbol(bits);
+    *dc_predictor = dc_predictor.wrapping_add(bits.take_signed(length.into()));
+    block[0] = truncate_to_i16(*dc_predictor << approx_low);
 }
 
-/// Reads the other coefficients of a block (T.81, F.2.2.2).
-pub(super) fn others(bits: &mut Bits<'_, '_>, codes: &Huffman, block: &mut Block) {
-    let mut at = 1;
-    while at < 64 {
-        let symbol = codes.symbol(bits);
-        let (zeros, length) = (usize::from(symbol >> 4), symbol & 15);
+/// Decodes the AC coefficients of a block (T.81, F.2.2.2).
+pub(super) fn decode_ac(bits: &mut BitReader<'_, '_>, huffman: &HuffmanDecoder, block: &mut Block) {
+    let mut index = 1;
+    while index < 64 {
+        let symbol = huffman.symbol(bits);
+        let (zero_run, length) = (usize::from(symbol >> 4), symbol & 15);
         if length == 0 {
-            if zeros != 15 {
+            if zero_run != 15 {
                 break;
             }
-            at += 16;
+            index += 16;
         } else {
-            at += zeros;
-            block[usize::from(ZIGZAG[at])] = short(bits.take_signed(length.into()));
-            at += 1;
+            index += zero_run;
+            block[usize::from(ZIGZAG[index])] = truncate_to_i16(bits.take_signed(length.into()));
+            index += 1;
         }
     }
 }
 
-/// Reads a band of a block (T.81, G.1.2.2), and gives the number of blocks behind it that have none.
-pub(super) fn band(
-    bits: &mut Bits<'_, '_>,
-    codes: &Huffman,
-    (band, low): ([u8; 2], u8),
+/// Decodes a band of AC coefficients (T.81, G.1.2.2). Returns the end-of-band run: the number of following blocks
+/// without coefficients in the band.
+pub(super) fn decode_ac_band(
+    bits: &mut BitReader<'_, '_>,
+    huffman: &HuffmanDecoder,
+    band: [u8; 2],
+    approx_low: u8,
     block: &mut Block,
 ) -> u32 {
-    let [mut at, end] = band.map(usize::from);
-    while at <= end {
-        let symbol = codes.symbol(bits);
-        let (zeros, length) = (symbol >> 4, symbol & 15);
+    let [mut index, last] = band.map(usize::from);
+    while index <= last {
+        let symbol = huffman.symbol(bits);
+        let (zero_run, length) = (symbol >> 4, symbol & 15);
         if length > 0 {
-            at += usize::from(zeros);
+            index += usize::from(zero_run);
             let value = bits.take_signed(length.into());
-            block[usize::from(ZIGZAG[at])] = short(value << low);
-            at += 1;
-        } else if zeros == 15 {
-            at += 16;
+            block[usize::from(ZIGZAG[index])] = truncate_to_i16(value << approx_low);
+            index += 1;
+        } else if zero_run == 15 {
+            index += 16;
         } else {
-            return empty_blocks(bits, zeros) - 1;
+            return read_eob_run(bits, zero_run) - 1;
         }
     }
     0
 }
 
-/// The number of blocks from this one on that have nothing more.
-fn empty_blocks(bits: &mut Bits<'_, '_>, length: u8) -> u32 {
-    let more = bits.take(length.into());
-    (1 << length) + more.unsigned_abs()
+/// Reads the length of an end-of-band run, which includes the current block.
+fn read_eob_run(bits: &mut BitReader<'_, '_>, length: u8) -> u32 {
+    let extra_bits = bits.take(length.into());
+    (1 << length) + extra_bits.unsigned_abs()
 }
 
-/// Reads one more bit of a band of a block (T.81, G.1.2.3); `empty` blocks from this one on have no new coefficients.
-pub(super) fn band_bit(
-    bits: &mut Bits<'_, '_>,
-    codes: &Huffman,
-    (band, low): ([u8; 2], u8),
-    mut empty: u32,
+/// Refines a band of AC coefficients by one bit (T.81, G.1.2.3). While `eob_run` blocks, including this one, remain in
+/// the end-of-band run, no coefficient becomes nonzero. Returns the rest of the run.
+pub(super) fn refine_ac_band(
+    bits: &mut BitReader<'_, '_>,
+    huffman: &HuffmanDecoder,
+    band: [u8; 2],
+    approx_low: u8,
+    mut eob_run: u32,
     block: &mut Block,
 ) -> u32 {
-    let [mut at, end] = band.map(usize::from);
-    let bit = 1_i16 << low;
-    if empty == 0 {
-        while at <= end {
-            let symbol = codes.symbol(bits);
-            let (mut zeros, length) = (symbol >> 4, symbol & 15);
-            let mut new = 0;
+    let [mut index, last] = band.map(usize::from);
+    let bit = 1_i16 << approx_low;
+    if eob_run == 0 {
+        while index <= last {
+            let symbol = huffman.symbol(bits);
+            let (mut zero_run, length) = (symbol >> 4, symbol & 15);
+            let mut new_value = 0;
             if length > 0 {
-                new = if bits.take(1) == 1 { bit } else { -bit };
-            } else if zeros < 15 {
-                empty = empty_blocks(bits, zeros);
+                new_value = if bits.take(1) == 1 { bit } else { -bit };
+            } else if zero_run < 15 {
+                eob_run = read_eob_run(bits, zero_run);
                 break;
             }
-            while at <= end {
-                let coefficient = &mut block[usize::from(ZIGZAG[at])];
+            while index <= last {
+                let coefficient = &mut block[usize::from(ZIGZAG[index])];
                 if *coefficient != 0 {
                     refine(bits, bit, coefficient);
-                } else if zeros == 0 {
+                } else if zero_run == 0 {
                     break;
                 } else {
-                    zeros -= 1;
+                    zero_run -= 1;
                 }
-                at += 1;
+                index += 1;
             }
-            if new != 0 {
-                block[usize::from(ZIGZAG[at])] = new;
+            if new_value != 0 {
+                block[usize::from(ZIGZAG[index])] = new_value;
             }
-            at += 1;
+            index += 1;
         }
     }
-    if empty == 0 {
+    if eob_run == 0 {
         return 0;
     }
-    while at <= end {
-        let coefficient = &mut block[usize::from(ZIGZAG[at])];
+    while index <= last {
+        let coefficient = &mut block[usize::from(ZIGZAG[index])];
         if *coefficient != 0 {
             refine(bits, bit, coefficient);
         }
-        at += 1;
+        index += 1;
     }
-    empty - 1
+    eob_run - 1
 }
 
-/// Reads one more bit of a coefficient.
-fn refine(bits: &mut Bits<'_, '_>, bit: i16, coefficient: &mut i16) {
+/// Refines a nonzero coefficient by one bit.
+fn refine(bits: &mut BitReader<'_, '_>, bit: i16, coefficient: &mut i16) {
     if bits.take(1) == 1 && *coefficient & bit == 0 {
-        let more = if *coefficient >= 0 { bit } else { -bit };
-        *coefficient = coefficient.wrapping_add(more);
+        let step = if *coefficient >= 0 { bit } else { -bit };
+        *coefficient = coefficient.wrapping_add(step);
     }
 }

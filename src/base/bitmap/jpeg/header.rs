@@ -1,79 +1,79 @@
-//! The segments of a file: what stands around the scans.
+//! Marker segments: frame and scan headers, and the dispatch to tables.
 
 use super::super::decode::Fault;
-use super::bits::{Ended, Rest};
+use super::bits::{ByteReader, UnexpectedEnd};
 use super::tables::Tables;
 
-/// Most components of a scan.
-const MOST_IN_SCAN: u8 = 4;
-/// Most components of a frame that libjpeg reads.
-const MOST_COMPONENTS: u8 = 10;
-/// Most blocks of all components in one unit of a scan.
-const MOST_BLOCKS: usize = 10;
+/// Maximum number of components of a scan.
+const MAX_SCAN_COMPONENTS: u8 = 4;
+/// Maximum number of components of a frame in libjpeg.
+const MAX_COMPONENTS: u8 = 10;
+/// Maximum number of blocks in an MCU (minimum coded unit).
+const MAX_MCU_BLOCKS: usize = 10;
 
-/// A channel of the picture.
+/// A component (colour channel) of the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Component {
     pub(super) id: u8,
-    /// Samples across and down for each unit of the frame.
-    pub(super) factors: [usize; 2],
-    /// Which table of quantisation.
-    pub(super) steps: usize,
-    /// Samples across and down, without those that fill up the last blocks.
+    /// Horizontal and vertical sampling factors: blocks per MCU.
+    pub(super) sampling_factors: [usize; 2],
+    /// Index of the quantisation table.
+    pub(super) quant_table: usize,
+    /// Width and height in samples, without padding to full blocks.
     pub(super) size: [usize; 2],
-    /// Blocks across and down, with those that fill up the last unit.
+    /// Width and height in blocks, padded to full MCUs.
     pub(super) blocks: [usize; 2],
 }
 
-/// The contents of the file.
+/// The frame header.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     pub(super) width: u16,
     pub(super) height: u16,
     pub(super) is_progressive: bool,
-    /// The largest factors of any component.
-    pub(super) factors: [usize; 2],
+    /// The largest sampling factors over all components.
+    pub(super) sampling_factors: [usize; 2],
     pub(super) components: Vec<Component>,
 }
 
-/// The meaning of the samples of a picture.
+/// The colour model of the samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Coding {
+pub(super) enum ColorModel {
     /// Grey, or red, green and blue.
-    Plain,
-    /// Luminance and two differences.
-    Ycc,
+    Direct,
+    /// Luma and two colour differences.
+    YCbCr,
 }
 
-/// What the segments of other programs say about colours.
+/// Application markers that determine the colour model.
 #[derive(Debug, Default)]
-pub(super) struct Marks {
+pub(super) struct ColorMarkers {
     is_jfif: bool,
-    /// The transform of Adobe's segment.
+    /// The transform code of Adobe's APP14 segment.
     adobe: Option<u8>,
 }
 
-/// The part of a component in a scan.
+/// A component of a scan, with its Huffman tables.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
-    /// Which component of the frame.
-    pub(super) component: usize,
-    pub(super) first_table: usize,
-    pub(super) other_table: usize,
+pub(super) struct ScanComponent {
+    /// Index of the component in the frame.
+    pub(super) index: usize,
+    pub(super) dc_table: usize,
+    pub(super) ac_table: usize,
 }
 
-/// The head of a scan.
+/// The scan header.
 #[derive(Debug)]
 pub(super) struct Scan {
-    pub(super) parts: Vec<Part>,
-    /// The first and last coefficient.
+    pub(super) scan_components: Vec<ScanComponent>,
+    /// Spectral selection: the first and last coefficient in zigzag order.
     pub(super) band: [u8; 2],
-    /// The bits left out by the scan before this one, and by this one.
-    pub(super) high: u8,
-    pub(super) low: u8,
+    /// Successive approximation: the number of low bits omitted by the previous scan and by this scan.
+    pub(super) approx_high: u8,
+    pub(super) approx_low: u8,
 }
 
-/// What ends a stretch of segments.
+/// The segments that [`Reader::next_segment`] returns.
 #[derive(Debug)]
 pub(super) enum Segment {
     Frame,
@@ -81,17 +81,17 @@ pub(super) enum Segment {
     End,
 }
 
-/// A reader of segments, with what they have set.
+/// A reader of marker segments, with the state that they define.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
-    pub(super) rest: Rest<'a>,
+    pub(super) input: ByteReader<'a>,
     pub(super) tables: Tables,
     pub(super) frame: Option<Frame>,
-    pub(super) marks: Marks,
+    pub(super) color_markers: ColorMarkers,
 }
 
-impl From<Ended> for Fault {
-    fn from(Ended: Ended) -> Fault {
+impl From<UnexpectedEnd> for Fault {
+    fn from(UnexpectedEnd: UnexpectedEnd) -> Fault {
         "it ends early".to_owned()
     }
 }
@@ -102,30 +102,30 @@ impl<'a> Reader<'a> {
             return Err("it is no JPEG file".to_owned());
         };
         Ok(Reader {
-            rest: Rest::new(bytes),
+            input: ByteReader::new(bytes),
             tables: Tables::default(),
             frame: None,
-            marks: Marks::default(),
+            color_markers: ColorMarkers::default(),
         })
     }
 
-    /// Reads segments up to a frame, a scan or the end.
+    /// Reads segments up to the next frame header, scan header or end marker.
     pub(super) fn next_segment(&mut self) -> Result<Segment, Fault> {
         loop {
-            let marker = self.rest.next_marker()?;
+            let marker = self.input.next_marker()?;
             match marker {
                 0xd9 => return Ok(Segment::End),
                 0x01 | 0xd0..=0xd7 => continue,
                 0xc0..=0xcf | 0xda..=0xdf | 0xe0..=0xef | 0xfe => {}
                 _ => return Err(format!("it has an unknown marker {marker:#04x}")),
             }
-            let length = usize::from(self.rest.word()?);
+            let length = usize::from(self.input.word()?);
             let body = length.checked_sub(2).ok_or("a segment is too short")?;
-            let mut segment = Rest::new(self.rest.take(body)?);
+            let mut segment = ByteReader::new(self.input.take(body)?);
             match marker {
-                0xc4 => self.tables.read_codes(segment)?,
-                0xdb => self.tables.read_steps(segment)?,
-                0xdd => self.tables.restart = segment.word()?,
+                0xc4 => self.tables.read_huffman_tables(segment)?,
+                0xdb => self.tables.read_quant_tables(segment)?,
+                0xdd => self.tables.restart_interval = segment.word()?,
                 0xc0..=0xc2 => {
                     self.read_frame(segment, marker == 0xc2)?;
                     return Ok(Segment::Frame);
@@ -135,16 +135,20 @@ impl<'a> Reader<'a> {
                 0xc3 | 0xc5..=0xcf | 0xde | 0xdf => {
                     return Err("it is neither baseline nor progressive".to_owned());
                 }
-                0xe0 => self.marks.is_jfif |= body >= 14 && segment.take(5)? == b"JFIF\0",
+                0xe0 => self.color_markers.is_jfif |= body >= 14 && segment.take(5)? == b"JFIF\0",
                 0xee if body >= 12 && segment.take(5)? == b"Adobe" => {
-                    self.marks.adobe = Some(segment.take(7)?[6]);
+                    self.color_markers.adobe = Some(segment.take(7)?[6]);
                 }
                 _ => {}
             }
         }
     }
 
-    fn read_frame(&mut self, mut segment: Rest<'_>, is_progressive: bool) -> Result<(), Fault> {
+    fn read_frame(
+        &mut self,
+        mut segment: ByteReader<'_>,
+        is_progressive: bool,
+    ) -> Result<(), Fault> {
         if self.frame.is_some() {
             return Err("it has two frames".to_owned());
         }
@@ -156,102 +160,114 @@ impl<'a> Reader<'a> {
         if width == 0 || height == 0 || count == 0 {
             return Err("it has no pixels".to_owned());
         }
-        if count > MOST_COMPONENTS {
+        if count > MAX_COMPONENTS {
             return Err("it has too many channels".to_owned());
         }
         let mut components = Vec::new();
         for _ in 0..count {
-            let [id, factors, steps] = [segment.byte()?, segment.byte()?, segment.byte()?];
-            let factors = [factors >> 4, factors & 15].map(usize::from);
-            if factors.iter().any(|factor| !(1..=4).contains(factor)) {
+            let [id, sampling_factors, quant_table] =
+                [segment.byte()?, segment.byte()?, segment.byte()?];
+            let sampling_factors = [sampling_factors >> 4, sampling_factors & 15].map(usize::from);
+            if sampling_factors
+                .iter()
+                .any(|sampling_factor| !(1..=4).contains(sampling_factor))
+            {
                 return Err("its channels have wrong resolutions".to_owned());
             }
             components.push(Component {
                 id,
-                factors,
-                steps: usize::from(steps),
+                sampling_factors,
+                quant_table: usize::from(quant_table),
                 size: [0; 2],
                 blocks: [0; 2],
             });
         }
         let largest = |axis: usize| {
-            let factors = components.iter().map(|component| component.factors[axis]);
-            factors.max().unwrap_or(1)
+            let sampling_factors = components
+                .iter()
+                .map(|component| component.sampling_factors[axis]);
+            sampling_factors.max().unwrap_or(1)
         };
-        let factors = [largest(0), largest(1)];
+        let sampling_factors = [largest(0), largest(1)];
         let size = [width, height].map(usize::from);
         for component in &mut components {
             for axis in 0..2 {
-                let factor = component.factors[axis];
-                component.size[axis] = (size[axis] * factor).div_ceil(factors[axis]);
-                component.blocks[axis] = size[axis].div_ceil(8 * factors[axis]) * factor;
+                let sampling_factor = component.sampling_factors[axis];
+                component.size[axis] =
+                    (size[axis] * sampling_factor).div_ceil(sampling_factors[axis]);
+                component.blocks[axis] =
+                    size[axis].div_ceil(8 * sampling_factors[axis]) * sampling_factor;
             }
         }
         self.frame = Some(Frame {
             width,
             height,
             is_progressive,
-            factors,
+            sampling_factors,
             components,
         });
         Ok(())
     }
 
-    fn read_scan(&mut self, mut segment: Rest<'_>) -> Result<Scan, Fault> {
+    fn read_scan(&mut self, mut segment: ByteReader<'_>) -> Result<Scan, Fault> {
         let frame = self.frame.as_ref().ok_or("its frame is missing")?;
         let count = segment.byte()?;
-        if !(1..=MOST_IN_SCAN).contains(&count) {
+        if !(1..=MAX_SCAN_COMPONENTS).contains(&count) {
             return Err("a scan has a wrong number of channels".to_owned());
         }
-        let mut parts: Vec<Part> = Vec::new();
+        let mut scan_components: Vec<ScanComponent> = Vec::new();
         let mut blocks = 0;
         for _ in 0..count {
             let [id, tables] = [segment.byte()?, segment.byte()?];
-            let is_new = |at: &usize| parts.iter().all(|part| part.component != *at);
-            let mut places = 0..frame.components.len();
-            let found = places.find(|at| frame.components[*at].id == id && is_new(at));
-            let component = found.ok_or("a scan has an unknown channel")?;
-            blocks += frame.components[component]
-                .factors
+            let is_unused = |at: &usize| {
+                scan_components
+                    .iter()
+                    .all(|scan_component| scan_component.index != *at)
+            };
+            let mut indices = 0..frame.components.len();
+            let matching = indices.find(|at| frame.components[*at].id == id && is_unused(at));
+            let index = matching.ok_or("a scan has an unknown channel")?;
+            blocks += frame.components[index]
+                .sampling_factors
                 .iter()
                 .product::<usize>();
-            parts.push(Part {
-                component,
-                first_table: usize::from(tables >> 4),
-                other_table: usize::from(tables & 15),
+            scan_components.push(ScanComponent {
+                index,
+                dc_table: usize::from(tables >> 4),
+                ac_table: usize::from(tables & 15),
             });
         }
-        if count > 1 && blocks > MOST_BLOCKS {
+        if count > 1 && blocks > MAX_MCU_BLOCKS {
             return Err("the units of a scan are too large".to_owned());
         }
         let band = [segment.byte()?, segment.byte()?];
         let bits = segment.byte()?;
         Ok(Scan {
-            parts,
+            scan_components,
             band,
-            high: bits >> 4,
-            low: bits & 15,
+            approx_high: bits >> 4,
+            approx_low: bits & 15,
         })
     }
 }
 
 impl Frame {
-    /// What the samples are, by what the file says or by the names of the channels.
-    pub(super) fn coding(&self, marks: &Marks) -> Result<Coding, Fault> {
+    /// The colour model, from application markers or component identifiers (libjpeg's rules).
+    pub(super) fn color_model(&self, color_markers: &ColorMarkers) -> Result<ColorModel, Fault> {
         let ids: Vec<u8> = self.components.iter().map(|it| it.id).collect();
         match ids[..] {
-            [_] => Ok(Coding::Plain),
-            [_, _, _] if marks.is_jfif => Ok(Coding::Ycc),
-            [_, _, _] if marks.adobe == Some(0) => Ok(Coding::Plain),
-            [b'R', b'G', b'B'] if marks.adobe.is_none() => Ok(Coding::Plain),
-            [_, _, _] => Ok(Coding::Ycc),
+            [_] => Ok(ColorModel::Direct),
+            [_, _, _] if color_markers.is_jfif => Ok(ColorModel::YCbCr),
+            [_, _, _] if color_markers.adobe == Some(0) => Ok(ColorModel::Direct),
+            [b'R', b'G', b'B'] if color_markers.adobe.is_none() => Ok(ColorModel::Direct),
+            [_, _, _] => Ok(ColorModel::YCbCr),
             _ => Err(format!("it has {} channels, not 1 or 3", ids.len())),
         }
     }
 
-    /// About how many bytes decoding takes: coefficients of two bytes, samples, and the pixels made of them.
-    pub(super) fn bytes(&self) -> u64 {
-        let blocks: u64 = self.components.iter().map(Component::blocks_in_all).sum();
+    /// Approximate bytes that decoding needs: 16-bit coefficients if progressive, samples, and pixels.
+    pub(super) fn bytes_to_decode(&self) -> u64 {
+        let blocks: u64 = self.components.iter().map(Component::block_count).sum();
         let samples = blocks * 64;
         let pixels = u64::from(self.width) * u64::from(self.height);
         let coefficients = if self.is_progressive { 2 * samples } else { 0 };
@@ -260,7 +276,7 @@ impl Frame {
 }
 
 impl Component {
-    pub(super) fn blocks_in_all(&self) -> u64 {
+    pub(super) fn block_count(&self) -> u64 {
         self.blocks[0] as u64 * self.blocks[1] as u64
     }
 }

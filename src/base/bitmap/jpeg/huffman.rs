@@ -1,99 +1,100 @@
 //! Decoding of Huffman codes.
 
 use super::super::decode::Fault;
-use super::bits::Bits;
-use super::tables::Codes;
+use super::bits::BitReader;
+use super::tables::HuffmanTable;
 
-/// Codes of up to so many bits are looked up.
-const LOOKED_UP: u32 = 9;
+/// Codes of at most this many bits are decoded by a table lookup.
+const LOOKUP_BITS: u32 = 9;
 
-/// A Huffman code ready to decode.
+/// Decoding tables of a Huffman code.
 #[derive(Debug)]
-pub(super) struct Huffman {
-    /// Length and symbol by the first bits; length 0 for longer codes.
-    short: Box<[(u8, u8); 1 << LOOKED_UP]>,
-    /// For each length the first number of 17 bits behind its codes, and what the number of a symbol is above its code.
-    ends: [u32; 17],
+pub(super) struct HuffmanDecoder {
+    /// Code length and symbol by the next [`LOOKUP_BITS`] bits; length 0 for longer codes.
+    lookup: Box<[(u8, u8); 1 << LOOKUP_BITS]>,
+    /// For each code length, the exclusive upper limit of its codes, left-aligned to 17 bits.
+    limits: [u32; 17],
+    /// For each code length, the symbol index minus the code.
     offsets: [i32; 17],
     symbols: Vec<u8>,
 }
 
-/// True if a code is for the first coefficients of blocks or for the others.
+/// The table class: for DC or AC coefficients.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum For {
-    First,
-    Others,
+pub(super) enum TableClass {
+    Dc,
+    Ac,
 }
 
-impl Huffman {
-    /// The code, if it is one; a length of more than 15 bits is none for a first coefficient.
+impl HuffmanDecoder {
+    /// Builds the decoding tables. Rejects invalid codes, and DC symbols above 15.
     #[allow(
         clippy::cast_possible_wrap,
         reason = "codes have at most 16 bits, and there are at most 256 symbols"
     )]
-    pub(super) fn new(codes: Option<&Codes>, purpose: For) -> Result<Self, Fault> {
-        let codes = codes.ok_or("a Huffman table is missing")?;
-        if purpose == For::First && codes.symbols.iter().any(|symbol| *symbol > 15) {
+    pub(super) fn new(table: Option<&HuffmanTable>, class: TableClass) -> Result<Self, Fault> {
+        let table = table.ok_or("a Huffman table is missing")?;
+        if class == TableClass::Dc && table.symbols.iter().any(|symbol| *symbol > 15) {
             return Err("a Huffman table is wrong".to_owned());
         }
-        let mut huffman = Huffman {
-            short: Box::new([(0, 0); 1 << LOOKED_UP]),
-            ends: [0; 17],
+        let mut huffman = HuffmanDecoder {
+            lookup: Box::new([(0, 0); 1 << LOOKUP_BITS]),
+            limits: [0; 17],
             offsets: [0; 17],
-            symbols: codes.symbols.clone(),
+            symbols: table.symbols.clone(),
         };
         let mut code = 0_u32;
-        let mut symbols = (0_i32..).zip(codes.symbols.iter());
-        for (bits, count) in (1_u32..).zip(codes.counts) {
+        let mut symbols = (0_i32..).zip(table.symbols.iter());
+        for (bits, count) in (1_u32..).zip(table.counts) {
             let length = bits as usize;
             let mut next = symbols.clone();
             huffman.offsets[length] = next.next().map_or(0, |(at, _)| at) - code as i32;
             for (_, symbol) in symbols.by_ref().take(usize::from(count)) {
-                if bits <= LOOKED_UP {
-                    let spare = LOOKED_UP - bits;
-                    let first = (code << spare) as usize;
-                    let entries = huffman.short.iter_mut().skip(first).take(1 << spare);
+                if bits <= LOOKUP_BITS {
+                    let free_bits = LOOKUP_BITS - bits;
+                    let first = (code << free_bits) as usize;
+                    let entries = huffman.lookup.iter_mut().skip(first).take(1 << free_bits);
                     for entry in entries {
                         *entry = (u8::try_from(bits).unwrap_or(0), *symbol);
                     }
                 }
                 code += 1;
             }
-            // No code is all ones.
+            // The code of all ones is reserved.
             if count > 0 && code >= 1 << bits {
                 return Err("a Huffman table is wrong".to_owned());
             }
-            huffman.ends[length] = if count > 0 { code << (17 - bits) } else { 0 };
+            huffman.limits[length] = if count > 0 { code << (17 - bits) } else { 0 };
             code <<= 1;
         }
         Ok(huffman)
     }
 
-    /// The next symbol; 0 for bits that are none.
+    /// Decodes the next symbol; 0 for an invalid code.
     #[inline]
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_possible_wrap,
         reason = "at most 17 bits are left"
     )]
-    pub(super) fn symbol(&self, bits: &mut Bits<'_, '_>) -> u8 {
+    pub(super) fn symbol(&self, bits: &mut BitReader<'_, '_>) -> u8 {
         let ahead = bits.peek();
-        let (length, symbol) = self.short[(ahead >> (64 - LOOKED_UP)) as usize];
+        let (length, symbol) = self.lookup[(ahead >> (64 - LOOKUP_BITS)) as usize];
         if length > 0 {
-            bits.pass(u32::from(length));
+            bits.consume(u32::from(length));
             return symbol;
         }
         let ahead = (ahead >> 47) as u32;
-        for length in LOOKED_UP + 1..=16 {
-            if ahead < self.ends[length as usize] {
-                bits.pass(length);
+        for length in LOOKUP_BITS + 1..=16 {
+            if ahead < self.limits[length as usize] {
+                bits.consume(length);
                 let code = (ahead >> (17 - length)) as i32;
                 let at = code + self.offsets[length as usize];
                 let symbol = usize::try_from(at).ok().and_then(|at| self.symbols.get(at));
                 return symbol.copied().unwrap_or(0);
             }
         }
-        bits.pass(17);
+        bits.consume(17);
         0
     }
 }

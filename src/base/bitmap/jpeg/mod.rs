@@ -1,13 +1,14 @@
-//! JPEG: baseline and progressive files of eight bits with Huffman codes (ITU-T T.81), down to the bytes that libjpeg
-//! makes of them, which is what POV-Ray sees.
+//! JPEG decoder for baseline and progressive 8-bit files with Huffman codes (ITU-T T.81). The samples equal libjpeg's
+//! byte for byte, because POV-Ray reads JPEG through libjpeg.
 //!
-//! The standard leaves a decoder free in three things, and libjpeg's choices are reproduced here: the inverse transform
-//! is the one of Loeffler, Ligtenberg and Moschytz 1989 in integers ([`transform`]), colours of half the resolution are
-//! spread by a triangle filter ([`upsample`]), and YCC becomes RGB in steps of 1/65536 ([`color`]). Damaged codes decode
-//! to whatever libjpeg makes of them; a file that ends before its end mark is refused, as POV-Ray refuses it.
+//! The standard leaves three choices to the decoder; this one follows libjpeg. The inverse DCT is the integer version
+//! of Loeffler, Ligtenberg and Moschytz 1989 ([`transform`]), chroma of half the resolution is upsampled with a
+//! triangle filter ([`upsample`]), and YCbCr is converted to RGB in fixed point with 16 fractional bits ([`color`]).
+//! Invalid codes decode to the same values as in libjpeg. A file that ends before its EOI marker is rejected, as in
+//! POV-Ray.
 //!
-//! Missing: arithmetic codes and the smoothing of progressive files whose refinements are left out. Refused by POV-Ray
-//! too: pictures of four or two channels, twelve bits, lossless and hierarchical ones.
+//! Missing: arithmetic coding, and block smoothing of progressive files that lack refinement scans. Also rejected by
+//! POV-Ray: images of two or four channels, 12-bit samples, and the lossless and hierarchical modes.
 
 mod bits;
 mod block;
@@ -20,11 +21,11 @@ mod transform;
 mod upsample;
 
 use super::decode::Fault;
-use header::{Coding, Reader, Segment};
+use header::{ColorModel, Reader, Segment};
 use image::{DynamicImage, GrayImage, RgbImage};
 use scan::Decoder;
 
-/// The width and height of a file, and about how many bytes decoding it takes.
+/// Width and height of the image, and the approximate number of bytes that decoding needs.
 pub(crate) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     let mut reader = Reader::new(bytes)?;
     let Segment::Frame = reader.next_segment()? else {
@@ -32,10 +33,10 @@ pub(crate) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     };
     let frame = reader.frame.ok_or("it holds no picture")?;
     let size = [u64::from(frame.width), u64::from(frame.height)];
-    Ok((size, frame.bytes()))
+    Ok((size, frame.bytes_to_decode()))
 }
 
-/// The picture of a file, grey or in colours.
+/// Decodes a file to a grey or RGB image.
 pub(crate) fn decode(bytes: &[u8]) -> Result<DynamicImage, Fault> {
     let mut reader = Reader::new(bytes)?;
     let mut decoder: Option<Decoder> = None;
@@ -49,9 +50,9 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<DynamicImage, Fault> {
                         return Err("it holds more scans than one".to_owned());
                     }
                     Some(decoder) => decoder,
-                    none => none.insert(Decoder::new(frame)?),
+                    empty => empty.insert(Decoder::new(frame)?),
                 };
-                decoder.scan(frame, &scan, &reader.tables, &mut reader.rest)?;
+                decoder.scan(frame, &scan, &reader.tables, &mut reader.input)?;
             }
             Segment::End => break,
         }
@@ -60,20 +61,24 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<DynamicImage, Fault> {
     let (Some(frame), Some(decoder)) = (frame, decoder) else {
         return Err("it holds no picture".to_owned());
     };
-    let is_ycc = frame.coding(&reader.marks)? == Coding::Ycc;
-    let planes = decoder.planes();
+    let is_ycc = frame.color_model(&reader.color_markers)? == ColorModel::YCbCr;
+    let planes = decoder.into_planes();
     let (width, height) = (u32::from(frame.width), u32::from(frame.height));
-    let picture = if frame.components.len() == 1 {
-        let grey = upsample::rows(&frame, &planes, |row, out| {
+    let image = if frame.components.len() == 1 {
+        let grey = upsample::pixels(&frame, &planes, |row, out| {
             out.extend_from_slice(row[0]);
         })?;
         GrayImage::from_raw(width, height, grey).map(DynamicImage::ImageLuma8)
     } else {
-        let convert = if is_ycc { color::ycc } else { color::rgb };
-        let pixels = upsample::rows(&frame, &planes, convert)?;
+        let convert = if is_ycc {
+            color::ycc_to_rgb
+        } else {
+            color::interleave_rgb
+        };
+        let pixels = upsample::pixels(&frame, &planes, convert)?;
         RgbImage::from_raw(width, height, pixels).map(DynamicImage::ImageRgb8)
     };
-    Ok(picture.expect("as many samples as pixels were made"))
+    Ok(image.expect("as many samples as pixels were made"))
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
-//! The tables of a file: steps of quantisation, and Huffman codes.
+//! Quantisation tables and Huffman tables.
 
 use super::super::decode::Fault;
-use super::bits::{Ended, Rest};
+use super::bits::{ByteReader, UnexpectedEnd};
 
-/// The order in which a block is stored, as places in rows of eight; a file may run over the end by fifteen.
+/// Zigzag order: the row-major index of each stored coefficient. A damaged file may run up to 15 entries past the end.
 pub(super) const ZIGZAG: [u8; 80] = {
     let mut order = [63; 80];
     let (mut x, mut y) = (0_u8, 0_u8);
@@ -24,65 +24,67 @@ pub(super) const ZIGZAG: [u8; 80] = {
     order
 };
 
-/// Steps of quantisation, row by row.
-pub(super) type Steps = [u16; 64];
+/// Quantisation steps in row-major order.
+pub(super) type QuantTable = [u16; 64];
 
-/// A Huffman code as the file has it: how many codes there are of each length from 1 on, and what they stand for.
+/// A Huffman table as stored: the number of codes of each length from 1 to 16, and their symbols.
 #[derive(Clone, Debug)]
-pub(super) struct Codes {
+pub(super) struct HuffmanTable {
     pub(super) counts: [u8; 16],
     pub(super) symbols: Vec<u8>,
 }
 
-/// What the segments of a file have set so far.
+/// The tables defined by the segments read so far.
 #[derive(Debug, Default)]
 pub(super) struct Tables {
-    pub(super) steps: [Option<Steps>; 4],
-    /// For the first coefficient of blocks.
-    pub(super) first: [Option<Codes>; 4],
-    /// For the others.
-    pub(super) others: [Option<Codes>; 4],
-    /// The number of units of a scan between two restart markers; 0 for no markers.
-    pub(super) restart: u16,
+    pub(super) quant_tables: [Option<QuantTable>; 4],
+    /// Huffman tables for DC coefficients.
+    pub(super) dc: [Option<HuffmanTable>; 4],
+    /// Huffman tables for AC coefficients.
+    pub(super) ac: [Option<HuffmanTable>; 4],
+    /// Number of MCUs between restart markers; 0 without restart markers.
+    pub(super) restart_interval: u16,
 }
 
 impl Tables {
-    /// Reads steps of quantisation.
-    pub(super) fn read_steps(&mut self, mut segment: Rest<'_>) -> Result<(), Fault> {
+    /// Reads a DQT segment.
+    pub(super) fn read_quant_tables(&mut self, mut segment: ByteReader<'_>) -> Result<(), Fault> {
         while let Ok(head) = segment.byte() {
-            let mut steps = [0; 64];
+            let mut quant_table = [0; 64];
             for at in &ZIGZAG[..64] {
                 let step = if head >> 4 == 0 {
                     segment.byte().map(u16::from)
                 } else {
                     segment.word()
                 };
-                steps[usize::from(*at)] = step.map_err(|Ended| "a table is too short")?;
+                quant_table[usize::from(*at)] =
+                    step.map_err(|UnexpectedEnd| "a table is too short")?;
             }
-            let table = self.steps.get_mut(usize::from(head & 15));
-            *table.ok_or("a table of quantisation has a wrong number")? = Some(steps);
+            let table = self.quant_tables.get_mut(usize::from(head & 15));
+            *table.ok_or("a table of quantisation has a wrong number")? = Some(quant_table);
         }
         Ok(())
     }
 
-    /// Reads Huffman codes.
-    pub(super) fn read_codes(&mut self, mut segment: Rest<'_>) -> Result<(), Fault> {
+    /// Reads a DHT segment.
+    pub(super) fn read_huffman_tables(&mut self, mut segment: ByteReader<'_>) -> Result<(), Fault> {
         while let Ok(head) = segment.byte() {
-            let short = |Ended| "a Huffman table is too short";
+            let too_short = |UnexpectedEnd| "a Huffman table is too short";
             let mut counts = [0; 16];
-            counts.copy_from_slice(segment.take(16).map_err(short)?);
+            counts.copy_from_slice(segment.take(16).map_err(too_short)?);
             let count: usize = counts.iter().map(|count| usize::from(*count)).sum();
             if count > 256 {
                 return Err("a Huffman table has too many codes".to_owned());
             }
-            let symbols = segment.take(count).map_err(short)?.to_vec();
+            let symbols = segment.take(count).map_err(too_short)?.to_vec();
             let tables = match head >> 4 {
-                0 => &mut self.first,
-                1 => &mut self.others,
+                0 => &mut self.dc,
+                1 => &mut self.ac,
                 _ => return Err("a Huffman table has a wrong number".to_owned()),
             };
             let table = tables.get_mut(usize::from(head & 15));
-            *table.ok_or("a Huffman table has a wrong number")? = Some(Codes { counts, symbols });
+            *table.ok_or("a Huffman table has a wrong number")? =
+                Some(HuffmanTable { counts, symbols });
         }
         Ok(())
     }
@@ -93,11 +95,11 @@ mod tests {
     use super::ZIGZAG;
 
     #[test]
-    fn the_zigzag_visits_all_places_once() {
-        let mut seen = ZIGZAG[..64].to_vec();
-        assert_eq!(seen[..10], [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]);
-        assert_eq!(seen[60..], [47, 55, 62, 63]);
-        seen.sort_unstable();
-        assert!(seen.into_iter().eq(0..64));
+    fn the_zigzag_visits_each_coefficient_once() {
+        let mut visited = ZIGZAG[..64].to_vec();
+        assert_eq!(visited[..10], [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]);
+        assert_eq!(visited[60..], [47, 55, 62, 63]);
+        visited.sort_unstable();
+        assert!(visited.into_iter().eq(0..64));
     }
 }

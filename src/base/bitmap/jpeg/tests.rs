@@ -1,4 +1,4 @@
-//! What libjpeg-turbo 2.1.5 makes of files, by the CRC-32 of its samples.
+//! Comparison with the samples of libjpeg-turbo 2.1.5, by their CRC-32.
 
 use super::{decode, size};
 
@@ -12,8 +12,8 @@ const NARROW: &[u8] = include_bytes!("../../../../pov_scenes/texture/images/narr
 const GREY: &[u8] = include_bytes!("../../../../pov_scenes/texture/images/grey.jpg");
 
 #[test]
-fn samples_are_those_of_libjpeg() {
-    let known = [
+fn samples_equal_those_of_libjpeg() {
+    let cases = [
         ("full", FULL, [29, 23], 0xfd94_9214),
         ("half", HALF, [29, 23], 0x6c2a_88d3),
         (
@@ -28,22 +28,22 @@ fn samples_are_those_of_libjpeg() {
         ("narrow", NARROW, [3, 5], 0xd2d5_d95e),
         ("grey", GREY, [29, 23], 0xa833_0fdd),
     ];
-    for (name, bytes, [width, height], sum) in known {
-        let picture = decode(bytes).expect(name);
-        assert_eq!((picture.width(), picture.height()), (width, height));
-        assert_eq!(crc32fast::hash(picture.as_bytes()), sum, "{name}");
+    for (name, bytes, [width, height], crc) in cases {
+        let image = decode(bytes).expect(name);
+        assert_eq!((image.width(), image.height()), (width, height));
+        assert_eq!(crc32fast::hash(image.as_bytes()), crc, "{name}");
         let (claimed, _) = size(bytes).expect(name);
         assert_eq!(claimed, [width, height].map(u64::from));
     }
 }
 
 #[test]
-fn a_file_without_its_end_is_refused() {
+fn a_file_without_its_end_is_rejected() {
     for bytes in [FULL, PROGRESSIVE] {
         for length in [0, 1, 20, bytes.len() / 2, bytes.len() - 2] {
             assert!(decode(&bytes[..length]).is_err());
         }
-        // The marker for the end may come early.
+        // A truncated scan followed by an EOI marker is accepted.
         let mut early = bytes[..bytes.len() * 3 / 4].to_vec();
         early.extend([0xff, 0xd9]);
         assert!(decode(&early).is_ok());
@@ -51,13 +51,13 @@ fn a_file_without_its_end_is_refused() {
 }
 
 #[test]
-fn damaged_files_do_no_harm() {
+fn damaged_files_do_not_panic() {
     for bytes in [QUARTER, PROGRESSIVE, FOURTH] {
         for at in 0..bytes.len() {
             for change in [0x01, 0x80, 0xff] {
                 let mut damaged = bytes.to_vec();
                 damaged[at] ^= change;
-                // Sizes that fit in are enough.
+                // Skip sizes that take too long.
                 if size(&damaged).is_ok_and(|(_, bytes)| bytes < 1 << 22) {
                     let _ = decode(&damaged);
                 }

@@ -1,69 +1,72 @@
-//! Channels of less resolution, spread over the pixels.
+//! Upsampling of subsampled components, with libjpeg's choices.
 //!
-//! Half the resolution is spread by a triangle filter: a pixel takes three quarters of the sample it lies in and one
-//! quarter of the nearest one beside it, along each axis that is halved. Rounding goes up and down in turns, so that it
-//! is even on the whole. Other ratios, and channels one or two samples wide, repeat their samples (libjpeg's choices).
+//! Half resolution uses a triangle filter (libjpeg's "fancy upsampling"): along each halved axis, a pixel is three
+//! quarters of the sample that covers it plus one quarter of the nearest neighbour. Rounding alternates between up and
+//! down to avoid a bias. Other ratios, and components one or two samples wide, replicate samples.
 
 use super::super::decode::Fault;
 use super::header::{Component, Frame};
 use super::scan::Plane;
 
-/// How the samples of a channel become those of pixels.
+/// The upsampling method of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Spread {
-    /// By triangles along x, along y or along both.
+enum Upsampling {
+    /// Triangle filter along x, along y or along both.
     Triangle { x: bool, y: bool },
-    /// Each sample so often along x and y.
+    /// Replication by these factors along x and y.
     Repeat([usize; 2]),
 }
 
-impl Spread {
+impl Upsampling {
     fn of(frame: &Frame, component: &Component) -> Result<Self, Fault> {
         let [x, y] = [0, 1].map(|axis| {
-            let (all, own) = (frame.factors[axis], component.factors[axis]);
-            all.is_multiple_of(own).then_some(all / own)
+            let (max, factor) = (
+                frame.sampling_factors[axis],
+                component.sampling_factors[axis],
+            );
+            max.is_multiple_of(factor).then_some(max / factor)
         });
         let (Some(x), Some(y)) = (x, y) else {
             return Err("the resolutions of its channels do not divide each other".to_owned());
         };
         let is_wide = component.size[0] > 2;
         Ok(match (x, y) {
-            (2, 1 | 2) if is_wide => Spread::Triangle { x: true, y: y == 2 },
-            (1, 2) => Spread::Triangle { x: false, y: true },
-            _ => Spread::Repeat([x, y]),
+            (2, 1 | 2) if is_wide => Upsampling::Triangle { x: true, y: y == 2 },
+            (1, 2) => Upsampling::Triangle { x: false, y: true },
+            _ => Upsampling::Repeat([x, y]),
         })
     }
 }
 
-/// The bytes of all pixels, which `convert` adds row by row from one row of samples for each channel.
-pub(super) fn rows(
+/// Interleaved bytes of all pixels. `convert` appends one row of pixels, given a row of samples per component.
+pub(super) fn pixels(
     frame: &Frame,
     planes: &[Plane],
     convert: impl Fn(&[&[u8]], &mut Vec<u8>),
 ) -> Result<Vec<u8>, Fault> {
     let [width, height] = [frame.width, frame.height].map(usize::from);
-    let spreads: Result<Vec<Spread>, Fault> = frame
+    let methods: Result<Vec<Upsampling>, Fault> = frame
         .components
         .iter()
-        .map(|component| Spread::of(frame, component))
+        .map(|component| Upsampling::of(frame, component))
         .collect();
-    let spreads = spreads?;
-    let mut spread_rows = vec![Vec::new(); planes.len()];
+    let methods = methods?;
+    let mut upsampled_rows = vec![Vec::new(); planes.len()];
     let mut out = Vec::with_capacity(width * height * planes.len());
     for y in 0..height {
-        let channels = frame.components.iter().zip(planes).zip(&spreads);
-        for (((component, plane), spread), row) in channels.zip(&mut spread_rows) {
+        let components = frame.components.iter().zip(planes).zip(&methods);
+        for (((component, plane), method), row) in components.zip(&mut upsampled_rows) {
             row.clear();
-            spread.row(component, plane, y, row);
+            method.row(component, plane, y, row);
         }
-        let of_pixels: Vec<&[u8]> = spread_rows.iter().map(|row| &row[..width]).collect();
-        convert(&of_pixels, &mut out);
+        let pixel_rows: Vec<&[u8]> = upsampled_rows.iter().map(|row| &row[..width]).collect();
+        convert(&pixel_rows, &mut out);
     }
     Ok(out)
 }
 
-impl Spread {
-    /// Adds a row of pixels, at least as many as there are.
+impl Upsampling {
+    /// Appends row `y` at full resolution; it may be longer than the image is wide.
     fn row(self, component: &Component, plane: &Plane, y: usize, out: &mut Vec<u8>) {
         let [width, height] = component.size;
         let samples = |row: usize| {
@@ -71,17 +74,17 @@ impl Spread {
             &plane.samples[from..from + width]
         };
         match self {
-            Spread::Repeat([1, often]) => out.extend(samples(y / often)),
-            Spread::Repeat([often, down]) => {
-                for sample in samples(y / down) {
-                    out.extend(std::iter::repeat_n(sample, often));
+            Upsampling::Repeat([1, repeat_y]) => out.extend(samples(y / repeat_y)),
+            Upsampling::Repeat([repeat_x, repeat_y]) => {
+                for sample in samples(y / repeat_y) {
+                    out.extend(std::iter::repeat_n(sample, repeat_x));
                 }
             }
-            Spread::Triangle { x: true, y: false } => {
+            Upsampling::Triangle { x: true, y: false } => {
                 let row = samples(y).iter().map(|sample| u16::from(*sample));
-                along_x(row, 1, [1, 2], out);
+                upsample_row(row, 1, [1, 2], out);
             }
-            Spread::Triangle { x, .. } => {
+            Upsampling::Triangle { x, .. } => {
                 let near = samples(y / 2);
                 let is_upper = y.is_multiple_of(2);
                 let far = if is_upper {
@@ -92,31 +95,36 @@ impl Spread {
                 let sums = near.iter().zip(far);
                 let sums = sums.map(|(near, far)| 3 * u16::from(*near) + u16::from(*far));
                 if x {
-                    along_x(sums, 4, [8, 7], out);
+                    upsample_row(sums, 4, [8, 7], out);
                 } else {
-                    let half = if is_upper { 1 } else { 2 };
-                    out.extend(sums.map(|sum| quotient(sum + half, 4)));
+                    let bias = if is_upper { 1 } else { 2 };
+                    out.extend(sums.map(|sum| divide_to_byte(sum + bias, 4)));
                 }
             }
         }
     }
 }
 
-/// Spreads a row of samples, each `unit` times its value, over twice as many pixels; the halves are added to the left
-/// and the right pixel of a sample before the division.
-fn along_x(row: impl Iterator<Item = u16>, unit: u16, [left, right]: [u16; 2], out: &mut Vec<u8>) {
+/// Upsamples a row by two with the triangle filter. The samples are scaled by `scale`; `left_bias` and `right_bias` are
+/// the rounding terms of the left and right pixel of a sample.
+fn upsample_row(
+    row: impl Iterator<Item = u16>,
+    scale: u16,
+    [left_bias, right_bias]: [u16; 2],
+    out: &mut Vec<u8>,
+) {
     let mut row = row.peekable();
-    let mut before = None;
+    let mut previous = None;
     while let Some(sample) = row.next() {
-        let after = row.peek().copied();
-        // At an end there is nothing beside the sample but itself.
-        let mix = |beside: Option<u16>| 3 * sample + beside.unwrap_or(sample);
-        out.push(quotient(mix(before) + left, 4 * unit));
-        out.push(quotient(mix(after) + right, 4 * unit));
-        before = Some(sample);
+        let following = row.peek().copied();
+        // At the ends the sample is its own neighbour.
+        let weighted = |neighbor: Option<u16>| 3 * sample + neighbor.unwrap_or(sample);
+        out.push(divide_to_byte(weighted(previous) + left_bias, 4 * scale));
+        out.push(divide_to_byte(weighted(following) + right_bias, 4 * scale));
+        previous = Some(sample);
     }
 }
 
-fn quotient(sum: u16, by: u16) -> u8 {
-    u8::try_from(sum / by).unwrap_or(u8::MAX)
+fn divide_to_byte(sum: u16, divisor: u16) -> u8 {
+    u8::try_from(sum / divisor).unwrap_or(u8::MAX)
 }
