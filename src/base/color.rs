@@ -1,4 +1,4 @@
-//! Colours: three or five channels in single precision, as POV-Ray keeps them, and what is done to them.
+//! Colours of three or five channels in single precision, as in POV-Ray, and their arithmetic.
 
 mod gamma;
 
@@ -17,21 +17,21 @@ pub struct Rgb {
     pub b: f32,
 }
 
-/// A colour of a scene: red, green, blue, and how much passes through, tinted (`filter`) and untinted (`transmit`).
+/// A scene colour: red, green, blue and two kinds of transparency, `filter` (tinted) and `transmit` (untinted).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Color {
     /// Red, green and blue in the working space.
     pub rgb: Rgb,
-    /// The share of light that passes tinted by the colour.
+    /// The fraction of light transmitted with the tint of the colour.
     pub filter: f32,
-    /// The share of light that passes untinted.
+    /// The fraction of light transmitted without tint.
     pub transmit: f32,
 }
 
 impl Rgb {
-    /// No light.
+    /// All channels 0.
     pub const BLACK: Rgb = Rgb::splat(0.0);
-    /// Full light in each channel.
+    /// All channels 1.
     pub const WHITE: Rgb = Rgb::splat(1.0);
 
     /// A colour of three channels.
@@ -46,7 +46,7 @@ impl Rgb {
         Rgb { r: v, g: v, b: v }
     }
 
-    /// The weighted sum by which POV-Ray calls a colour grey.
+    /// POV-Ray's luminance weights.
     #[must_use]
     pub fn grey(self) -> f32 {
         0.297 * self.r + 0.589 * self.g + 0.114 * self.b
@@ -58,7 +58,7 @@ impl Rgb {
         self.r.max(self.g).max(self.b)
     }
 
-    /// Each channel through a function.
+    /// Applies `f` to each channel.
     #[must_use]
     pub fn map(self, f: impl Fn(f32) -> f32) -> Rgb {
         Rgb::new(f(self.r), f(self.g), f(self.b))
@@ -76,7 +76,7 @@ impl Color {
         }
     }
 
-    /// From five components in the language's order: red, green, blue, filter, transmit.
+    /// Builds a colour from five components in the language's order: red, green, blue, filter, transmit.
     #[must_use]
     #[allow(
         clippy::cast_possible_truncation,
@@ -90,14 +90,14 @@ impl Color {
         }
     }
 
-    /// The factor by which light behind shows through: `rgb · filter + transmit` in each channel.
+    /// The transmittance for light from behind: `rgb · filter + transmit` in each channel.
     #[must_use]
     pub fn transmission(self) -> Rgb {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
 
-    /// The colour on the way from this one (`share` 0) to another (1): differences in single precision, the rest in
-    /// double and rounded once, as POV-Ray blends.
+    /// Linear interpolation from this colour (`share` 0) to `to` (`share` 1). As in POV-Ray, differences are in single
+    /// precision, the rest is in double precision and rounded once.
     #[must_use]
     #[allow(
         clippy::cast_possible_truncation,
@@ -116,7 +116,7 @@ impl Color {
         }
     }
 
-    /// The mean of colours by weight; clear black where the weights add up to nothing.
+    /// The weighted mean; opaque black if the weights sum to 0.
     #[must_use]
     pub fn average(weighted: impl Iterator<Item = (f32, Color)>) -> Color {
         let mut sum = Color::default();
@@ -137,7 +137,7 @@ impl Color {
         }
     }
 
-    /// Whether anything at all shows through.
+    /// True if any light is transmitted.
     #[must_use]
     pub fn is_transparent(self) -> bool {
         self.filter != 0.0 || self.transmit != 0.0
@@ -172,7 +172,7 @@ impl Mul<f32> for Rgb {
     }
 }
 
-/// The product is formed in double precision and rounded once, as POV-Ray forms it.
+/// The product is computed in double precision and rounded once, as in POV-Ray.
 impl Mul<f64> for Rgb {
     type Output = Rgb;
     #[allow(

@@ -1,5 +1,5 @@
-//! The picture while it is linear: one pixel after the other, in the working space of the scene. Of a picture that is
-//! only to be written, the levels of its file take the place of its light as soon as a part of it is drawn.
+//! The film: rendered pixels in the working space of the scene, row-major. A picture that is only written to a file
+//! stores the quantized levels of that file instead, converted as soon as each tile is finished.
 
 pub(crate) mod quantize;
 
@@ -9,24 +9,24 @@ pub(crate) use quantize::Quantizer;
 use crate::base::color::Rgb;
 use std::ops::Range;
 
-/// What one camera ray, or the mean of several, brought back.
+/// The radiance of one camera ray, or the mean of several.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pixel {
-    /// Light of the scene, in its working space. The share of the background that shows through is not in it.
+    /// Radiance in the working space, without the transmitted fraction of the background.
     pub rgb: Rgb,
-    /// How much of a transparent background shows through; 0 is opaque.
+    /// The fraction of a transparent background that is transmitted; 0 is opaque.
     pub transmit: f32,
 }
 
 impl Pixel {
-    /// A pixel for a file: what is no number is black there, and what no number can hold is the largest.
+    /// Sanitizes a pixel for a file: NaN becomes 0, and infinities become the largest finite values.
     #[must_use]
     #[inline]
     pub fn new(rgb: Rgb, transmit: f32) -> Pixel {
         if (rgb.r.abs() + rgb.g.abs() + rgb.b.abs() + transmit.abs()).is_finite() {
             return Pixel { rgb, transmit };
         }
-        let told = |c: f32| {
+        let finite = |c: f32| {
             if c.is_nan() {
                 0.0
             } else {
@@ -34,22 +34,22 @@ impl Pixel {
             }
         };
         Pixel {
-            rgb: rgb.map(told),
-            transmit: told(transmit),
+            rgb: rgb.map(finite),
+            transmit: finite(transmit),
         }
     }
 }
 
-/// Makes of samples pixels for a file, as [`Pixel::new`] does.
+/// Sanitizes pixels in place, as [`Pixel::new`] does.
 pub(crate) fn sanitize_all(pixels: &mut [Pixel]) {
-    // Zero times what is not finite is not a number.
-    let mut off = [0.0; 4];
+    // Zero times a NaN or an infinity is NaN: one pass without branches finds out if there are any.
+    let mut zero_sums = [0.0; 4];
     for Pixel { rgb, transmit } in &*pixels {
-        for (off, c) in off.iter_mut().zip([rgb.r, rgb.g, rgb.b, *transmit]) {
-            *off += c * 0.0;
+        for (sum, c) in zero_sums.iter_mut().zip([rgb.r, rgb.g, rgb.b, *transmit]) {
+            *sum += c * 0.0;
         }
     }
-    if off.iter().any(|off| off.is_nan()) {
+    if zero_sums.iter().any(|sum| sum.is_nan()) {
         for pixel in pixels {
             *pixel = Pixel::new(pixel.rgb, pixel.transmit);
         }
@@ -58,25 +58,25 @@ pub(crate) fn sanitize_all(pixels: &mut [Pixel]) {
 
 /// A picture in the working space, row by row from the top.
 ///
-/// A partial drawing is a picture of full size whose other pixels are opaque black, as POV-Ray leaves them.
+/// A partial render has the full size; the pixels outside the crop are opaque black, as in POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: u32,
-    /// Rows.
+    /// Height in pixels.
     pub height: u32,
-    /// The columns that were drawn, counted from 0.
+    /// The rendered columns, from 0.
     pub columns: Range<u32>,
-    /// The rows that were drawn, counted from 0.
+    /// The rendered rows, from 0.
     pub rows: Range<u32>,
-    /// Row-major, `width * height` of them; none where `levels` stand for them.
+    /// Row-major, `width * height` pixels; empty if `levels` is present.
     pub pixels: Vec<Pixel>,
-    /// The same as the levels of the one kind of file that is asked for.
+    /// The quantized levels of the requested kind of file, instead of `pixels`.
     pub levels: Option<Levels>,
 }
 
 impl Film {
-    /// A black picture of which the given rectangle is about to be drawn.
+    /// A black picture for a render of the given rectangle.
     #[must_use]
     pub fn new(width: u32, height: u32, columns: Range<u32>, rows: Range<u32>) -> Self {
         Film {
@@ -89,7 +89,7 @@ impl Film {
         }
     }
 
-    /// The same for a picture of which only these levels are kept.
+    /// A picture that has only quantized levels.
     #[must_use]
     pub fn of_levels(levels: Levels, columns: Range<u32>, rows: Range<u32>) -> Self {
         let (width, height) = levels.size();
@@ -103,7 +103,7 @@ impl Film {
         }
     }
 
-    /// A black picture that is to be drawn as a whole.
+    /// A black picture for a full render.
     #[must_use]
     pub fn whole(width: u32, height: u32) -> Self {
         Film::new(width, height, 0..width, 0..height)
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_black() {
+    fn nan_becomes_black_and_infinity_finite() {
         let pixel = Pixel::new(Rgb::new(f32::NAN, f32::INFINITY, -0.5), f32::NAN);
         assert_eq!(pixel.rgb, Rgb::new(0.0, f32::MAX, -0.5));
         assert_eq!(pixel.transmit, 0.0);
@@ -136,16 +136,16 @@ mod tests {
             rgb: Rgb::new(0.5, f32::MAX, f32::MAX),
             transmit: 0.25,
         };
-        let odd = [
+        let cases = [
             (f32::NAN, 0.0),
             (f32::INFINITY, f32::MAX),
             (f32::NEG_INFINITY, f32::MIN),
         ];
-        for (light, told) in odd {
+        for (light, expected) in cases {
             let rgb = Rgb::new(light, 1.0, -1.0);
             let mut pixels = [some, Pixel { rgb, ..some }, some];
             sanitize_all(&mut pixels);
-            let rgb = Rgb::new(told, 1.0, -1.0);
+            let rgb = Rgb::new(expected, 1.0, -1.0);
             assert_eq!(pixels, [some, Pixel { rgb, ..some }, some]);
         }
     }

@@ -1,4 +1,4 @@
-//! OpenEXR: linear light in half or single precision, alpha as coverage with the colours multiplied by it.
+//! OpenEXR: linear light in half or single precision, with premultiplied alpha.
 
 use std::io::Cursor;
 
@@ -22,7 +22,7 @@ impl Format {
     });
 }
 
-/// ZIP over sixteen lines, as POV-Ray's library does by default.
+/// ZIP compression of blocks of 16 lines, the default of POV-Ray's library.
 const ENCODING: Encoding = Encoding {
     compression: Compression::ZIP16,
     blocks: Blocks::ScanLines,

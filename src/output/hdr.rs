@@ -1,4 +1,4 @@
-//! Radiance: linear light, a common exponent for the three channels.
+//! Radiance HDR: linear light, with a shared exponent for the three channels.
 
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
@@ -21,14 +21,14 @@ impl Format {
     });
 }
 
-/// The largest value the common exponent can name, 2^127, and a little less.
-const BRIGHTEST: f32 = 1.7e38;
+/// The limit of the shared exponent is 2^127; this is slightly less.
+const MAX_VALUE: f32 = 1.7e38;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let linear = to_linear(options.working);
-    // What is no number, and what is negative, is black: the format has no such values.
+    // NaN and negative values become black: the format cannot store them.
     let stored = |c| match linear(c) {
-        light if light > 0.0 => light.min(BRIGHTEST),
+        light if light > 0.0 => light.min(MAX_VALUE),
         _ => 0.0,
     };
     let pixels: Vec<Rgb<f32>> = film

@@ -21,16 +21,16 @@ impl Format {
     });
 }
 
-/// What POV-Ray takes when nobody says.
+/// POV-Ray's default quality.
 const POVRAY_QUALITY: u8 = 85;
-/// The longest side the format can name.
-const LONGEST: u32 = 65535;
+/// The format's limit for a side, in pixels.
+const MAX_SIDE: u32 = 65535;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    if film.width.max(film.height) > LONGEST {
-        return Err(format!("a side is longer than {LONGEST} pixels"));
+    if film.width.max(film.height) > MAX_SIDE {
+        return Err(format!("a side is longer than {MAX_SIDE} pixels"));
     }
-    let data = quantize::of(film, options)?;
+    let data = quantize::levels_of(film, options)?;
     let quality = match options.quality {
         0 => POVRAY_QUALITY,
         q => q.min(100),

@@ -1,9 +1,9 @@
-//! Files from pictures: one file of this room a format, and one way for the bytes to reach their place.
+//! Image encoders, one module per format, and atomic file replacement.
 //!
-//! PNG, TGA, BMP, JPEG and PPM hold encoded values (sRGB unless told otherwise), EXR and HDR hold linear light.
-//! What each holds was compared with the files of POV-Ray 3.7.0.10, pixel by pixel. Known differences:
-//! grey PPM files are valid P5 files here, there they have twice the announced bytes and no gamma;
-//! BMP files with alpha carry the header that names the alpha channel; no file carries a date.
+//! PNG, TGA, BMP, JPEG and PPM store encoded values (sRGB by default), EXR and HDR store linear light. The stored
+//! values of each were compared with the files of POV-Ray 3.7.0.10, pixel by pixel. Known differences: greyscale PPM
+//! files are valid P5 files here, POV-Ray's have twice the announced bytes and no gamma; BMP files with alpha have the
+//! header that declares the alpha channel; no file contains a date.
 
 mod bmp;
 mod exr;
@@ -23,52 +23,52 @@ use std::path::{Path, PathBuf};
 
 use crate::base::film::{Film, quantize};
 
-/// Where the bytes go.
+/// The destination of an encoded picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A file, replaced as a whole or not at all.
+    /// A file, replaced atomically.
     File(PathBuf),
     /// Standard output.
     Stdout,
 }
 
-/// Why no picture was written.
+/// Failure to write a picture.
 #[derive(Debug)]
 pub enum OutputError {
-    /// The format cannot hold this picture.
+    /// The format cannot store this picture.
     Encode {
         /// The format.
         format: Format,
-        /// What stands in the way.
+        /// The reason, for the message.
         reason: String,
     },
-    /// The system refused.
+    /// The operating system reported an error.
     Write {
-        /// Where the bytes were to go.
+        /// The destination.
         target: Target,
-        /// What the system said.
+        /// The system's error.
         source: io::Error,
     },
 }
 
 type EncodeResult = Result<Vec<u8>, String>;
 
-/// Who refuses to write a picture.
-enum Refusal {
-    /// The format, which cannot hold it.
-    ByFormat(String),
-    BySystem(io::Error),
+/// The cause of an [`OutputError`], without its context.
+enum WriteError {
+    /// The format cannot store the picture.
+    Format(String),
+    System(io::Error),
 }
 
-impl From<io::Error> for Refusal {
+impl From<io::Error> for WriteError {
     fn from(error: io::Error) -> Self {
-        Refusal::BySystem(error)
+        WriteError::System(error)
     }
 }
 
 type Encode = fn(&Film, &EncodeOptions) -> EncodeResult;
 
-/// All formats with their encoders. The first of two with the same extension is the one that the extension names.
+/// All formats with their encoders. Of two formats with the same extension, the extension selects the first.
 static FORMATS: &[(Format, Encode)] = &[
     (Format::PNG, png::encode),
     (Format::TGA, tga::encode),
@@ -86,70 +86,70 @@ pub fn formats() -> impl Iterator<Item = Format> {
 }
 
 fn encoder(format: Format) -> Encode {
-    let mut known = FORMATS.iter().filter(|(known, _)| *known == format);
-    known.next().expect("every format is in the list").1
+    let mut matches = FORMATS.iter().filter(|(known, _)| *known == format);
+    matches.next().expect("every format is in the list").1
 }
 
-/// The bytes of a file that holds the picture.
+/// Encodes a picture to the bytes of a file.
 ///
 /// # Errors
-/// When the format cannot hold the picture: a side of no pixels, or one too long for it.
+/// The format cannot store the picture: a side has no pixels or exceeds the format's limit.
 pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputError> {
     let format = options.format;
-    let refuse = |reason| OutputError::Encode { format, reason };
-    can_hold(film, format).map_err(refuse)?;
-    encoder(format)(film, options).map_err(refuse)
+    let error = |reason| OutputError::Encode { format, reason };
+    check_film(film, format).map_err(error)?;
+    encoder(format)(film, options).map_err(error)
 }
 
-/// Why a format cannot hold a picture at all, if it cannot.
-fn can_hold(film: &Film, format: Format) -> Result<(), String> {
+/// Checks the requirements that are independent of the encoder. The error is the reason.
+fn check_film(film: &Film, format: Format) -> Result<(), String> {
     if film.width == 0 || film.height == 0 {
         return Err("it has no pixels".to_owned());
     }
     if film.levels.is_some() && format.is_linear {
-        return Err(quantize::OF_ANOTHER.to_owned());
+        return Err(quantize::WRONG_FILE_KIND.to_owned());
     }
     Ok(())
 }
 
-/// Writes the picture. A file appears whole or not at all; one that was there stays as it was on any failure.
+/// Writes a picture. Files are replaced atomically; on failure an existing file stays unchanged.
 ///
 /// # Errors
-/// When the format cannot hold the picture, or the system refuses to write.
+/// The format cannot store the picture, or the operating system reports an error.
 pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<(), OutputError> {
     let format = options.format;
     let (Target::File(path), Format::PNG) = (target, format) else {
         return put(&encode(film, options)?, target);
     };
-    let written = can_hold(film, format).map_err(Refusal::ByFormat);
-    let written =
-        written.and_then(|()| place::replace_by(path, |file| png::write(film, options, file)));
-    written.map_err(|refusal| match refusal {
-        Refusal::ByFormat(reason) => OutputError::Encode { format, reason },
-        Refusal::BySystem(source) => OutputError::Write {
+    let result = check_film(film, format).map_err(WriteError::Format);
+    let result =
+        result.and_then(|()| place::replace_by(path, |file| png::write(film, options, file)));
+    result.map_err(|error| match error {
+        WriteError::Format(reason) => OutputError::Encode { format, reason },
+        WriteError::System(source) => OutputError::Write {
             target: target.clone(),
             source,
         },
     })
 }
 
-/// Writes the bytes of a file, as [`write()`] does.
+/// Writes encoded bytes, as [`write()`] does.
 ///
 /// # Errors
-/// When the system refuses to write.
+/// The operating system reports an error.
 pub fn put(bytes: &[u8], target: &Target) -> Result<(), OutputError> {
-    let written = match target {
+    let result = match target {
         Target::File(path) => place::replace(path, bytes),
-        Target::Stdout => to_stdout(bytes),
+        Target::Stdout => write_stdout(bytes),
     };
-    written.map_err(|source| OutputError::Write {
+    result.map_err(|source| OutputError::Write {
         target: target.clone(),
         source,
     })
 }
 
 impl OutputError {
-    /// True if there is no room for the file: the disk is full, or a limit is reached.
+    /// True if there is no space for the file: the disk is full, or a quota or size limit is reached.
     #[must_use]
     pub fn lacks_room(&self) -> bool {
         use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
@@ -157,7 +157,7 @@ impl OutputError {
             if matches!(source.kind(), FileTooLarge | QuotaExceeded | StorageFull))
     }
 
-    /// Something to do about it.
+    /// Advice on how to resolve the error.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         let OutputError::Write { target, source } = self else {
@@ -199,7 +199,7 @@ impl fmt::Display for OutputError {
                 format.extension()
             ),
             OutputError::Write { target, source } => {
-                write!(f, "cannot write {target}: {}", plain(source))
+                write!(f, "cannot write {target}: {}", system_message(source))
             }
         }
     }
@@ -223,21 +223,21 @@ impl fmt::Display for Target {
     }
 }
 
-/// The system's words without the number of the error and without the name of the temporary file.
-fn plain(error: &io::Error) -> String {
+/// The system's message without the error number and without the name of the temporary file.
+fn system_message(error: &io::Error) -> String {
     let inner = error.get_ref().and_then(|wrapped| wrapped.source());
     if let Some(inner) = inner.and_then(|e| e.downcast_ref::<io::Error>()) {
-        return plain(inner);
+        return system_message(inner);
     }
     let text = error.to_string();
-    let words = text.split(" (os error").next().unwrap_or_default();
-    let mut chars = words.chars();
+    let message = text.split(" (os error").next().unwrap_or_default();
+    let mut chars = message.chars();
     chars.next().map_or_else(String::new, |first| {
         first.to_lowercase().chain(chars).collect()
     })
 }
 
-fn to_stdout(bytes: &[u8]) -> io::Result<()> {
+fn write_stdout(bytes: &[u8]) -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(bytes)?;
     out.flush()

@@ -1,17 +1,17 @@
-//! Bytes to a file, whole or not at all: a temporary file in the same folder takes them, then takes the name.
+//! Atomic file replacement: the bytes go to a temporary file in the same folder, which is then renamed.
 
 use crate::base::source::only_regular;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Replaces the file at `path`. Where the name is that of a link, the file it points to is replaced; where it is
-/// that of a device or a pipe, the bytes go into it.
+/// Replaces the file at `path`. If `path` is a symbolic link, its target is replaced. If it is a device or a pipe, the
+/// bytes are written to it.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     replace_by(path, |file| file.write_all(bytes))
 }
 
-/// The same with what `write` writes.
+/// As [`replace`], with the bytes that `write` produces.
 pub(super) fn replace_by<E: From<io::Error>>(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut dyn Write>) -> Result<(), E>,
@@ -21,11 +21,11 @@ pub(super) fn replace_by<E: From<io::Error>>(
         write(&mut file)?;
         Ok(file.flush()?)
     };
-    if let Ok(found) = fs::metadata(path) {
-        if found.is_dir() {
+    if let Ok(metadata) = fs::metadata(path) {
+        if metadata.is_dir() {
             return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
         }
-        if !found.is_file() {
+        if !metadata.is_file() {
             return buffered(&mut File::options().write(true).open(path)?);
         }
     }
@@ -35,7 +35,7 @@ pub(super) fn replace_by<E: From<io::Error>>(
     Ok(())
 }
 
-/// Replaces the file that a scene names, unless it is a device or a pipe.
+/// Replaces a file that a scene names. Devices and pipes are an error.
 pub(crate) fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
     only_regular(path)?;
     let mut file = Pending::new(path)?;
@@ -43,66 +43,67 @@ pub(crate) fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.take_name().map(drop)
 }
 
-/// Refuses a file that could not be written anew.
+/// Checks that a file can be created or replaced.
 ///
 /// # Errors
-/// What stands in the way.
+/// The reason why it cannot.
 pub(crate) fn try_to_write(path: &Path) -> io::Result<()> {
     only_regular(path)?;
-    may_be_written(&folder_of(path).join("."))
+    check_writable(&folder_of(path).join("."))
 }
 
-/// Refuses a file that could not be appended to.
+/// Checks that a file can be appended to.
 ///
 /// # Errors
-/// What stands in the way.
+/// The reason why it cannot.
 pub(crate) fn try_to_append(path: &Path) -> io::Result<()> {
     if !path.exists() {
         return try_to_write(path);
     }
     only_regular(path)?;
-    may_be_written(path)
+    check_writable(path)
 }
 
 #[cfg(unix)]
-fn may_be_written(path: &Path) -> io::Result<()> {
+fn check_writable(path: &Path) -> io::Result<()> {
     Ok(rustix::fs::access(path, rustix::fs::Access::WRITE_OK)?)
 }
 
 #[cfg(not(unix))]
-fn may_be_written(path: &Path) -> io::Result<()> {
+fn check_writable(path: &Path) -> io::Result<()> {
     fs::metadata(path).map(drop)
 }
 
-/// A file that is being written and has not its name yet; dropped, it leaves nothing.
+/// A temporary file that replaces its destination in [`Pending::take_name`]. Dropping it deletes the temporary file.
 #[derive(Debug)]
 pub(crate) struct Pending {
     file: tempfile::NamedTempFile,
-    place: PathBuf,
+    destination: PathBuf,
 }
 
 impl Pending {
-    /// An empty file that will take the place of the one at `path`, with its mode, or of the one a link points to.
+    /// Creates an empty temporary file that will replace the file at `path`, or the target of a link there, with the
+    /// same mode.
     pub(crate) fn new(path: &Path) -> io::Result<Self> {
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let destination = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let mut builder = tempfile::Builder::new();
         builder.prefix(".povr-").suffix(".part");
-        open_to_others(&mut builder);
-        let folder = folder_of(&place);
-        // What the folder refuses is said without the name of the temporary file, which means nothing to anybody.
-        let refused = |error| may_be_written(&folder.join(".")).err().unwrap_or(error);
-        let file = builder.tempfile_in(&folder).map_err(refused)?;
-        if let Ok(found) = fs::metadata(&place) {
-            file.as_file().set_permissions(found.permissions())?;
+        set_default_mode(&mut builder);
+        let folder = folder_of(&destination);
+        // Errors of the folder are reported without the name of the temporary file, which means nothing to the user.
+        let folder_error = |error| check_writable(&folder.join(".")).err().unwrap_or(error);
+        let file = builder.tempfile_in(&folder).map_err(folder_error)?;
+        if let Ok(metadata) = fs::metadata(&destination) {
+            file.as_file().set_permissions(metadata.permissions())?;
         }
-        Ok(Pending { file, place })
+        Ok(Pending { file, destination })
     }
 
-    /// Gives the file its name; it may be written further.
+    /// Renames the temporary file to its destination and returns it for further writing.
     pub(crate) fn take_name(self) -> io::Result<File> {
         self.file
-            .persist(&self.place)
-            .map_err(|refused| refused.error)
+            .persist(&self.destination)
+            .map_err(|persist_error| persist_error.error)
     }
 }
 
@@ -116,7 +117,7 @@ impl Write for Pending {
     }
 }
 
-/// The folder in which `path` lies.
+/// The folder that contains `path`.
 pub(super) fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
@@ -124,12 +125,12 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// Temporary files are their owner's alone by default; a picture has the mode of any other new file.
+/// Gives the temporary file the mode of any other new file. By default only its owner may read it.
 #[cfg(unix)]
-fn open_to_others(builder: &mut tempfile::Builder<'_, '_>) {
+fn set_default_mode(builder: &mut tempfile::Builder<'_, '_>) {
     use std::os::unix::fs::PermissionsExt;
     builder.permissions(fs::Permissions::from_mode(0o666));
 }
 
 #[cfg(not(unix))]
-fn open_to_others(_: &mut tempfile::Builder<'_, '_>) {}
+fn set_default_mode(_: &mut tempfile::Builder<'_, '_>) {}

@@ -1,13 +1,13 @@
-//! PNG: 8 or 16 bits, grey or colour, with or without alpha.
+//! PNG: 8 or 16 bits, greyscale or colour, with or without alpha.
 //!
-//! Compression is the fastest there is: the best would take several times as long as drawing a small scene.
-//! The chunks `gAMA` and `sRGB` are POV-Ray's; a scene without gamma handling is announced as sRGB, as there.
+//! Uses the fastest compression: the best would take several times as long as rendering a small scene. The `gAMA` and
+//! `sRGB` chunks are the same as POV-Ray's; a picture without gamma handling is declared as sRGB, as in POV-Ray.
 
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
 use std::io::Write;
 
 use super::quantize::{self, Channels, Depth};
-use super::{EncodeOptions, EncodeResult, Format, FormatProperties, Refusal};
+use super::{EncodeOptions, EncodeResult, Format, FormatProperties, WriteError};
 use crate::base::color::Gamma;
 use crate::base::film::Film;
 
@@ -26,26 +26,26 @@ impl Format {
 }
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let data = quantize::of(film, options)?;
+    let data = quantize::levels_of(film, options)?;
     let mut file = Vec::with_capacity(data.len() / 2 + 1024);
-    file_of(film, options, &data, &mut file).map_err(|e| e.to_string())?;
+    write_png(film, options, &data, &mut file).map_err(|e| e.to_string())?;
     Ok(file)
 }
 
-/// The same into a file, so that its bytes need not all be in memory once more.
+/// Encodes directly into `to`, which avoids a copy of the whole file in memory.
 pub(super) fn write(
     film: &Film,
     options: &EncodeOptions,
     to: &mut impl Write,
-) -> Result<(), Refusal> {
-    let data = quantize::of(film, options).map_err(Refusal::ByFormat)?;
-    file_of(film, options, &data, to).map_err(|error| match error {
-        EncodingError::IoError(error) => Refusal::BySystem(error),
-        other => Refusal::ByFormat(other.to_string()),
+) -> Result<(), WriteError> {
+    let data = quantize::levels_of(film, options).map_err(WriteError::Format)?;
+    write_png(film, options, &data, to).map_err(|error| match error {
+        EncodingError::IoError(error) => WriteError::System(error),
+        other => WriteError::Format(other.to_string()),
     })
 }
 
-fn file_of(
+fn write_png(
     film: &Film,
     options: &EncodeOptions,
     data: &[u8],
@@ -64,17 +64,17 @@ fn file_of(
     });
     encoder.set_compression(Compression::Fastest);
     let mut writer = encoder.write_header()?;
-    // Without gamma handling POV-Ray says sRGB whatever was asked for.
-    let said = match options.working {
+    // Without gamma handling POV-Ray declares sRGB regardless of `File_Gamma`.
+    let declared = match options.working {
         Some(_) => options.file_gamma,
         None => Gamma::Srgb,
     };
-    let exponent = match said {
+    let exponent = match declared {
         Gamma::Srgb => 45455,
         Gamma::Power(g) => hundred_thousandths(1.0 / f64::from(g)),
     };
     writer.write_chunk(chunk::gAMA, &exponent.to_be_bytes())?;
-    if said == Gamma::Srgb {
+    if declared == Gamma::Srgb {
         writer.write_chunk(chunk::sRGB, &[0])?;
     }
     writer.write_image_data(data)?;

@@ -5,7 +5,7 @@ use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
 
 impl Format {
-    /// Portable pixmap, or greymap for a grey picture.
+    /// Portable pixmap, or portable graymap for a greyscale picture.
     pub const PPM: Format = Format(&FormatProperties {
         name: "PPM",
         letter: 'P',
@@ -20,12 +20,12 @@ impl Format {
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let kind = if options.grayscale { 5 } else { 6 };
-    let most = match Depth::of(options) {
+    let max_level = match Depth::of(options) {
         Depth::Byte => 255,
         Depth::Word => 65535,
     };
-    let data = quantize::of(film, options)?;
-    let mut file = format!("P{kind}\n{} {}\n{most}\n", film.width, film.height).into_bytes();
+    let data = quantize::levels_of(film, options)?;
+    let mut file = format!("P{kind}\n{} {}\n{max_level}\n", film.width, film.height).into_bytes();
     file.extend_from_slice(&data);
     Ok(file)
 }

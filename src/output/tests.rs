@@ -8,7 +8,7 @@ use crate::base::color::Rgb;
 use crate::base::film::Pixel;
 use crate::base::film::{Levels, Quantizer};
 
-/// Eight pixels, `rgbt <1, .8, .6, .5>` with rising `ambient`: colours brighter than their coverage, and than 1.
+/// Eight pixels of `rgbt <1, .8, .6, .5>` with increasing `ambient`: some colours exceed their coverage, some exceed 1.
 fn film() -> Film {
     let mut film = Film::whole(8, 1);
     for (pixel, ambient) in film
@@ -31,7 +31,7 @@ fn gamma(text: &str) -> Gamma {
     }
 }
 
-/// The options that stand for `N16+UA` and the like.
+/// Parses options such as `N16+UA`.
 fn options(kind: &str) -> EncodeOptions {
     let (kind, alpha) = match kind.strip_suffix("+UA") {
         Some(kind) => (kind, true),
@@ -60,7 +60,7 @@ fn image_format(format: Format) -> ImageFormat {
     ImageFormat::from_extension(format.extension()).expect("the image crate reads all formats")
 }
 
-/// The stored numbers as the `image` crate reads them.
+/// The stored values as the `image` crate reads them.
 fn decoded(file: &[u8], format: Format) -> Vec<f64> {
     let image = load_from_memory_with_format(file, image_format(format)).expect("a file we wrote");
     match image {
@@ -74,23 +74,23 @@ fn decoded(file: &[u8], format: Format) -> Vec<f64> {
     }
 }
 
-/// `povray.txt` holds what POV-Ray 3.7.0.10 stored for the picture of [`film`], decoded.
+/// `povray.txt` contains the decoded values that POV-Ray 3.7.0.10 stores for the picture of [`film`].
 #[test]
-fn files_hold_what_the_files_of_povray_hold() {
+fn stored_values_equal_those_of_povray() {
     let mut lines = 0;
     for line in include_str!("povray.txt")
         .lines()
         .filter(|l| !l.starts_with('#'))
     {
-        let (what, values) = line.split_once(':').expect("a line is `what: values`");
-        let mut words = what.split(' ');
+        let (settings, values) = line.split_once(':').expect("a line is `what: values`");
+        let mut words = settings.split(' ');
         let (working, kind) = (words.next().unwrap(), words.next().unwrap());
         let mut options = options(kind);
         options.working = (working != "none").then(|| gamma(working));
         options.file_gamma = words.next().map_or(Gamma::Srgb, gamma);
         let file = encode(&film(), &options).unwrap();
         let ours = match options.format {
-            // The stored bytes, behind the header: the common exponent would be lost in decoding.
+            // The stored bytes after the header: decoding would lose the shared exponent.
             Format::HDR => rgbe_of(&file),
             format => decoded(&file, format),
         };
@@ -98,13 +98,13 @@ fn files_hold_what_the_files_of_povray_hold() {
             .split_whitespace()
             .map(|v| v.parse().unwrap())
             .collect();
-        assert_eq!(ours, theirs, "{what}");
+        assert_eq!(ours, theirs, "{settings}");
         lines += 1;
     }
     assert!(lines > 80, "only {lines} lines");
 }
 
-/// The four bytes of each of the eight pixels, from the channel-wise runs of the only row.
+/// The RGBE bytes of each of the eight pixels, from the run-length encoded channels of the only row.
 fn rgbe_of(file: &[u8]) -> Vec<f64> {
     let start = file
         .windows(5)
@@ -162,7 +162,7 @@ fn every_format_is_read_by_the_image_crate() {
 }
 
 #[test]
-fn a_jpeg_is_within_a_few_levels_of_the_png() {
+fn a_jpeg_is_within_8_levels_of_the_png() {
     let mut film = Film::whole(64, 16);
     for (i, pixel) in film.pixels.iter_mut().enumerate() {
         let v = f32::from(u8::try_from(i % 64).unwrap()) / 63.0;
@@ -175,7 +175,7 @@ fn a_jpeg_is_within_a_few_levels_of_the_png() {
 }
 
 #[test]
-fn a_png_says_which_curve_it_holds() {
+fn a_png_declares_its_transfer_curve() {
     let chunk = |file: &[u8], name: &[u8]| {
         let at = file.windows(4).position(|w| w == name)?;
         Some(file[at + 4..at + 8].to_vec())
@@ -198,7 +198,7 @@ fn a_png_says_which_curve_it_holds() {
 }
 
 #[test]
-fn a_single_precision_exr_keeps_every_bit() {
+fn a_single_precision_exr_is_lossless() {
     let options = EncodeOptions {
         bits: 32,
         alpha: true,
@@ -216,7 +216,7 @@ fn a_single_precision_exr_keeps_every_bit() {
 #[test]
 fn no_float_makes_an_encoder_panic() {
     let mut film = Film::whole(9, 1);
-    let odd = [
+    let extreme = [
         f32::NAN,
         f32::INFINITY,
         f32::NEG_INFINITY,
@@ -227,7 +227,7 @@ fn no_float_makes_an_encoder_panic() {
         1e-38,
         2e38,
     ];
-    for (pixel, value) in film.pixels.iter_mut().zip(odd) {
+    for (pixel, value) in film.pixels.iter_mut().zip(extreme) {
         pixel.rgb = Rgb::splat(value);
         pixel.transmit = value;
     }
@@ -243,12 +243,12 @@ fn no_float_makes_an_encoder_panic() {
 }
 
 #[test]
-fn a_format_too_small_for_the_picture_says_so() {
+fn a_side_beyond_the_limit_of_the_format_is_an_error() {
     let film = Film::whole(70_000, 1);
     let target = Target::File("unused.tga".into());
-    let refused = write(&film, &target, &EncodeOptions::new(Format::JPEG)).unwrap_err();
+    let error = write(&film, &target, &EncodeOptions::new(Format::JPEG)).unwrap_err();
     assert_eq!(
-        refused.to_string(),
+        error.to_string(),
         "cannot make a jpg file of this picture: a side is longer than 65535 pixels"
     );
     assert!(encode(&film, &EncodeOptions::new(Format::TGA)).is_err());
@@ -256,7 +256,7 @@ fn a_format_too_small_for_the_picture_says_so() {
 }
 
 #[test]
-fn a_new_file_replaces_the_old_one_and_leaves_nothing_else() {
+fn a_new_file_replaces_the_old_one_and_leaves_no_temporary_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     fs::write(&path, "old").unwrap();
@@ -271,7 +271,7 @@ fn a_new_file_replaces_the_old_one_and_leaves_nothing_else() {
 }
 
 #[test]
-fn a_picture_that_cannot_be_encoded_leaves_the_old_file() {
+fn an_encoding_error_leaves_the_old_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.jpg");
     fs::write(&path, "old").unwrap();
@@ -291,16 +291,16 @@ fn a_missing_folder_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("none").join("a.png");
     let target = Target::File(path.clone());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
+    let error = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
-        refused.to_string(),
+        error.to_string(),
         format!(
             "cannot write `{}`: no such file or directory",
             path.display()
         )
     );
     assert_eq!(
-        refused.hint().unwrap(),
+        error.hint().unwrap(),
         format!(
             "the folder `{}` does not exist: create it, or name another file with `+O`",
             folder.path().join("none").display()
@@ -309,12 +309,12 @@ fn a_missing_folder_is_named() {
 }
 
 #[test]
-fn a_folder_of_that_name_is_not_replaced() {
+fn a_folder_is_not_replaced() {
     let folder = tempfile::tempdir().unwrap();
     let target = Target::File(folder.path().to_owned());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
+    let error = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
-        refused.to_string(),
+        error.to_string(),
         format!("cannot write `{}`: is a directory", folder.path().display())
     );
 }
@@ -349,19 +349,19 @@ fn a_link_stays_a_link_and_its_file_keeps_its_mode() {
 #[test]
 fn a_full_disk_is_named() {
     let target = Target::File("/dev/full".into());
-    let refused = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
+    let error = write(&film(), &target, &EncodeOptions::new(Format::PNG)).unwrap_err();
     assert_eq!(
-        refused.to_string(),
+        error.to_string(),
         "cannot write `/dev/full`: no space left on device"
     );
     assert_eq!(
-        refused.hint().unwrap(),
+        error.hint().unwrap(),
         "make room, or name a file on another disk with `+O`"
     );
 }
 
-/// A picture of every kind of pixel.
-fn motley() -> Film {
+/// A picture with many combinations of negative, small, large and NaN channels.
+fn film_of_extremes() -> Film {
     let mut film = Film::whole(37, 23);
     let parts = [-0.5, 0.0, 1e-4, 0.3, 0.999, 1.0, 7.0, f32::NAN];
     for (i, pixel) in film.pixels.iter_mut().enumerate() {
@@ -375,8 +375,8 @@ fn motley() -> Film {
 }
 
 #[test]
-fn levels_made_piece_by_piece_give_the_same_file() {
-    let film = motley();
+fn levels_quantized_row_by_row_give_the_same_file() {
+    let film = film_of_extremes();
     for format in formats() {
         for (bits, grayscale, alpha) in [(8, false, false), (8, true, true), (16, false, true)] {
             let options = EncodeOptions {
@@ -385,20 +385,20 @@ fn levels_made_piece_by_piece_give_the_same_file() {
                 alpha,
                 ..EncodeOptions::new(format)
             };
-            let Some(leveller) = Quantizer::of(&options) else {
+            let Some(quantizer) = Quantizer::of(&options) else {
                 assert!(matches!(format, Format::EXR | Format::HDR));
                 continue;
             };
-            let mut levels = Levels::black(&leveller, film.width, film.height);
+            let mut levels = Levels::black(&quantizer, film.width, film.height);
             let row = film.width as usize * levels.bytes_of_pixel();
             let rows = levels.bytes_mut().chunks_mut(row);
             for (stored, pixels) in rows.zip(film.rows_of_pixels()) {
-                stored.copy_from_slice(&leveller.levels(pixels));
+                stored.copy_from_slice(&quantizer.levels(pixels));
             }
-            let leveled = Film::of_levels(levels, film.columns.clone(), film.rows.clone());
+            let quantized = Film::of_levels(levels, film.columns.clone(), film.rows.clone());
             let expected = encode(&film, &options).unwrap();
             assert!(
-                encode(&leveled, &options).unwrap() == expected,
+                encode(&quantized, &options).unwrap() == expected,
                 "{options:?}"
             );
         }
@@ -406,26 +406,26 @@ fn levels_made_piece_by_piece_give_the_same_file() {
 }
 
 #[test]
-fn what_is_not_drawn_is_black_and_opaque() {
+fn pixels_outside_the_crop_are_black_and_opaque() {
     for (format, alpha) in [(Format::PNG, true), (Format::TGA, false)] {
         let options = EncodeOptions {
             alpha,
             ..EncodeOptions::new(format)
         };
-        let leveller = Quantizer::of(&options).unwrap();
-        let black = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
+        let quantizer = Quantizer::of(&options).unwrap();
+        let black = Film::of_levels(Levels::black(&quantizer, 4, 3), 0..4, 0..3);
         let expected = encode(&Film::whole(4, 3), &options).unwrap();
         assert!(encode(&black, &options).unwrap() == expected);
     }
 }
 
 #[test]
-fn levels_of_one_kind_of_file_make_no_other() {
+fn levels_of_one_kind_of_file_cannot_be_written_as_another() {
     let options = EncodeOptions::new(Format::PNG);
-    let leveller = Quantizer::of(&options).unwrap();
-    let film = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
+    let quantizer = Quantizer::of(&options).unwrap();
+    let film = Film::of_levels(Levels::black(&quantizer, 4, 3), 0..4, 0..3);
     for format in [Format::TGA, Format::EXR] {
-        let refused = encode(&film, &EncodeOptions::new(format)).unwrap_err();
-        assert!(refused.to_string().contains("another kind of file"));
+        let error = encode(&film, &EncodeOptions::new(format)).unwrap_err();
+        assert!(error.to_string().contains("another kind of file"));
     }
 }

@@ -34,7 +34,7 @@ impl Format {
 }
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let data = quantize::of(film, options)?;
+    let data = quantize::levels_of(film, options)?;
     let color = if options.alpha {
         ExtendedColorType::Rgba8
     } else {

@@ -1,19 +1,19 @@
-//! Transfer functions between linear light and stored values.
+//! Transfer functions between linear light and encoded values.
 
-/// How stored values relate to linear light.
+/// A transfer function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gamma {
     /// The sRGB curve (IEC 61966-2-1).
     Srgb,
-    /// A power law: `linear = stored ^ g`. `Power(1.0)` is linear.
+    /// A power law: `linear = encoded ^ g`. `Power(1.0)` is linear.
     Power(f32),
 }
 
 impl Gamma {
-    /// Stored values are linear.
+    /// The identity.
     pub const LINEAR: Gamma = Gamma::Power(1.0);
 
-    /// The curve of a `gamma` number; within 1 % of 1 it is linear.
+    /// The power law with exponent `g`; within 0.01 of 1 it is linear.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, reason = "a gamma has few digits")]
     pub fn power(g: f64) -> Gamma {
@@ -24,18 +24,18 @@ impl Gamma {
         }
     }
 
-    /// Linear light of a stored value.
+    /// Linear light of an encoded value.
     #[must_use]
-    pub fn decode(self, stored: f32) -> f32 {
+    pub fn decode(self, encoded: f32) -> f32 {
         match self {
-            Gamma::Srgb if stored <= 0.040_45 => stored / 12.92,
-            Gamma::Srgb => ((stored + 0.055) / 1.055).powf(2.4),
-            Gamma::Power(1.0) => stored,
-            Gamma::Power(g) => stored.max(0.0).powf(g),
+            Gamma::Srgb if encoded <= 0.040_45 => encoded / 12.92,
+            Gamma::Srgb => ((encoded + 0.055) / 1.055).powf(2.4),
+            Gamma::Power(1.0) => encoded,
+            Gamma::Power(g) => encoded.max(0.0).powf(g),
         }
     }
 
-    /// The stored value of linear light.
+    /// Encoded value of linear light.
     #[must_use]
     pub fn encode(self, linear: f32) -> f32 {
         match self {
@@ -52,7 +52,7 @@ mod tests {
     use super::Gamma;
 
     #[test]
-    fn decoding_undoes_encoding() {
+    fn decoding_inverts_encoding() {
         for gamma in [Gamma::Srgb, Gamma::LINEAR, Gamma::power(2.2)] {
             for i in 0..=10u8 {
                 let v = f32::from(i) / 10.0;

@@ -1,9 +1,11 @@
-//! Linear values to whole numbers, as POV-Ray counts them: `floor(clamp(curve(c)) · max + 0.5)`, single precision throughout.
+//! Quantization of pixels to integer levels, with POV-Ray's rounding: `floor(clamp(curve(c)) · max + 0.5)`, in single
+//! precision throughout.
 //!
-//! The curves cost a power a value. For 8 bits a table takes its place: floats of one exponent and eight leading bits
-//! of mantissa share an entry, and within such a stretch the level rises at most once, so an entry is a level and the
-//! first float of the next. The table is made by asking the curve itself, and is only used if every stretch fits.
-//! For linear to sRGB and to 2.2 it was compared with the curve at every float from 0 to 1: no difference.
+//! The transfer curves cost a `powf` for each value. For 8 bits a table replaces it: floats with the same exponent and
+//! the same eight leading mantissa bits share an entry. Within such a range the level rises at most once, so an entry
+//! is a level and the first float of the next level. The table is built by evaluating the curve and is only used if
+//! every range has at most one step. For linear to sRGB and linear to gamma 2.2 it was compared with the curve at every
+//! float from 0 to 1: no difference.
 
 use std::borrow::Cow;
 
@@ -13,7 +15,7 @@ use super::{Film, Pixel};
 use crate::base::color::{Gamma, Rgb};
 use crate::base::encoding::EncodeOptions;
 
-/// What a stored pixel consists of.
+/// The channels of a stored pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Channels {
     Grey,
@@ -23,7 +25,7 @@ pub(crate) enum Channels {
 }
 
 impl Channels {
-    /// Of a file that holds encoded values.
+    /// The channels of a file with encoded values.
     pub(crate) fn of(options: &EncodeOptions) -> Channels {
         let has_grey = options.format.has_grey;
         let is_grey = has_grey && options.grayscale;
@@ -45,16 +47,16 @@ impl Channels {
     }
 }
 
-/// How many bits a level has.
+/// Bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Depth {
     Byte,
-    /// Two bytes, the higher one first.
+    /// Two bytes, big-endian.
     Word,
 }
 
 impl Depth {
-    /// Of a file that holds encoded values.
+    /// The depth of a file with encoded values.
     pub(crate) fn of(options: &EncodeOptions) -> Depth {
         if options.format.has_words && options.bits > 8 {
             Depth::Word
@@ -64,7 +66,7 @@ impl Depth {
     }
 }
 
-/// A picture as the levels that one kind of file holds: channels interleaved, rows from the top without padding.
+/// A picture as the quantized levels of one kind of file: channels interleaved, rows from the top, no padding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Levels {
     width: u32,
@@ -75,8 +77,8 @@ pub struct Levels {
 
 impl Levels {
     /// A black picture.
-    pub(crate) fn black(leveller: &Quantizer, width: u32, height: u32) -> Self {
-        let black = leveller.levels(&[Pixel::default()]);
+    pub(crate) fn black(quantizer: &Quantizer, width: u32, height: u32) -> Self {
+        let black = quantizer.levels(&[Pixel::default()]);
         let pixels = width as usize * height as usize;
         let bytes = if black.iter().all(|&byte| byte == 0) {
             vec![0; pixels * black.len()]
@@ -86,7 +88,7 @@ impl Levels {
         Levels {
             width,
             height,
-            options: leveller.options.clone(),
+            options: quantizer.options.clone(),
             bytes,
         }
     }
@@ -96,35 +98,35 @@ impl Levels {
         (self.width, self.height)
     }
 
-    /// How many bytes a pixel takes.
+    /// Bytes per pixel.
     pub(crate) fn bytes_of_pixel(&self) -> usize {
-        bytes_of_pixel(&self.options)
+        bytes_per_pixel(&self.options)
     }
 
-    /// The levels, to be changed.
+    /// The levels, for writing.
     pub(crate) fn bytes_mut(&mut self) -> &mut [u8] {
         &mut self.bytes
     }
 }
 
-fn bytes_of_pixel(options: &EncodeOptions) -> usize {
-    let of_level = match Depth::of(options) {
+fn bytes_per_pixel(options: &EncodeOptions) -> usize {
+    let bytes_per_level = match Depth::of(options) {
         Depth::Byte => 1,
         Depth::Word => 2,
     };
-    Channels::of(options).count() * of_level
+    Channels::of(options).count() * bytes_per_level
 }
 
-/// Makes levels of light.
+/// Converts pixels to levels.
 pub(crate) struct Quantizer {
     options: EncodeOptions,
     curve: Curve,
-    /// For levels of eight bits, if there can be one.
+    /// For 8-bit levels, if the curve allows one.
     table: Option<StepTable>,
 }
 
 impl Quantizer {
-    /// For such a file; `None` if it holds light itself.
+    /// The quantizer for a kind of file; `None` if the file stores linear light.
     pub(crate) fn of(options: &EncodeOptions) -> Option<Self> {
         if options.format.is_linear {
             return None;
@@ -141,9 +143,9 @@ impl Quantizer {
         })
     }
 
-    /// The levels of some pixels.
+    /// The levels of `pixels`.
     pub(crate) fn levels(&self, pixels: &[Pixel]) -> Vec<u8> {
-        let mut out = vec![0; pixels.len() * bytes_of_pixel(&self.options)];
+        let mut out = vec![0; pixels.len() * bytes_per_pixel(&self.options)];
         self.fill(pixels, &mut out);
         out
     }
@@ -166,29 +168,32 @@ impl Quantizer {
     }
 }
 
-/// Why a picture cannot be written.
-pub(crate) const OF_ANOTHER: &str = "it was drawn for another kind of file";
+/// Error: the levels are those of another kind of file.
+pub(crate) const WRONG_FILE_KIND: &str = "it was drawn for another kind of file";
 
-/// The levels of a picture for a file that holds encoded values.
-pub(crate) fn of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, [u8]>, String> {
+/// The levels of a film for a file with encoded values.
+pub(crate) fn levels_of<'a>(
+    film: &'a Film,
+    options: &EncodeOptions,
+) -> Result<Cow<'a, [u8]>, String> {
     if let Some(levels) = &film.levels {
         return match levels.options == *options {
             true => Ok(Cow::Borrowed(&levels.bytes)),
-            false => Err(OF_ANOTHER.to_owned()),
+            false => Err(WRONG_FILE_KIND.to_owned()),
         };
     }
-    let Some(leveller) = Quantizer::of(options) else {
+    let Some(quantizer) = Quantizer::of(options) else {
         return Err("it holds light itself".to_owned());
     };
-    let (width, of_pixel) = (film.width as usize, bytes_of_pixel(options));
-    let mut out = vec![0; film.pixels.len() * of_pixel];
-    out.par_chunks_mut(width * of_pixel)
+    let (width, bytes_per_pixel) = (film.width as usize, bytes_per_pixel(options));
+    let mut out = vec![0; film.pixels.len() * bytes_per_pixel];
+    out.par_chunks_mut(width * bytes_per_pixel)
         .zip(film.pixels.par_chunks(width))
-        .for_each(|(stored, pixels)| leveller.fill(pixels, stored));
+        .for_each(|(stored, pixels)| quantizer.fill(pixels, stored));
     Ok(Cow::Owned(out))
 }
 
-/// A channel in linear light, for the formats that hold that.
+/// Converts a channel to linear light, for the formats that store that.
 pub(crate) fn to_linear(working: Option<Gamma>) -> impl Fn(f32) -> f32 {
     let working = working.unwrap_or(Gamma::Srgb);
     move |c| working.decode(c)
@@ -202,23 +207,23 @@ fn fill<T: Copy>(
     alpha_level: impl Fn(f32) -> T,
 ) {
     match channels {
-        Channels::Grey => each(pixels, out, |pixel| [level(pixel.rgb.grey())]),
-        Channels::GreyAlpha => each(pixels, out, |pixel| {
+        Channels::Grey => fill_pixels(pixels, out, |pixel| [level(pixel.rgb.grey())]),
+        Channels::GreyAlpha => fill_pixels(pixels, out, |pixel| {
             let (rgb, alpha) = straight(pixel);
             [level(rgb.grey()), alpha_level(alpha)]
         }),
-        Channels::Rgb => each(pixels, out, |Pixel { rgb, .. }| {
+        Channels::Rgb => fill_pixels(pixels, out, |Pixel { rgb, .. }| {
             [level(rgb.r), level(rgb.g), level(rgb.b)]
         }),
-        Channels::RgbAlpha => each(pixels, out, |pixel| {
+        Channels::RgbAlpha => fill_pixels(pixels, out, |pixel| {
             let (rgb, alpha) = straight(pixel);
             [level(rgb.r), level(rgb.g), level(rgb.b), alpha_level(alpha)]
         }),
     }
 }
 
-/// Stores the levels of each pixel. Often one looks like that before it.
-fn each<T: Copy, const CHANNELS: usize>(
+/// Stores the levels of each pixel. Equal neighbours are common, so the last result is reused.
+fn fill_pixels<T: Copy, const CHANNELS: usize>(
     pixels: &[Pixel],
     out: &mut [T],
     levels: impl Fn(Pixel) -> [T; CHANNELS],
@@ -227,14 +232,14 @@ fn each<T: Copy, const CHANNELS: usize>(
         let [r, g, b, t] = [rgb.r, rgb.g, rgb.b, transmit].map(|c| u64::from(c.to_bits()));
         [r | g << 32, b | t << 32]
     };
-    let mut last = bits(Pixel::default());
-    let mut known = levels(Pixel::default());
+    let mut last_bits = bits(Pixel::default());
+    let mut last_levels = levels(Pixel::default());
     for (stored, &pixel) in out.as_chunks_mut().0.iter_mut().zip(pixels) {
-        let this = bits(pixel);
-        if this != last {
-            (last, known) = (this, levels(pixel));
+        let pixel_bits = bits(pixel);
+        if pixel_bits != last_bits {
+            (last_bits, last_levels) = (pixel_bits, levels(pixel));
         }
-        *stored = known;
+        *stored = last_levels;
     }
 }
 
@@ -242,7 +247,7 @@ fn alpha_8(alpha: f32) -> u8 {
     byte(alpha * 255.0 + 0.5)
 }
 
-/// Colour and coverage apart, in the working space. A pixel brighter than its coverage allows gets more coverage.
+/// Unassociated (straight) alpha in the working space. A pixel brighter than its coverage gets a larger coverage.
 fn straight(pixel: Pixel) -> (Rgb, f32) {
     let grey = pixel.rgb.grey();
     let mut alpha = 1.0 - pixel.transmit;
@@ -253,17 +258,15 @@ fn straight(pixel: Pixel) -> (Rgb, f32) {
     (pixel.rgb.map(|c| c / divisor), unit(alpha))
 }
 
-/// From the working space to the stored one.
+/// The transfer curve from the working space to that of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Curve {
-    /// Stored as it is.
+    /// The identity.
     Same,
-    /// From one power law to another in a single power, as POV-Ray does; two in turn round differently.
+    /// From one power law to another with a single power, as in POV-Ray; two in a row round differently.
     Power(f32),
-    Between {
-        working: Gamma,
-        file: Gamma,
-    },
+    /// Decoding by `working`, then encoding by `file`.
+    Between { working: Gamma, file: Gamma },
 }
 
 impl Curve {
@@ -293,7 +296,7 @@ impl Curve {
     }
 }
 
-/// Between 0 and 1; what is no number stays so, and becomes level 0.
+/// Clamps to 0..=1. NaN stays NaN and becomes level 0.
 fn unit(c: f32) -> f32 {
     c.clamp(0.0, 1.0)
 }
@@ -316,54 +319,54 @@ fn word(v: f32) -> u16 {
     v as u16
 }
 
-/// The 8-bit levels of a curve, a stretch of floats an entry.
+/// The 8-bit levels of a curve, one entry for each range of floats.
 struct StepTable {
     curve: Curve,
-    stretches: Vec<FloatRange>,
+    ranges: Vec<FloatRange>,
 }
 
-/// Floats that share exponent and leading mantissa bits.
+/// A range of floats with the same exponent and leading mantissa bits.
 #[derive(Clone, Copy)]
 struct FloatRange {
-    /// The level of the first of them.
+    /// The level of the first float.
     level: u8,
-    /// The first float of the next level, beyond the stretch if none.
+    /// The first float of the next level; infinite if the range has one level.
     next_at: f32,
 }
 
 impl StepTable {
-    /// Mantissa bits that do not choose the entry. At 15 a stretch is 1/256 wide, and the steepest curve in use, the
-    /// straight line, rises by less than one level in it.
+    /// The low mantissa bits, which do not select the entry. At 15 a range has a relative width of 1/256, in
+    /// which the steepest curve in use, a straight line, rises by less than one level.
     const SHIFT: u32 = 15;
-    /// Values below this are put through the curve: they are few, and a power law is too steep there.
+    /// Values below this are evaluated by the curve: they are rare, and a power law is too steep there.
     const FIRST: f32 = 1.0 / 4096.0;
 
-    /// `None` where a straight line needs no table, or where the curve climbs too fast for one.
+    /// `None` if the curve is the identity and needs no table, or too steep for one.
     fn new(curve: Curve) -> Option<StepTable> {
         if curve == Curve::Same {
             return None;
         }
         let first = Self::FIRST.to_bits() >> Self::SHIFT;
         let end = 1f32.to_bits() >> Self::SHIFT;
-        let stretches = (first..end)
+        let ranges = (first..end)
             .map(|key| FloatRange::new(curve, key << Self::SHIFT, (key + 1) << Self::SHIFT))
             .collect::<Option<Vec<_>>>()?;
-        Some(StepTable { curve, stretches })
+        Some(StepTable { curve, ranges })
     }
 
     #[inline]
     fn level(&self, c: f32) -> u8 {
-        // What is below the first, negative or not a number is far beyond the last by its bits.
+        // Values below the first, negative values and NaN have keys far beyond the last entry.
         let key = c.to_bits().wrapping_sub(Self::FIRST.to_bits()) >> Self::SHIFT;
-        match self.stretches.get(key as usize) {
-            Some(stretch) => stretch.level + u8::from(c >= stretch.next_at),
+        match self.ranges.get(key as usize) {
+            Some(range) => range.level + u8::from(c >= range.next_at),
             None => self.curve.level_8(c),
         }
     }
 }
 
 impl FloatRange {
-    /// The stretch of floats with bits from `start` to before `end`.
+    /// The range of floats with bits in `start..end`; `None` if it has more than one step.
     fn new(curve: Curve, start: u32, end: u32) -> Option<FloatRange> {
         let level_of = |bits: u32| curve.level_8(f32::from_bits(bits));
         let level = level_of(start);
@@ -414,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_gives_the_level_of_the_curve_on_both_sides_of_every_step() {
+    fn table_matches_the_curve_on_both_sides_of_every_step() {
         let linear_to_srgb = Curve::Between {
             working: Gamma::LINEAR,
             file: Gamma::Srgb,
@@ -424,12 +427,12 @@ mod tests {
             let Some(table) = StepTable::new(curve) else {
                 continue;
             };
-            for stretch in &table.stretches {
-                if stretch.next_at.is_infinite() {
+            for range in &table.ranges {
+                if range.next_at.is_infinite() {
                     continue;
                 }
-                // The curves are monotone up to rounding; if that failed anywhere it would be beside a step.
-                let bits = stretch.next_at.to_bits();
+                // The curves are monotone up to rounding; a failure would occur next to a step.
+                let bits = range.next_at.to_bits();
                 for c in (bits - 300..bits + 300).map(f32::from_bits) {
                     assert_eq!(table.level(c), curve.level_8(c), "{curve:?} at {c:e}");
                 }
@@ -438,7 +441,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_gives_the_level_of_the_curve_at_a_million_floats() {
+    fn table_matches_the_curve_at_a_million_floats() {
         let end = 1.5f32.to_bits();
         for curve in curves() {
             let Some(table) = StepTable::new(curve) else {
@@ -452,7 +455,7 @@ mod tests {
     }
 
     #[test]
-    fn values_that_are_no_numbers_are_black_and_infinite_ones_white() {
+    fn nan_is_black_and_infinity_white() {
         for curve in curves() {
             assert_eq!(curve.level_8(f32::NAN), 0);
             assert_eq!(curve.level_16(f32::INFINITY), 65535);
@@ -461,7 +464,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_brighter_than_its_coverage_gets_the_coverage_it_needs() {
+    fn a_pixel_brighter_than_its_coverage_gets_a_larger_coverage() {
         // POV-Ray: rgbt <1,.8,.6,.5> with ambient 1.2 and +FN16 +UA File_Gamma=1 is 65535 62668 47001 32896.
         let pixel = Pixel {
             rgb: Rgb::new(0.6, 0.48, 0.36),

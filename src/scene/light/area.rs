@@ -1,53 +1,53 @@
-//! `area_light`: a grid of lamps, or a disc, over which shadows are averaged.
+//! `area_light`: a rectangular or circular grid of point lights, the grid lights, over which shadows are averaged.
 //!
-//! Only shadows are: direction and strength of the light are those of its centre, unless `area_illumination` asks for
-//! each lamp by itself. A part of the grid is divided where its corners differ, or down to the depth of `adaptive`;
-//! the default of 100 divides everything, which counts the inner lamps of odd grids more than once.
+//! Direction and attenuation are those of the centre, unless `area_illumination` lights the point from each grid light.
+//! A part of the grid is subdivided where its corners differ, and always down to the depth of `adaptive`. The default
+//! of 100 subdivides everything, which counts the inner lights of odd grids more than once.
 
-use super::part::first_lamps;
+use super::part::initial_grid_lights;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use glam::{DAffine3, DVec3};
 use std::sync::OnceLock;
 
-/// The `adaptive` of lights that give none.
-const ALL_LAMPS: u32 = 100;
-/// Lamps on each side; more than any scene can wait for.
-const MOST_LAMPS: f64 = 4096.0;
-/// By this POV-Ray moves the lamps of a disc, so that none is in the very middle.
+/// The default of `adaptive`: subdivides any grid completely.
+const FULL_SUBDIVISION: u32 = 100;
+/// Limit for the grid lights along each side; more would take too long to render.
+const MAX_SIDE: f64 = 4096.0;
+/// POV-Ray's shift of the lights of a circular grid, so that none is at the exact centre.
 const OFF_CENTRE: f64 = 0.001;
-/// Within this of one, the direction to the light counts as that of an axis; POV-Ray's value.
-const ALONG_AXIS: f64 = 0.01;
+/// Tolerance for a direction parallel to an axis, and for sides of equal length; POV-Ray's value.
+const AXIS_TOLERANCE: f64 = 0.01;
 
-/// A grid of lamps.
+/// The grid of an area light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Area {
-    /// The sides of the grid.
+    /// The edge vectors of the grid.
     pub axes: Axes,
-    /// How many lamps there are along each side.
+    /// The number of grid lights along each side.
     pub sizes: [u32; 2],
-    /// Down to this depth the grid is divided even where its corners agree.
+    /// The depth down to which the grid is subdivided even where its corners agree.
     pub adaptive: u32,
-    /// Whether lamps are moved at random.
+    /// True if grid lights are jittered at random.
     pub has_jitter: bool,
-    /// Whether the grid is bent to a disc.
+    /// True if the grid is warped to a disc.
     pub is_circular: bool,
-    /// Whether it turns to the point that it lights.
+    /// True if the grid turns towards the shading point.
     pub is_oriented: bool,
-    /// `area_illumination`: whether each lamp gives light from where it is.
+    /// `area_illumination`: true if each grid light illuminates from its own position.
     pub is_full: bool,
-    /// Where a word that only round areas can have stands.
+    /// Span of `circular` or `orient`.
     at_circular: Option<Span>,
-    /// The lamps that are asked about for each point, once they are known.
-    first: OnceLock<Vec<[u32; 2]>>,
+    /// Cache for [`Area::first_lamps`].
+    initial: OnceLock<Vec<[u32; 2]>>,
 }
 
-/// The two sides of a grid of lamps.
+/// The two edge vectors of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
-    /// The side along which the first index counts.
+    /// The edge along which the first index counts.
     pub first: DVec3,
-    /// The other one.
+    /// The edge along which the second index counts.
     pub second: DVec3,
 }
 
@@ -59,35 +59,35 @@ impl Area {
                 second: DVec3::ZERO,
             },
             sizes: [1, 1],
-            adaptive: ALL_LAMPS,
+            adaptive: FULL_SUBDIVISION,
             has_jitter: false,
             is_circular: false,
             is_oriented: false,
             is_full: false,
             at_circular: None,
-            first: OnceLock::new(),
+            initial: OnceLock::new(),
         }
     }
 
-    /// The lamps that are asked about for each point, whatever comes from them, in this order.
+    /// The grid lights sampled for every shading point, regardless of the results, in this order.
     #[must_use]
     pub fn first_lamps(&self) -> &[[u32; 2]] {
-        self.first
-            .get_or_init(|| first_lamps(self.sizes, self.adaptive))
+        self.initial
+            .get_or_init(|| initial_grid_lights(self.sizes, self.adaptive))
     }
 
-    /// Takes `word` and its value into the area of a light if it is one of this element, and says whether it was.
+    /// Parses `word` and its value if it is an area light parameter. Returns false otherwise.
     ///
     /// # Errors
-    /// A malformed value, or a number of lamps that is none.
+    /// A malformed value, or a number of grid lights that is out of range.
     pub(super) fn read_item(
         area: &mut Option<Box<Area>>,
         word: Word,
         args: &mut dyn Args,
     ) -> Parse<bool> {
         if word == Word::AreaLight {
-            let known = area.take().map_or_else(Area::new, |area| *area);
-            *area = Some(Box::new(known.read_grid(args)?));
+            let current = area.take().map_or_else(Area::new, |area| *area);
+            *area = Some(Box::new(current.read_grid(args)?));
             return Ok(true);
         }
         if !matches!(
@@ -111,7 +111,7 @@ impl Area {
             return Ok(true);
         };
         match word {
-            Word::Adaptive => area.adaptive = whole(args.float()?),
+            Word::Adaptive => area.adaptive = saturating_u32(args.float()?),
             Word::Jitter => area.has_jitter = true,
             Word::AreaIllumination => area.is_full = args.float_or(1.0)? != 0.0,
             _ => {
@@ -123,7 +123,7 @@ impl Area {
         Ok(true)
     }
 
-    /// `area_light AXIS, AXIS, COUNT, COUNT`.
+    /// Parses `area_light AXIS, AXIS, COUNT, COUNT`.
     fn read_grid(mut self, args: &mut dyn Args) -> Parse<Area> {
         args.accept(Word::AreaLight)?;
         self.axes.first = args.vector()?;
@@ -133,21 +133,20 @@ impl Area {
             args.comma()?;
             let at = args.span();
             let count = args.float()?.trunc();
-            if !(1.0..=MOST_LAMPS).contains(&count) {
-                let message = format!(
-                    "an area light has 1 to {MOST_LAMPS} lamps along each side, not {count}"
-                );
+            if !(1.0..=MAX_SIDE).contains(&count) {
+                let message =
+                    format!("an area light has 1 to {MAX_SIDE} lamps along each side, not {count}");
                 return Err(Box::new(Diagnostic::error(
                     at.to(args.last_span()),
                     message,
                 )));
             }
-            *size = whole(count);
+            *size = saturating_u32(count);
         }
         Ok(self)
     }
 
-    /// Checks what can be known only at the end of the light.
+    /// Checks conditions that depend on the whole light.
     pub(super) fn end(&mut self, args: &mut dyn Args) -> Parse<()> {
         if let Some(at) = self.at_circular
             && self.sizes.contains(&1)
@@ -158,7 +157,7 @@ impl Area {
         let (first, second) = (self.axes.first.length(), self.axes.second.length());
         if let Some(at) = self.at_circular
             && self.is_oriented
-            && (first - second).abs() > ALONG_AXIS * first
+            && (first - second).abs() > AXIS_TOLERANCE * first
         {
             args.warn(Diagnostic::warning(
                 at,
@@ -173,18 +172,19 @@ impl Area {
         self.axes.second = to_world.transform_vector3(self.axes.second);
     }
 
-    /// The sides of the grid as a point sees it that has the light in the unit direction `to_light`.
+    /// The edge vectors as seen from a shading point with the unit direction `to_light`. They depend on the direction
+    /// only for `orient`.
     #[must_use]
     pub fn axes_for(&self, to_light: DVec3) -> Axes {
         if !self.is_oriented {
             return self.axes;
         }
-        let aside = if (to_light.z.abs() - 1.0).abs() < ALONG_AXIS {
+        let helper = if (to_light.z.abs() - 1.0).abs() < AXIS_TOLERANCE {
             DVec3::Y
         } else {
             DVec3::Z
         };
-        let first = to_light.cross(aside).normalize_or_zero();
+        let first = to_light.cross(helper).normalize_or_zero();
         let second = to_light.cross(first).normalize_or_zero();
         let length = self.axes.first.length();
         Axes {
@@ -193,23 +193,23 @@ impl Area {
         }
     }
 
-    /// How far the lamp of two indices stands from the centre of the light. Jitter makes indices that are not whole.
+    /// The offset of grid light (`u`, `v`) from the centre of the light. Jitter makes the indices fractional.
     #[must_use]
     pub fn lamp(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
-        let place = |index: f64, size: u32| {
+        let position = |index: f64, size: u32| {
             if size > 1 {
                 index / f64::from(size - 1) - 0.5
             } else {
                 0.0
             }
         };
-        let (mut a, mut b) = (place(u, self.sizes[0]), place(v, self.sizes[1]));
+        let (mut a, mut b) = (position(u, self.sizes[0]), position(v, self.sizes[1]));
         if self.is_circular {
             a += OFF_CENTRE;
             b += OFF_CENTRE;
-            let bent = a.abs().max(b.abs()) / a.hypot(b);
-            a *= bent;
-            b *= bent;
+            let warp = a.abs().max(b.abs()) / a.hypot(b);
+            a *= warp;
+            b *= warp;
         }
         a * axes.first + b * axes.second
     }
@@ -220,7 +220,7 @@ impl Area {
     clippy::cast_sign_loss,
     reason = "the cast saturates: a negative depth is as good as none"
 )]
-fn whole(number: f64) -> u32 {
+fn saturating_u32(number: f64) -> u32 {
     number as u32
 }
 
@@ -243,26 +243,26 @@ mod tests {
     }
 
     #[test]
-    fn lamps_stand_from_end_to_end() {
+    fn grid_lights_span_the_edges() {
         let area = area("0 rgb 1 area_light <4, 0, 0>, <0, 2, 0>, 3, 1").unwrap();
-        let lamp = |u| area.lamp(&area.axes, u, 0.0);
-        assert_eq!(lamp(0.0), DVec3::new(-2.0, 0.0, 0.0));
+        let offset = |u| area.lamp(&area.axes, u, 0.0);
+        assert_eq!(offset(0.0), DVec3::new(-2.0, 0.0, 0.0));
         assert_eq!(
-            (lamp(1.0), lamp(2.0)),
+            (offset(1.0), offset(2.0)),
             (DVec3::ZERO, DVec3::new(2.0, 0.0, 0.0))
         );
     }
 
     #[test]
-    fn the_lamps_of_a_disc_lie_in_circles() {
+    fn the_lights_of_a_circular_grid_lie_on_circles() {
         let area = area("0 rgb 1 area_light <2, 0, 0>, <0, 2, 0>, 5, 5 circular").unwrap();
-        let far = |u, v| area.lamp(&area.axes, u, v).length();
-        assert!((far(0.0, 0.0) - 1.0).abs() < 0.01 && (far(0.0, 2.0) - 1.0).abs() < 0.01);
-        assert!((far(1.0, 1.0) - 0.5).abs() < 0.01);
+        let radius = |u, v| area.lamp(&area.axes, u, v).length();
+        assert!((radius(0.0, 0.0) - 1.0).abs() < 0.01 && (radius(0.0, 2.0) - 1.0).abs() < 0.01);
+        assert!((radius(1.0, 1.0) - 0.5).abs() < 0.01);
     }
 
     #[test]
-    fn an_oriented_disc_stands_across_the_light() {
+    fn an_oriented_disc_is_perpendicular_to_the_light() {
         let area = area("0 rgb 1 area_light <2, 0, 0>, <0, 0, 2>, 3, 3 orient").unwrap();
         assert!(area.is_circular);
         for to_light in [DVec3::Y, DVec3::Z, DVec3::new(0.6, 0.0, -0.8)] {
@@ -274,8 +274,8 @@ mod tests {
     }
 
     #[test]
-    fn sizes_are_whole_and_more_than_none() {
-        // POV-Ray 3.7 cuts 2.7 to 2, refuses 0 and ends with a memory error for -3.
+    fn sizes_are_positive_integers() {
+        // POV-Ray 3.7 truncates 2.7 to 2, refuses 0 and ends with a memory error for -3.
         assert_eq!(
             area("0 rgb 1 area_light 1, 1, 2.7, 1").unwrap().sizes,
             [2, 1]
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn a_disc_needs_lamps_along_both_sides() {
+    fn a_circular_grid_needs_lights_along_both_sides() {
         let error = area("0 rgb 1 area_light 1, 1, 3, 1 circular").expect_err("it is a line");
         assert_eq!(
             error.message,

@@ -1,4 +1,5 @@
-//! `cylinder`: a round beam of parallel light, full within `radius` of its axis, none outside of `falloff`.
+//! `cylinder`: a cylindrical beam of parallel light, at full strength within `radius` of its axis and zero beyond
+//! `falloff`.
 
 use super::edge;
 use crate::base::args::Word;
@@ -6,14 +7,14 @@ use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
 use glam::DVec3;
 
-/// A round beam.
+/// A cylindrical beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    /// The radius of full light.
+    /// The radius of the fully lit core.
     pub radius: f64,
-    /// The radius of all light.
+    /// The radius of the whole beam.
     pub falloff: f64,
-    /// The power by which light weakens from the axis outwards.
+    /// The exponent of the falloff from the axis outwards.
     pub tightness: f64,
 }
 
@@ -37,29 +38,30 @@ impl Cylinder {
         }
     }
 
-    /// The share of light at a point relative to the light's centre; `axis` is the unit direction of the beam.
+    /// The fraction of the light at `point`, given relative to the light's centre. `axis` is the unit direction of the
+    /// beam.
     #[must_use]
-    pub fn share(&self, point: DVec3, axis: DVec3) -> f64 {
+    pub fn attenuation(&self, point: DVec3, axis: DVec3) -> f64 {
         let along = point.dot(axis);
-        let aside = (point - along * axis).length();
-        if along <= 0.0 || aside >= self.falloff {
+        let from_axis = (point - along * axis).length();
+        if along <= 0.0 || from_axis >= self.falloff {
             return 0.0;
         }
-        let inwards = 1.0 - aside / self.falloff;
-        let middle = exact_power(inwards, self.tightness);
-        if self.radius > 0.0 && aside > self.radius {
-            middle * edge(inwards, 0.0, 1.0 - self.radius / self.falloff)
+        let inwards = 1.0 - from_axis / self.falloff;
+        let core = exact_power(inwards, self.tightness);
+        if self.radius > 0.0 && from_axis > self.radius {
+            core * edge(inwards, 0.0, 1.0 - self.radius / self.falloff)
         } else {
-            middle
+            core
         }
     }
 }
 
 impl Cylinder {
-    /// The stretch of a ray within the beam, without regard to where it begins.
-    pub(super) fn crossed_by(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
-        let aside = |v: DVec3| v - v.dot(axis) * axis;
-        let (from, dir) = (aside(ray.origin - centre), aside(ray.dir));
+    /// The interval of ray parameters inside the infinite cylinder, which extends behind the light too.
+    pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
+        let across = |v: DVec3| v - v.dot(axis) * axis;
+        let (from, dir) = (across(ray.origin - centre), across(ray.dir));
         let a = dir.length_squared();
         let b = from.dot(dir);
         let c = from.length_squared() - self.falloff * self.falloff;
@@ -78,34 +80,34 @@ impl Cylinder {
 mod tests {
     use super::*;
 
-    fn share(radius: f64, falloff: f64, tightness: f64, aside: f64) -> f64 {
+    fn attenuation(radius: f64, falloff: f64, tightness: f64, from_axis: f64) -> f64 {
         let beam = Cylinder {
             radius,
             falloff,
             tightness,
         };
-        beam.share(DVec3::new(aside, -8.0, 0.0), DVec3::NEG_Y)
+        beam.attenuation(DVec3::new(from_axis, -8.0, 0.0), DVec3::NEG_Y)
     }
 
     #[test]
-    fn light_ends_softly_between_radius_and_falloff() {
-        // As POV-Ray 3.7 draws it on a floor.
-        let found = [1.0, 3.0, 5.0, 7.0].map(|aside| share(3.0, 6.0, 0.0, aside));
-        assert_eq!((found[0], found[1], found[3]), (1.0, 1.0, 0.0));
-        assert!((found[2] - 0.25927).abs() < 2e-5);
+    fn light_falls_off_smoothly_between_radius_and_falloff() {
+        // As POV-Ray 3.7 renders it on a floor.
+        let results = [1.0, 3.0, 5.0, 7.0].map(|from_axis| attenuation(3.0, 6.0, 0.0, from_axis));
+        assert_eq!((results[0], results[1], results[3]), (1.0, 1.0, 0.0));
+        assert!((results[2] - 0.25927).abs() < 2e-5);
     }
 
     #[test]
-    fn tightness_weakens_light_off_the_axis() {
-        for (aside, expected) in [(1.0, 0.69444), (3.0, 0.25), (5.0, 0.02777)] {
-            assert!((share(0.0, 6.0, 2.0, aside) - expected).abs() < 2e-5);
+    fn tightness_attenuates_light_off_the_axis() {
+        for (from_axis, expected) in [(1.0, 0.69444), (3.0, 0.25), (5.0, 0.02777)] {
+            assert!((attenuation(0.0, 6.0, 2.0, from_axis) - expected).abs() < 2e-5);
         }
     }
 
     #[test]
-    fn nothing_lies_behind_the_light() {
+    fn no_light_behind_the_centre() {
         let beam = Cylinder::default();
-        assert_eq!(beam.share(DVec3::Y, DVec3::NEG_Y), 0.0);
-        assert_eq!(beam.share(DVec3::NEG_Y, DVec3::NEG_Y), 1.0);
+        assert_eq!(beam.attenuation(DVec3::Y, DVec3::NEG_Y), 0.0);
+        assert_eq!(beam.attenuation(DVec3::NEG_Y, DVec3::NEG_Y), 1.0);
     }
 }

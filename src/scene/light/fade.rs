@@ -1,19 +1,19 @@
-//! `fade_distance` and `fade_power`: light that weakens with the distance, `2 / (1 + (d / distance)^power)`.
+//! `fade_distance` and `fade_power`: attenuation with distance `d` by `2 / (1 + (d / fade_distance)^fade_power)`.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::powers::exact_power;
 
-/// How light weakens; the default does not.
+/// Attenuation with distance; the default has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fade {
-    /// The distance at which all of the light arrives; nearer there is more, up to twice as much.
+    /// The distance of factor 1. Nearer points get up to twice the light.
     pub distance: f64,
-    /// The power of the distance.
+    /// The exponent of the distance.
     pub power: f64,
 }
 
 impl Fade {
-    /// Takes `word` and its value if it is one of this element, and says whether it was.
+    /// Parses `word` and its value if it is a fade parameter. Returns false otherwise.
     ///
     /// # Errors
     /// A malformed value.
@@ -28,15 +28,15 @@ impl Fade {
         Ok(true)
     }
 
-    /// Whether light weakens at all.
+    /// True if the light is attenuated.
     #[must_use]
     #[inline]
     pub fn fades(&self) -> bool {
         self.power > 0.0 && self.distance != 0.0
     }
 
-    /// The share of light that arrives over a distance. Behind a parallel light distances are negative, and have no powers
-    /// that are not whole: nothing arrives there (measured with POV-Ray).
+    /// The attenuation factor at `distance`. Behind a parallel light distances are negative, and a fractional power of
+    /// them is NaN: no light arrives there (measured with POV-Ray).
     #[must_use]
     #[inline]
     pub fn share(&self, distance: f64) -> f64 {
@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_light_arrives_at_the_fade_distance() {
+    fn factor_is_1_at_the_fade_distance() {
         let fade = Fade {
             distance: 4.0,
             power: 2.0,
@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_arrives_from_before_the_light_where_the_distance_has_no_power() {
+    fn fractional_power_of_a_negative_distance_gives_no_light() {
         let fade = |power| {
             let distance = 4.0;
             Fade { distance, power }.share(-2.0)

@@ -1,8 +1,8 @@
-//! `light_source`: where light comes from, how much of it arrives, and over which lamps it is spread.
+//! `light_source`: position, colour, attenuation and area of a light.
 //!
-//! A light has a beam, one file each; beside it stand what any light may have: parallel rays ([`Light::is_parallel`]),
-//! fading with the distance ([`Fade`]) and an area of lamps ([`Area`]). `looks_like` and `projected_through` hold
-//! objects and are read by the language.
+//! The [`Beam`] is the angular form of the light, one file for each kind. Any kind may have parallel rays
+//! ([`Light::is_parallel`]), distance attenuation ([`Fade`]) and an area light's grid ([`Area`]). `looks_like` and
+//! `projected_through` contain objects, so the language reads them.
 
 mod area;
 mod cylinder;
@@ -27,63 +27,64 @@ use crate::base::source::{Diagnostic, Span};
 use crate::base::word::Class;
 use glam::DVec3;
 
-/// A source of light.
+/// A light source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Where it is, in the world.
+    /// The position in world space.
     pub centre: DVec3,
-    /// Its light; more than 1 and less than 0 are allowed.
+    /// The emitted colour. Channels may exceed 1 or be negative.
     pub color: Rgb,
-    /// The form of what it gives.
+    /// The angular form of the emission.
     pub beam: Beam,
-    /// Whether all its light comes from one direction, that from `points_at` to `centre`.
+    /// True if all light arrives from one direction, from `points_at` towards `centre`.
     pub is_parallel: bool,
-    /// How its light fades.
+    /// The attenuation with distance.
     pub fade: Fade,
-    /// The lamps over which its shadows are averaged.
+    /// The grid of point lights over which shadows are averaged.
     pub area: Option<Box<Area>>,
-    /// Whether media scatter its light.
+    /// True if media scatter the light.
     pub media_interaction: bool,
-    /// Whether media and fog weaken its light on the way.
+    /// True if media and fog attenuate the light between its source and the shading point.
     pub media_attenuation: bool,
-    /// What it does with photons.
+    /// The `photons` settings.
     pub photons: Photons,
     points_at: DVec3,
-    /// The unit direction from `centre` to `points_at`; zero where they are the same.
+    /// Unit direction from `centre` to `points_at`; zero where they are the same.
     axis: DVec3,
-    /// The unit direction of parallel rays.
+    /// Unit direction in which parallel rays travel.
     rays: DVec3,
-    /// The centre of the whole light, where this is one of its lamps.
-    middle: DVec3,
+    /// The apex of the cone or a point on the axis of the cylinder: for a grid light the centre of the whole area
+    /// light.
+    beam_origin: DVec3,
 }
 
 /// The form of a light's beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Beam {
-    /// The same to all sides.
+    /// Uniform in all directions.
     Point,
-    /// `shadowless`: the same to all sides. Nothing stops it, and it makes no highlights.
+    /// `shadowless`: uniform in all directions, never occluded, and without highlights.
     Shadowless,
     /// A cone.
     Spotlight(Spotlight),
-    /// A round beam of parallel light.
+    /// A cylindrical beam of parallel light.
     Cylinder(Cylinder),
 }
 
-/// How light arrives at a point.
+/// Direction and distance from a shading point to a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
     /// The unit direction to the light.
     pub to_light: DVec3,
-    /// How far it has come, also the distance within which things cast shadows.
+    /// The distance over which the light fades, and the length of the shadow ray.
     pub distance: f64,
 }
 
-/// The words that a light's kind must stand before.
-const OF_BEAMS: [Word; 4] = [Word::PointAt, Word::Radius, Word::Falloff, Word::Tightness];
+/// Keywords that are valid only after the keyword of the light's kind.
+const BEAM_PARAMETERS: [Word; 4] = [Word::PointAt, Word::Radius, Word::Falloff, Word::Tightness];
 
 impl Light {
-    /// A light that shines to all sides.
+    /// A point light.
     #[must_use]
     pub fn point(centre: DVec3, color: Rgb) -> Light {
         let mut light = Light {
@@ -99,13 +100,13 @@ impl Light {
             points_at: DVec3::Z,
             axis: DVec3::ZERO,
             rays: DVec3::ZERO,
-            middle: centre,
+            beam_origin: centre,
         };
         light.aim();
         light
     }
 
-    /// The centre and the colour, with which the inside of each block begins.
+    /// Parses the centre and the colour that open every `light_source` block.
     ///
     /// # Errors
     /// A malformed value.
@@ -124,10 +125,10 @@ impl Light {
         Ok(Light::point(centre, args.color()?.rgb))
     }
 
-    /// Takes one parameter other than a transform and says whether there was one.
+    /// Parses one parameter other than a transform. Returns false if the next token is none.
     ///
     /// # Errors
-    /// A malformed value, or a parameter that the light cannot have.
+    /// A malformed value, or a parameter that this kind of light lacks.
     pub fn read_item(&mut self, args: &mut dyn Args) -> Parse<bool> {
         let Some(word) = args.word()? else {
             return Ok(false);
@@ -156,17 +157,19 @@ impl Light {
                 self.photons.read(args)?;
                 return Ok(true);
             }
-            _ if OF_BEAMS.contains(&word) => return self.read_beam(word, at, args),
+            _ if BEAM_PARAMETERS.contains(&word) => {
+                return self.read_beam_parameter(word, at, args);
+            }
             _ if self.fade.read_item(word, args)? => return Ok(true),
             _ => return Area::read_item(&mut self.area, word, args),
         }
         args.accept(word)
     }
 
-    /// Checks what can be known only at the end of the block.
+    /// Checks conditions that depend on the whole block.
     ///
     /// # Errors
-    /// A round area with a single lamp on one of its axes.
+    /// A circular area light with a single light along one of its axes.
     pub fn end(&mut self, args: &mut dyn Args) -> Parse<()> {
         if let Some(area) = &mut self.area {
             area.end(args)?;
@@ -174,12 +177,12 @@ impl Light {
         Ok(())
     }
 
-    /// A parameter of a beam, which the beam must stand before.
-    fn read_beam(&mut self, word: Word, at: Span, args: &mut dyn Args) -> Parse<bool> {
+    /// Parses a parameter of the beam, which must follow the keyword of the beam.
+    fn read_beam_parameter(&mut self, word: Word, at: Span, args: &mut dyn Args) -> Parse<bool> {
         args.accept(word)?;
         if word == Word::PointAt {
             if !self.is_parallel && !matches!(self.beam, Beam::Spotlight(_)) {
-                return Err(lacks_beam(
+                return Err(wrong_kind_error(
                     word,
                     at,
                     "`spotlight`, `cylinder` or `parallel`",
@@ -193,13 +196,13 @@ impl Light {
             Beam::Spotlight(spotlight) => spotlight.set(word, args.float()?),
             Beam::Cylinder(cylinder) => cylinder.set(word, args.float()?),
             Beam::Point | Beam::Shadowless => {
-                return Err(lacks_beam(word, at, "`spotlight` or `cylinder`"));
+                return Err(wrong_kind_error(word, at, "`spotlight` or `cylinder`"));
             }
         }
         Ok(true)
     }
 
-    /// Moves the light and its lamps; distances and widths stay.
+    /// Transforms the positions of the light and its grid. Radii and distances do not scale.
     pub fn transform(&mut self, step: &Step) {
         let to_world = step.transform().world_from_object;
         self.centre = to_world.transform_point3(self.centre);
@@ -210,8 +213,8 @@ impl Light {
         self.aim();
     }
 
-    /// One lamp of its area, so far from its centre, as a light by itself. Its cone keeps the direction of the
-    /// whole, its cylinder the place too, and its parallel rays run to the same point.
+    /// The light of the area grid at `offset` from the centre, as an independent light. A cone keeps the axis of the
+    /// whole light, a cylinder also its position, and parallel rays aim at the same `point_at`.
     #[must_use]
     pub fn lamp(&self, offset: DVec3) -> Light {
         let centre = self.centre + offset;
@@ -226,28 +229,28 @@ impl Light {
     fn aim(&mut self) {
         self.axis = (self.points_at - self.centre).normalize_or_zero();
         self.rays = self.axis;
-        self.middle = self.centre;
+        self.beam_origin = self.centre;
     }
 
-    /// The point at which it is aimed.
+    /// The target of `point_at`, in world space.
     #[must_use]
     pub fn points_at(&self) -> DVec3 {
         self.points_at
     }
 
-    /// The unit direction in which it is aimed.
+    /// The unit direction from the centre to `point_at`; zero where they coincide.
     #[must_use]
     pub fn axis(&self) -> DVec3 {
         self.axis
     }
 
-    /// Whether nothing stops its light. Such a light makes no highlights.
+    /// True if the light is never occluded. Such a light makes no highlights.
     #[must_use]
     pub fn is_shadowless(&self) -> bool {
         self.beam == Beam::Shadowless
     }
 
-    /// The way of its light to a point, from its centre.
+    /// Direction and distance from `point` to the light's centre.
     #[must_use]
     #[inline]
     pub fn arrival(&self, point: DVec3) -> Arrival {
@@ -265,38 +268,38 @@ impl Light {
         }
     }
 
-    /// Whether all of its light arrives everywhere, but for what stands in the way.
+    /// True if the unoccluded light arrives at full strength everywhere.
     #[must_use]
     pub fn has_even_share(&self) -> bool {
         let is_even = matches!(self.beam, Beam::Point | Beam::Shadowless);
         is_even && !self.fade.fades()
     }
 
-    /// The share of its light that arrives at a point, without regard to what stands in the way.
+    /// The fraction of the light that arrives at `point`, ignoring occlusion.
     #[must_use]
     #[inline]
     pub fn share(&self, point: DVec3, arrival: &Arrival) -> f64 {
-        self.share_in_beam(point, arrival.to_light) * self.fade.share(arrival.distance)
+        self.beam_attenuation(point, arrival.to_light) * self.fade.share(arrival.distance)
     }
 
-    /// The same without fading.
+    /// The beam's factor of the attenuation, without fading.
     #[inline]
-    fn share_in_beam(&self, point: DVec3, to_light: DVec3) -> f64 {
+    fn beam_attenuation(&self, point: DVec3, to_light: DVec3) -> f64 {
         match &self.beam {
             Beam::Point | Beam::Shadowless => 1.0,
-            Beam::Spotlight(spotlight) => spotlight.share(-to_light.dot(self.axis)),
-            Beam::Cylinder(cylinder) => cylinder.share(point - self.middle, self.axis),
+            Beam::Spotlight(spotlight) => spotlight.attenuation(-to_light.dot(self.axis)),
+            Beam::Cylinder(cylinder) => cylinder.attenuation(point - self.beam_origin, self.axis),
         }
     }
 
-    /// The share of its light that a ray from it has, told so far along it: a ray of parallel light starts beside the light,
-    /// where a beam has not begun yet.
+    /// The fraction of the light that a ray leaving the light carries. It is evaluated at the parameter `at`: rays of
+    /// parallel light start beside the light, where the beam has not begun yet.
     #[must_use]
     pub fn share_of_ray(&self, ray: &Ray, at: f64) -> f64 {
-        self.share_in_beam(ray.at(at), -ray.dir)
+        self.beam_attenuation(ray.at(at), -ray.dir)
     }
 
-    /// The unit direction of parallel rays.
+    /// The unit direction in which parallel rays travel.
     #[must_use]
     pub fn rays(&self) -> DVec3 {
         self.rays
@@ -304,23 +307,23 @@ impl Light {
 }
 
 impl Light {
-    /// The stretch of a ray that lies in its beam, by the parameter of the ray; `None` where none does.
+    /// The interval of ray parameters inside the beam; `None` if the ray misses the beam.
     #[must_use]
     pub fn crossed_by(&self, ray: &Ray) -> Option<(f64, f64)> {
         match &self.beam {
             Beam::Point | Beam::Shadowless => Some((f64::NEG_INFINITY, f64::INFINITY)),
-            Beam::Spotlight(spotlight) => spotlight.crossed_by(ray, self.middle, self.axis),
-            Beam::Cylinder(cylinder) => cylinder.crossed_by(ray, self.middle, self.axis),
+            Beam::Spotlight(spotlight) => spotlight.interval(ray, self.beam_origin, self.axis),
+            Beam::Cylinder(cylinder) => cylinder.interval(ray, self.beam_origin, self.axis),
         }
     }
 }
 
-/// How a beam ends: nothing at its outer edge, all at its inner edge.
+/// Smooth step across the penumbra of a beam: 0 at the outer edge, 1 at the inner edge.
 fn edge(at: f64, outer: f64, inner: f64) -> f64 {
     smooth(((at - outer) / (inner - outer)).clamp(0.0, 1.0))
 }
 
-fn lacks_beam(word: Word, at: Span, kinds: &str) -> Box<Diagnostic> {
+fn wrong_kind_error(word: Word, at: Span, kinds: &str) -> Box<Diagnostic> {
     Box::new(
         Diagnostic::error(at, format!("`{word}` has no meaning in this light"))
             .with_hint(format!("Write {kinds} before it.")),
@@ -352,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn a_light_has_a_place_and_a_colour() {
+    fn a_light_has_a_centre_and_a_colour() {
         let light = read("<1, 2, 3>, rgb <1, 0.5, 0>").unwrap();
         assert_eq!(light.centre, DVec3::new(1.0, 2.0, 3.0));
         assert_eq!(light.color, Rgb::new(1.0, 0.5, 0.0));
@@ -360,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn transforms_move_it_and_what_it_points_at() {
+    fn transforms_move_a_light_and_its_target() {
         let text = "<1, 0, 0>, 0.5 spotlight point_at <1, -4, 0> scale 2 translate <0, 1, 0>";
         let light = read(text).unwrap();
         assert_eq!(light.centre, DVec3::new(2.0, 1.0, 0.0));
@@ -381,15 +384,15 @@ mod tests {
     }
 
     #[test]
-    fn shadowless_after_spotlight_takes_the_cone_away() {
-        // As in POV-Ray 3.7, where being shadowless is one of the kinds.
+    fn shadowless_after_spotlight_removes_the_cone() {
+        // As in POV-Ray 3.7, where `shadowless` is one of the kinds.
         assert!(read("0, 1 spotlight shadowless").unwrap().is_shadowless());
         let light = read("0, 1 shadowless spotlight point_at <1, 0, 0>").unwrap();
         assert!(!light.is_shadowless());
     }
 
     #[test]
-    fn parameters_need_their_kind_before_them() {
+    fn parameters_must_follow_their_kind() {
         for (text, word) in [
             ("0, 1 point_at 0 spotlight", "point_at"),
             ("0, 1 parallel radius 3", "radius"),
@@ -404,7 +407,7 @@ mod tests {
     }
 
     #[test]
-    fn other_words_are_left() {
+    fn unknown_words_are_not_consumed() {
         let error = read("0, rgb 1 ior 2").expect_err("`ior` has no place in a light");
         assert_eq!(error.message, "expected the end, found `ior`");
     }

@@ -1,23 +1,23 @@
-//! Parts of the grid of an area light, which are divided where more must be known.
+//! Rectangular parts of an area light's grid, for adaptive subdivision.
 
-/// A part of a grid: the first and last indices along both sides.
+/// A part of the grid: the first and last index along each side.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    /// Of the columns.
+    /// First and last column.
     pub u: [u32; 2],
-    /// Of the rows.
+    /// First and last row.
     pub v: [u32; 2],
 }
 
 impl Part {
-    /// The whole of a grid with so many lamps along both sides, none zero.
+    /// The whole grid. No size may be 0.
     #[must_use]
     pub fn all(sizes: [u32; 2]) -> Part {
         let [u, v] = sizes.map(|size| [0, size - 1]);
         Part { u, v }
     }
 
-    /// Its quarters, which share their edges where the number of lamps is odd.
+    /// The four quarters. Along a side with an odd number of lights they share the middle line.
     #[must_use]
     pub fn quarters(self) -> [Part; 4] {
         let halves = |[low, high]: [u32; 2]| {
@@ -28,32 +28,32 @@ impl Part {
         [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| Part { u: u[i], v: v[j] })
     }
 
-    /// The indices of the lamps at its corners; some more than once where it is narrow.
+    /// The indices of the lights at the corners; a part one light wide repeats some.
     #[must_use]
     pub fn corners(self) -> [[u32; 2]; 4] {
         [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| [self.u[i], self.v[j]])
     }
 
-    /// Tells whether there are lamps between the corners.
+    /// True if there are lights between the corners.
     #[must_use]
     pub fn can_be_divided(self) -> bool {
         self.u[1] - self.u[0] > 1 || self.v[1] - self.v[0] > 1
     }
 }
 
-/// The lamps at the corners of all parts down to the depth to which a grid is divided whatever comes from them, in the
-/// order in which they are asked about, each once.
-pub(super) fn first_lamps(sizes: [u32; 2], depth: u32) -> Vec<[u32; 2]> {
-    let mut is_known = vec![false; sizes[0] as usize * sizes[1] as usize];
-    let mut lamps = Vec::new();
+/// The lights at the corners of all parts down to `depth`, where the grid is always subdivided. Each occurs once, in
+/// the order of the recursive traversal.
+pub(super) fn initial_grid_lights(sizes: [u32; 2], depth: u32) -> Vec<[u32; 2]> {
+    let mut is_added = vec![false; sizes[0] as usize * sizes[1] as usize];
+    let mut lights = Vec::new();
     let mut add = |[u, v]: [u32; 2]| {
-        let known = &mut is_known[u as usize + sizes[0] as usize * v as usize];
-        if !std::mem::replace(known, true) {
-            lamps.push([u, v]);
+        let added = &mut is_added[u as usize + sizes[0] as usize * v as usize];
+        if !std::mem::replace(added, true) {
+            lights.push([u, v]);
         }
     };
     add_corners(Part::all(sizes), depth, &mut add);
-    lamps
+    lights
 }
 
 fn add_corners(part: Part, depth: u32, add: &mut impl FnMut([u32; 2])) {

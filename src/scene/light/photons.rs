@@ -1,30 +1,30 @@
-//! `photons` in lights and objects. Without `photons` in `global_settings` they change no picture.
+//! `photons` blocks in lights and objects. They have no effect without `photons` in `global_settings`.
 
 use crate::base::args::{Args, Parse, Word};
 
-/// What a light does with photons.
+/// The `photons` settings of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Photons {
-    /// Whether it sends photons to be refracted; `None` leaves it to the objects.
+    /// Emission of photons for refraction; `None` leaves it to the objects.
     pub refraction: Option<bool>,
-    /// Whether it sends photons to be reflected; `None` leaves it to the objects.
+    /// Emission of photons for reflection; `None` leaves it to the objects.
     pub reflection: Option<bool>,
-    /// Whether photons come from all lamps of an area light.
+    /// `area_light`: true if photons start at all lights of an area light's grid.
     pub from_area: bool,
 }
 
-/// What an object does with photons.
+/// The `photons` settings of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectPhotons {
-    /// The factor on the spacing of photons that are sent to it; `None` where none are.
+    /// The factor on the photon spacing of a target; `None` if the object is no target.
     pub target: Option<f64>,
-    /// Whether it refracts them.
+    /// Refraction of photons; `None` leaves it to the light.
     pub refraction: Option<bool>,
-    /// Whether it reflects them.
+    /// Reflection of photons; `None` leaves it to the light.
     pub reflection: Option<bool>,
-    /// Whether photons come to rest on it.
+    /// True if surfaces of the object store photons.
     pub collect: bool,
-    /// Whether photons pass it that are on their way to a target.
+    /// True if the object does not block photons that have not hit their target yet.
     pub pass_through: bool,
 }
 
@@ -41,7 +41,7 @@ impl Default for ObjectPhotons {
 }
 
 impl Photons {
-    /// The block behind `photons` in a light.
+    /// Parses the block after `photons` in a light.
     ///
     /// # Errors
     /// A malformed value.
@@ -64,42 +64,42 @@ impl Photons {
     }
 }
 
-/// What a surface does with photons: what its object says, and what that inherits.
+/// The photon settings of a surface: those of its object, combined with those of the enclosing objects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PhotonRole {
-    /// Whether it refracts them.
+    /// Refraction of photons; `None` leaves it to the light.
     pub refraction: Option<bool>,
-    /// Whether it reflects them.
+    /// Reflection of photons; `None` leaves it to the light.
     pub reflection: Option<bool>,
-    /// Whether none come to rest on it.
+    /// True if the surface stores no photons.
     pub keeps_none: bool,
-    /// Whether photons pass it that are on their way to a target.
+    /// True if the surface does not block photons that have not hit their target yet.
     pub is_passed: bool,
-    /// The number of the target that it is part of.
+    /// The index of the target that the surface belongs to.
     pub target: Option<u32>,
 }
 
 impl PhotonRole {
-    /// That of an object in what has this one. What holds an object overrules it, as in POV-Ray, which tells the parts when
-    /// the whole is complete.
+    /// The role of an object with settings `own` inside an object of this role. The enclosing object overrides its
+    /// parts, as in POV-Ray, which passes the settings down when the whole is complete.
     #[must_use]
     pub fn with(self, own: &ObjectPhotons) -> PhotonRole {
         PhotonRole {
             refraction: self.refraction.or(own.refraction),
             reflection: self.reflection.or(own.reflection),
             keeps_none: self.keeps_none || !own.collect,
-            is_passed: self.is_passed || own.is_passed(),
+            is_passed: self.is_passed || own.passes_through(),
             target: self.target,
         }
     }
 
-    /// Whether it refracts the photons of a light: one of the two asks for it and neither forbids it.
+    /// True if the surface refracts photons of `light`: one of the two requests it and neither forbids it.
     #[must_use]
     pub fn refracts(&self, light: &Photons) -> bool {
         agree(self.refraction, light.refraction)
     }
 
-    /// Whether it reflects them.
+    /// True if the surface reflects photons of `light`, by the same rule.
     #[must_use]
     pub fn reflects(&self, light: &Photons) -> bool {
         agree(self.reflection, light.reflection)
@@ -111,12 +111,12 @@ fn agree(one: Option<bool>, other: Option<bool>) -> bool {
 }
 
 impl ObjectPhotons {
-    /// Whether photons pass it. A target that refracts them takes them in spite of `pass_through`.
-    fn is_passed(&self) -> bool {
+    /// True if photons pass straight through. For a target that refracts photons `pass_through` has no effect.
+    fn passes_through(&self) -> bool {
         self.pass_through && !(self.target.is_some() && self.refraction == Some(true))
     }
 
-    /// The block behind `photons` in an object.
+    /// Parses the block after `photons` in an object.
     ///
     /// # Errors
     /// A malformed value.
@@ -154,7 +154,7 @@ mod tests {
     use crate::base::args::text::TextArgs;
 
     #[test]
-    fn an_object_says_what_it_does_with_photons() {
+    fn object_photons_are_parsed() {
         let mut photons = ObjectPhotons::default();
         let text = "{ target 0.5 refraction on reflection off collect off pass_through }";
         photons.read(&mut TextArgs::new(text)).unwrap();
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn a_light_says_which_photons_it_sends() {
+    fn light_photons_are_parsed() {
         let mut photons = Photons::default();
         let text = "{ refraction on area_light }";
         photons.read(&mut TextArgs::new(text)).unwrap();

@@ -1,4 +1,5 @@
-//! `spotlight`: a cone of light, full within `radius`, none outside of `falloff`, brighter in the middle by `tightness`.
+//! `spotlight`: a cone of light, at full strength within `radius`, zero beyond `falloff`, and concentrated towards the
+//! axis by `tightness`.
 
 use super::edge;
 use crate::base::args::Word;
@@ -6,18 +7,18 @@ use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
 use glam::DVec3;
 
-/// The half-angles that a spotlight has unless it gives others.
+/// Default half-angles.
 const RADIUS_DEG: f64 = 30.0;
 const FALLOFF_DEG: f64 = 45.0;
 
 /// A cone of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spotlight {
-    /// The cosine of the half-angle of full light; 0 and less for no edge at all.
+    /// Cosine of the half-angle of the fully lit cone; 0 or less disables the penumbra.
     pub cos_radius: f64,
-    /// The cosine of the half-angle of all light.
+    /// Cosine of the half-angle of the whole cone.
     pub cos_falloff: f64,
-    /// The power of the cosine by which the middle is brighter.
+    /// Exponent of the cosine of the angle from the axis.
     pub tightness: f64,
 }
 
@@ -41,27 +42,27 @@ impl Spotlight {
         }
     }
 
-    /// The share of light that leaves at an angle of this cosine from the axis.
+    /// The fraction of the light emitted at an angle from the axis, given by its cosine.
     #[must_use]
-    pub fn share(&self, cosine: f64) -> f64 {
+    pub fn attenuation(&self, cosine: f64) -> f64 {
         if cosine <= 0.0 {
             return 0.0;
         }
-        let middle = || exact_power(cosine, self.tightness);
+        let core = || exact_power(cosine, self.tightness);
         if self.cos_radius <= 0.0 || cosine >= self.cos_radius {
-            middle()
+            core()
         } else if cosine <= self.cos_falloff {
             // A `radius` beyond `falloff` has a sharp edge.
             0.0
         } else {
-            middle() * edge(cosine, self.cos_falloff, self.cos_radius)
+            core() * edge(cosine, self.cos_falloff, self.cos_radius)
         }
     }
 }
 
 impl Spotlight {
-    /// The stretch of a ray within the cone of all light, which stands on `centre` about the unit `axis`.
-    pub(super) fn crossed_by(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
+    /// The interval of ray parameters inside the cone of half-angle `falloff`, with apex `centre` and unit `axis`.
+    pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
         let from = ray.origin - centre;
         let cos_sq = self.cos_falloff * self.cos_falloff;
         let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
@@ -88,25 +89,25 @@ impl Spotlight {
             ends[2] = one.max(other);
             count = 3;
         }
-        // Between two ends the ray is in the cone or not all along.
-        let is_in = |t: f64| {
+        // Between two neighbouring ends the ray is either inside or outside throughout.
+        let is_inside = |t: f64| {
             let height = height + t * rise;
             height > 0.0 && a * t * t + 2.0 * b * t + c > 0.0
         };
-        let mut found: Option<(f64, f64)> = None;
-        for place in 0..count {
-            let (from, to) = (ends[place], ends[place + 1]);
+        let mut inside: Option<(f64, f64)> = None;
+        for index in 0..count {
+            let (from, to) = (ends[index], ends[index + 1]);
             let middle = match (from.is_finite(), to.is_finite()) {
                 (true, true) => 0.5 * (from + to),
                 (true, false) => from + from.abs() + 1.0,
                 (false, true) => to - to.abs() - 1.0,
                 (false, false) => 0.0,
             };
-            if is_in(middle) {
-                found = Some((found.map_or(from, |found| found.0), to));
+            if is_inside(middle) {
+                inside = Some((inside.map_or(from, |inside| inside.0), to));
             }
         }
-        found
+        inside
     }
 }
 
@@ -114,28 +115,28 @@ impl Spotlight {
 mod tests {
     use super::*;
 
-    fn share(radius: f64, falloff: f64, tightness: f64, angle_deg: f64) -> f64 {
+    fn attenuation(radius: f64, falloff: f64, tightness: f64, angle_deg: f64) -> f64 {
         let mut spotlight = Spotlight::default();
         spotlight.set(Word::Radius, radius);
         spotlight.set(Word::Falloff, falloff);
         spotlight.set(Word::Tightness, tightness);
-        spotlight.share(angle_deg.to_radians().cos())
+        spotlight.attenuation(angle_deg.to_radians().cos())
     }
 
-    /// Compares with the light of POV-Ray's spotlight at <0, 8, 0> on the floor at x, less the cosine of the floor.
+    /// Compares with POV-Ray's spotlight at <0, 8, 0> on the floor at x; the cosine at the floor is a factor.
     fn check(radius: f64, falloff: f64, tightness: f64, at: [(f64, f64); 3]) {
         for (x, expected) in at {
             let angle = f64::atan(x / 8.0);
-            let found = share(radius, falloff, tightness, angle.to_degrees()) * angle.cos();
+            let result = attenuation(radius, falloff, tightness, angle.to_degrees()) * angle.cos();
             assert!(
-                (found - expected).abs() < 2e-5,
-                "{x}: {found}, not {expected}"
+                (result - expected).abs() < 2e-5,
+                "{x}: {result}, not {expected}"
             );
         }
     }
 
     #[test]
-    fn light_ends_softly_between_radius_and_falloff() {
+    fn light_falls_off_smoothly_between_radius_and_falloff() {
         check(
             30.0,
             45.0,
@@ -151,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn a_radius_beyond_falloff_ends_sharply() {
+    fn a_radius_beyond_falloff_has_a_sharp_edge() {
         check(
             40.0,
             20.0,
@@ -161,27 +162,27 @@ mod tests {
     }
 
     #[test]
-    fn a_radius_beyond_90_degrees_has_no_edge() {
+    fn a_radius_beyond_90_degrees_has_no_penumbra() {
         check(
             100.0,
             120.0,
             0.0,
             [(7.0, 0.75257), (5.0, 0.84800), (3.0, 0.93632)],
         );
-        assert_eq!(share(100.0, 120.0, 0.0, 91.0), 0.0);
+        assert_eq!(attenuation(100.0, 120.0, 0.0, 91.0), 0.0);
     }
 
     #[test]
-    fn a_ray_is_in_the_cone_where_light_arrives() {
+    fn interval_of_a_ray_in_the_cone() {
         let mut spotlight = Spotlight::default();
         spotlight.set(Word::Falloff, 45.0);
-        let crossed = |origin: DVec3, dir: DVec3| {
-            spotlight.crossed_by(&Ray::new(origin, dir), DVec3::ZERO, DVec3::Z)
+        let interval = |origin: DVec3, dir: DVec3| {
+            spotlight.interval(&Ray::new(origin, dir), DVec3::ZERO, DVec3::Z)
         };
-        let across = crossed(DVec3::new(-9.0, 0.0, 2.0), DVec3::X).expect("it crosses");
+        let across = interval(DVec3::new(-9.0, 0.0, 2.0), DVec3::X).expect("it crosses");
         assert!((across.0 - 7.0).abs() < 1e-9 && (across.1 - 11.0).abs() < 1e-9);
-        assert_eq!(crossed(DVec3::new(-9.0, 0.0, -2.0), DVec3::X), None);
-        let along = crossed(DVec3::new(1.0, 0.0, -5.0), DVec3::Z).expect("it goes in");
+        assert_eq!(interval(DVec3::new(-9.0, 0.0, -2.0), DVec3::X), None);
+        let along = interval(DVec3::new(1.0, 0.0, -5.0), DVec3::Z).expect("it goes in");
         assert!((along.0 - 6.0).abs() < 1e-9 && along.1 == f64::INFINITY);
     }
 }
