@@ -28,7 +28,7 @@ fn main() -> ExitCode {
     };
     let render = RenderOptions::of_size(width, height);
     let listen = |event: Event<'_>| {
-        if let Event::Found(message) = event {
+        if let Event::Finding(message) = event {
             eprintln!("{}", message.excerpt);
         }
     };

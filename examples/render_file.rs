@@ -21,7 +21,7 @@ fn main() -> ExitCode {
     let render = RenderOptions::of_size(640, 480);
     // Findings of the scene, errors and warnings alike, arrive while it is read.
     let listen = |event: Event<'_>| {
-        if let Event::Found(message) = event {
+        if let Event::Finding(message) = event {
             eprintln!("{}", message.excerpt);
         }
     };

@@ -177,26 +177,26 @@ fn draw_with(
     let unfinished = unfinished(read, render, print, listen);
     let unfinished = unfinished.as_ref();
     let progress = |pixels| listen(Event::Drawn(pixels));
-    let only_for = render.only_for.as_ref().map(|options| EncodeOptions {
+    let only_for = render.target_format.as_ref().map(|options| EncodeOptions {
         working,
         ..options.clone()
     });
     let render = &RenderOptions {
-        only_for,
+        target_format: only_for,
         ..render.clone()
     };
     let drawn = match pool {
         None => render::render(&world, render, unfinished, &progress),
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
-    if render.stop.is_asked() {
+    if render.stop.is_cancelled() {
         if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
-            listen(Event::Kept(pixels));
+            listen(Event::Checkpointed(pixels));
         }
         return Err(failure("the drawing was stopped".to_owned(), listen));
     }
     if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
-        listen(Event::KeepsNothing(kind));
+        listen(Event::CheckpointFailed(kind));
     }
     watch.lap("trace");
     save_photons(&world, &drawn, listen);
@@ -218,8 +218,8 @@ fn unfinished(
     print: u64,
     listen: &EventHandler<'_>,
 ) -> Option<Checkpoint> {
-    let keep = render.keep.as_ref()?;
-    if matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some()) {
+    let keep = render.checkpoint.as_ref()?;
+    if matches!(&render.sampling, Sampling::Adaptive(how) if how.time.is_some()) {
         return None;
     }
     let ReadOptions {
@@ -236,7 +236,7 @@ fn unfinished(
         rows,
         quality,
         alpha,
-        least_distance,
+        t_min_rule: least_distance,
         random_order,
         sampling,
         ..
@@ -253,8 +253,8 @@ fn unfinished(
     let (unfinished, status) = Checkpoint::open(keep, hasher.finish(), size);
     match status {
         CheckpointStatus::Nothing => {}
-        CheckpointStatus::Other => listen(Event::StartsAnew),
-        CheckpointStatus::Pixels(pixels) => listen(Event::GoesOn(pixels)),
+        CheckpointStatus::Other => listen(Event::CheckpointDiscarded),
+        CheckpointStatus::Pixels(pixels) => listen(Event::Resumed(pixels)),
     }
     Some(unfinished)
 }
@@ -312,7 +312,7 @@ fn deep(name: &str) -> std::thread::Builder {
 /// A failure that is not caused by the scene.
 fn failure(message: String, listen: &EventHandler<'_>) -> Failure {
     let error = Message::new(&Diagnostic::error(None, message), &Sources::default());
-    listen(Event::Found(&error));
+    listen(Event::Finding(&error));
     Failure {
         errors: vec![error],
     }
@@ -335,7 +335,7 @@ fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>)
         let mut warning = base::source::refusal("write", path, &error);
         warning.severity = Severity::Warning;
         let warning = Message::new(&warning, &Sources::default());
-        listen(Event::Found(&warning));
+        listen(Event::Finding(&warning));
     }
 }
 
@@ -426,7 +426,7 @@ fn read_scene(
     let mut errors = Vec::new();
     let mut report = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
-        listen(Event::Found(&message));
+        listen(Event::Finding(&message));
         if message.severity == Severity::Error {
             errors.push(message);
         }
@@ -441,7 +441,7 @@ fn read_scene(
     let scene = match file {
         Ok(file) => {
             let mut forward = |event: ReadEvent<'_>| match event {
-                ReadEvent::Said(text) => listen(Event::Said(text)),
+                ReadEvent::Said(text) => listen(Event::SceneOutput(text)),
                 ReadEvent::Finding(finding, sources) => report(finding, sources),
             };
             let mut probe = OwnObjects::default();
@@ -460,7 +460,7 @@ fn read_scene(
                 dependencies: &reading.dependencies,
                 wrote_files: sources.wrote_files() || reading.scene.as_ref().is_some_and(saves),
             });
-            if render.keep.is_some() {
+            if render.checkpoint.is_some() {
                 print = sources.fingerprint();
             }
             if let (Some(cache), Some(token_cache), true) =

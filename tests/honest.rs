@@ -56,7 +56,7 @@ fn drawn(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Pict
 }
 
 fn converged(input: &Input, size: (u32, u32), error: f64) -> Linear {
-    let sampling = Sampling::Converging(Adaptive { error, time: None });
+    let sampling = Sampling::Adaptive(Adaptive { error, time: None });
     let picture = drawn(input, size, sampling);
     Linear::of_film(&picture.film, picture.working)
 }

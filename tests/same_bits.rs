@@ -27,7 +27,7 @@ difference {
   object { Part pigment { rgb <0.2, 0.6, 0.3> } scale 0.1 rotate I * y translate <sin(9 * I) * 3, -0.9, 2 * cos(7 * I)> }
 #end";
 
-const CONVERGING: Sampling = Sampling::Converging(Adaptive {
+const CONVERGING: Sampling = Sampling::Adaptive(Adaptive {
     error: 2.0,
     time: None,
 });
@@ -216,7 +216,7 @@ fn random_numbers_of_large_pictures_are_the_same_for_any_number_of_threads_and_a
         rows: 100..164,
         ..options()
     };
-    assert!(!large.takes_numbers_in_order());
+    assert!(!large.uses_sequential_random());
     let with = |threads, options| {
         let threads = Some(threads);
         drawn(CHANCE, &RenderOptions { threads, ..options })
@@ -338,7 +338,7 @@ fn a_scene_scaled_by_a_power_of_two_keeps_its_picture() {
 #[test]
 fn a_picture_without_time_is_still_complete() {
     let in_time = |milliseconds| RenderOptions {
-        sampling: Sampling::Converging(Adaptive {
+        sampling: Sampling::Adaptive(Adaptive {
             error: 0.5,
             time: Some(Duration::from_millis(milliseconds)),
         }),
@@ -346,7 +346,7 @@ fn a_picture_without_time_is_still_complete() {
     };
     let none = drawn(SCENE, &in_time(0));
     let coarse = RenderOptions {
-        sampling: Sampling::Converging(Adaptive {
+        sampling: Sampling::Adaptive(Adaptive {
             error: 16.0,
             time: None,
         }),
@@ -355,7 +355,7 @@ fn a_picture_without_time_is_still_complete() {
     assert_eq!(none, drawn(SCENE, &coarse), "the first drawing is finished");
     let long = drawn(SCENE, &in_time(600_000));
     let fine = RenderOptions {
-        sampling: Sampling::Converging(Adaptive {
+        sampling: Sampling::Adaptive(Adaptive {
             error: 0.5,
             time: None,
         }),

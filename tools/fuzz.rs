@@ -134,7 +134,7 @@ fn run(count: u64, seed: u64, draws: bool, good: &[Vec<u8>], work: &Mutex<Option
 /// Reads a scene and processes it as far as allowed; true if it is valid.
 fn read(text: &[u8], draws: bool) -> bool {
     let options = ReadOptions {
-        patience: PATIENCE,
+        max_repeated_tokens: PATIENCE,
         ..ReadOptions::default()
     };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pov_scenes/language/include");

@@ -53,7 +53,7 @@ fn main() {
         count += 1;
         let mut line = format!("{:14} {apart:.3} |", riddle.name);
         for (number, &error) in targets.iter().enumerate() {
-            let sampling = Sampling::Converging(Adaptive { error, time: None });
+            let sampling = Sampling::Adaptive(Adaptive { error, time: None });
             let picture = drawn(&riddle, SIZE, sampling).expect("it was drawn before");
             let errors = truth.errors(&Linear::of_film(&picture.film, picture.working));
             let rmse = errors.rmse * STEPS;

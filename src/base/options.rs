@@ -19,9 +19,9 @@ use crate::base::source::{Dependency, Message};
 #[derive(Clone, Copy, Debug)]
 pub enum Event<'a> {
     /// Text that the scene writes with `#debug`, `#render` or `#statistics`, to be printed unchanged.
-    Said(&'a str),
+    SceneOutput(&'a str),
     /// An error or warning about the scene, in the order of detection.
-    Found(&'a Message),
+    Finding(&'a Message),
     /// The scene has been read, to its end or to the first error.
     Read {
         /// The files that were read or searched.
@@ -30,13 +30,13 @@ pub enum Event<'a> {
         wrote_files: bool,
     },
     /// Rendering resumes from a checkpoint with this number of pixels.
-    GoesOn(u64),
+    Resumed(u64),
     /// The checkpoint is discarded: it is of another scene, other options or another program.
-    StartsAnew,
+    CheckpointDiscarded,
     /// The checkpoint cannot be written.
-    KeepsNothing(std::io::ErrorKind),
+    CheckpointFailed(std::io::ErrorKind),
     /// Rendering was cancelled, with this number of pixels in the checkpoint.
-    Kept(u64),
+    Checkpointed(u64),
     /// Number of pixels finished since the last event of this kind. Sent from any thread.
     Drawn(u64),
 }
@@ -94,7 +94,7 @@ pub struct ReadOptions {
     /// `final_clock`; 0 for a still picture.
     pub final_clock: f64,
     /// Number of tokens that loops and macros may repeat before the scene is rejected as endless.
-    pub patience: u64,
+    pub max_repeated_tokens: u64,
     /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
     /// Cancels reading.
@@ -117,7 +117,7 @@ pub struct CancelToken(Arc<AtomicBool>);
 
 impl CancelToken {
     /// Requests cancellation; from any thread.
-    pub fn ask(&self) {
+    pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
@@ -130,7 +130,7 @@ impl CancelToken {
     /// Returns true if cancellation was requested.
     #[must_use]
     #[inline]
-    pub fn is_asked(&self) -> bool {
+    pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
@@ -163,7 +163,7 @@ pub struct RenderOptions {
     /// True if the transparency of the background is stored.
     pub alpha: bool,
     /// The rule for the smallest hit distance.
-    pub least_distance: LeastDistance,
+    pub t_min_rule: TMinRule,
     /// The order in which pixels draw random numbers.
     pub random_order: RandomOrder,
     /// True to collect the statistics of the lowered scene ([`Plan`]).
@@ -171,10 +171,10 @@ pub struct RenderOptions {
     /// Pixel sampling.
     pub sampling: Sampling,
     /// The checkpoint file, if one is used.
-    pub keep: Option<CheckpointOptions>,
+    pub checkpoint: Option<CheckpointOptions>,
     /// The only file format that the picture is needed for: data that it cannot hold may be omitted. `working` is
     /// ignored in favour of the scene's.
-    pub only_for: Option<EncodeOptions>,
+    pub target_format: Option<EncodeOptions>,
     /// Cancels rendering.
     pub stop: CancelToken,
 }
@@ -187,7 +187,7 @@ pub struct CheckpointOptions {
     pub file: PathBuf,
     /// True to resume from an existing file and to write checkpoints from the start. Otherwise an existing file is
     /// replaced as soon as rendering has taken two seconds.
-    pub continues: bool,
+    pub resume: bool,
     /// Identifies the build of the program, because others may render other pictures.
     pub build: String,
 }
@@ -201,7 +201,7 @@ pub enum Sampling {
     /// POV-Ray's antialiasing.
     PovRay(Antialias),
     /// Adaptive sampling until an error estimate is below a limit.
-    Converging(Adaptive),
+    Adaptive(Adaptive),
 }
 
 /// Adaptive sampling until the estimated error of every pixel is small (`+AM4`).
@@ -276,7 +276,7 @@ impl Default for Antialias {
 
 /// The rule for the smallest hit distance of rays that leave a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LeastDistance {
+pub enum TMinRule {
     /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length.
     #[default]
     Rounding,
@@ -445,7 +445,7 @@ impl Default for ReadOptions {
             final_frame: 0,
             initial_clock: 0.0,
             final_clock: 0.0,
-            patience: MAX_REPEATED_TOKENS,
+            max_repeated_tokens: MAX_REPEATED_TOKENS,
             memory: None,
             stop: CancelToken::default(),
         }
@@ -467,7 +467,7 @@ impl RenderOptions {
 
     /// Returns true if pixels draw random numbers in sequence.
     #[must_use]
-    pub fn takes_numbers_in_order(&self) -> bool {
+    pub fn uses_sequential_random(&self) -> bool {
         let pixels = u64::from(self.width) * u64::from(self.height);
         self.random_order == RandomOrder::PovRay || pixels <= MAX_SEQUENTIAL_PIXELS
     }
@@ -484,12 +484,12 @@ impl Default for RenderOptions {
             quality: 9,
             threads: None,
             alpha: false,
-            least_distance: LeastDistance::default(),
+            t_min_rule: TMinRule::default(),
             random_order: RandomOrder::default(),
             statistics: false,
             sampling: Sampling::Centres,
-            keep: None,
-            only_for: None,
+            checkpoint: None,
+            target_format: None,
             stop: CancelToken::default(),
         }
     }

@@ -14,15 +14,15 @@ impl Reader<'_> {
         let budget = &mut self.budget;
         // A round costs something beside its tokens.
         budget.reread += tokens as u64 + 8;
-        if self.options.stop.is_asked() {
+        if self.options.stop.is_cancelled() {
             return Err(self.stopped(at));
         }
         let budget = &self.budget;
-        if budget.reread <= self.options.patience {
+        if budget.reread <= self.options.max_repeated_tokens {
             return self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at));
         }
-        let most = self.options.patience
-            + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects
+        let most = self.options.max_repeated_tokens
+            + self.options.max_repeated_tokens / limits::PATIENCE_FOR_OBJECT * budget.objects
             + limits::TOKENS_FOR_BYTE * self.files.written();
         if budget.reread > most {
             let message = format!(

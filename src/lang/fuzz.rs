@@ -55,7 +55,7 @@ fn read_broken_scenes() {
         .collect();
     assert!(good.len() > 100);
     let options = ReadOptions {
-        patience: PATIENCE,
+        max_repeated_tokens: PATIENCE,
         ..ReadOptions::default()
     };
     let mut read = 0;

@@ -68,7 +68,7 @@ pub(super) fn exceeded(object: &Object) -> Option<String> {
         Some(format!(
             "objects lie inside each other more than {HEIGHT} deep"
         ))
-    } else if size.turns as usize > TURNS {
+    } else if size.csg_depth as usize > TURNS {
         Some(format!(
             "combinations that differ lie inside each other more than {TURNS} deep"
         ))

@@ -27,7 +27,7 @@ impl TokenCache {
         sources: &Sources,
         scene: FileId,
     ) -> bool {
-        let lasts = |file: FileId| file == scene || sources.is_lasting(file);
+        let lasts = |file: FileId| file == scene || sources.is_persistent(file);
         let new: Vec<(FileId, Arc<Whole>)> = tokenized
             .iter()
             .filter(|(file, _)| !self.tokens.contains_key(file) && lasts(**file))

@@ -5,17 +5,17 @@
 //! files are valid P5 files here, POV-Ray's have twice the announced bytes and no gamma; BMP files with alpha have the
 //! header that declares the alpha channel; no file contains a date.
 
+mod atomic_file;
 mod bmp;
 mod exr;
 mod hdr;
 mod jpeg;
-mod place;
 mod png;
 mod ppm;
 mod tga;
 
 pub use crate::base::encoding::{EncodeOptions, Format, FormatProperties};
-pub(crate) use place::{Pending, save, try_to_append, try_to_write};
+pub(crate) use atomic_file::{PendingFile, save, try_to_append, try_to_write};
 
 use std::fmt;
 use std::io::{self, Write};
@@ -123,7 +123,7 @@ pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<()
     };
     let result = check_film(film, format).map_err(WriteError::Format);
     let result =
-        result.and_then(|()| place::replace_by(path, |file| png::write(film, options, file)));
+        result.and_then(|()| atomic_file::replace_by(path, |file| png::write(film, options, file)));
     result.map_err(|error| match error {
         WriteError::Format(reason) => OutputError::Encode { format, reason },
         WriteError::System(source) => OutputError::Write {
@@ -139,7 +139,7 @@ pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<()
 /// The operating system reports an error.
 pub fn put(bytes: &[u8], target: &Target) -> Result<(), OutputError> {
     let result = match target {
-        Target::File(path) => place::replace(path, bytes),
+        Target::File(path) => atomic_file::replace(path, bytes),
         Target::Stdout => write_stdout(bytes),
     };
     result.map_err(|source| OutputError::Write {
@@ -151,7 +151,7 @@ pub fn put(bytes: &[u8], target: &Target) -> Result<(), OutputError> {
 impl OutputError {
     /// True if there is no space for the file: the disk is full, or a quota or size limit is reached.
     #[must_use]
-    pub fn lacks_room(&self) -> bool {
+    pub fn is_out_of_space(&self) -> bool {
         use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
         matches!(self, OutputError::Write { source, .. }
             if matches!(source.kind(), FileTooLarge | QuotaExceeded | StorageFull))
@@ -166,7 +166,7 @@ impl OutputError {
         let Target::File(path) = target else {
             return None;
         };
-        let folder = place::folder_of(path);
+        let folder = atomic_file::folder_of(path);
         match source.kind() {
             io::ErrorKind::NotFound => Some(format!(
                 "the folder `{}` does not exist: create it, or name another file with `+O`",

@@ -390,7 +390,7 @@ fn levels_quantized_row_by_row_give_the_same_file() {
                 continue;
             };
             let mut levels = Levels::black(&quantizer, film.width, film.height);
-            let row = film.width as usize * levels.bytes_of_pixel();
+            let row = film.width as usize * levels.bytes_per_pixel();
             let rows = levels.bytes_mut().chunks_mut(row);
             for (stored, pixels) in rows.zip(film.rows_of_pixels()) {
                 stored.copy_from_slice(&quantizer.levels(pixels));

@@ -77,7 +77,7 @@ impl Checkpoint {
         size: (u32, u32),
     ) -> (Checkpoint, CheckpointStatus) {
         let (mut status, mut tiles, mut file) = (CheckpointStatus::Nothing, Vec::new(), None);
-        if keep.continues {
+        if keep.resume {
             match read_tiles(keep, key, size) {
                 Ok(Some((opened, there))) => {
                     status = CheckpointStatus::Pixels(
@@ -91,7 +91,7 @@ impl Checkpoint {
             }
         }
         let state = file.unwrap_or_else(|| {
-            if keep.continues {
+            if keep.resume {
                 begin(keep, key, &[])
             } else {
                 let now = Instant::now();
@@ -321,7 +321,7 @@ mod tests {
     fn checkpoint_options(folder: &tempfile::TempDir) -> CheckpointOptions {
         CheckpointOptions {
             file: folder.path().join("a.povr-state"),
-            continues: true,
+            resume: true,
             build: String::new(),
         }
     }
@@ -397,7 +397,7 @@ mod tests {
     fn a_short_render_leaves_no_file() {
         let folder = tempfile::tempdir().unwrap();
         let keep = CheckpointOptions {
-            continues: false,
+            resume: false,
             ..checkpoint_options(&folder)
         };
         let (quick, status) = Checkpoint::open(&keep, 7, SIZE);
@@ -405,7 +405,7 @@ mod tests {
         assert!(status == CheckpointStatus::Nothing && !keep.file.exists());
         let unwritable = CheckpointOptions {
             file: folder.path().join("no/such/folder"),
-            continues: true,
+            resume: true,
             build: String::new(),
         };
         let (none, _) = Checkpoint::open(&unwritable, 7, SIZE);

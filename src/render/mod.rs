@@ -48,7 +48,7 @@ pub fn render(
     let tracer = Tracer::new(world, options.quality).with_cancel_token(&options.stop);
     let (tracer, photons) = photon_pass::with_photons(tracer);
     let mut radiosity_pass = RadiosityPass::pretraced(&tracer, options);
-    if let Sampling::Converging(settings) = &options.sampling {
+    if let Sampling::Adaptive(settings) = &options.sampling {
         let (tracer, radiosity) = match radiosity_pass {
             None => (tracer, None),
             Some(radiosity_pass) => radiosity_pass.given_to(tracer),
@@ -68,7 +68,7 @@ pub fn render(
         Some(_) => tiles_of(&with_all_before(options)),
         None => tiles_of(options),
     };
-    let quantizer = options.only_for.as_ref().and_then(Quantizer::of);
+    let quantizer = options.target_format.as_ref().and_then(Quantizer::of);
     let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match checkpoint {
@@ -140,7 +140,7 @@ impl<'a> TileRenderer<'a> {
     fn new(tracer: &'a Tracer<'a>, options: &'a RenderOptions) -> Self {
         let sampler = match &options.sampling {
             Sampling::PovRay(settings) => Some(Sampler::new(tracer, options, settings)),
-            Sampling::Centres | Sampling::Converging(_) => None,
+            Sampling::Centres | Sampling::Adaptive(_) => None,
         };
         TileRenderer {
             tracer,
@@ -169,7 +169,7 @@ impl<'a> TileRenderer<'a> {
             samples: 0,
         };
         // A tile that was interrupted is not finished.
-        if !self.options.stop.is_asked() {
+        if !self.options.stop.is_cancelled() {
             checkpoint.keep(&rendered);
         }
         (tile, (rendered.pixels, rays))

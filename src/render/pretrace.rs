@@ -95,7 +95,7 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
             }
             let session = scratch.radiosity.as_deref_mut();
             *is_lit = session.is_some_and(Session::take_was_queried);
-            if options.stop.is_asked() {
+            if options.stop.is_cancelled() {
                 return;
             }
         }

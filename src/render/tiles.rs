@@ -73,7 +73,7 @@ impl Canvas {
         match (pixels, &mut film.levels) {
             (TilePixels::Light(colors), _) => put(&mut film.pixels, &colors, &tile, width, 1),
             (TilePixels::Levels(bytes), Some(levels)) => {
-                let of_pixel = levels.bytes_of_pixel();
+                let of_pixel = levels.bytes_per_pixel();
                 put(levels.bytes_mut(), &bytes, &tile, width, of_pixel);
             }
             (TilePixels::Levels(_), None) => {}
@@ -150,5 +150,5 @@ pub(super) fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
 
 /// True if pixels are rendered one after the other because the picture depends on the random-number stream.
 pub(super) fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
-    options.takes_numbers_in_order() && world.uses_random()
+    options.uses_sequential_random() && world.uses_random()
 }

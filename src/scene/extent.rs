@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// Half the side of the box of an unbounded object.
 const UNBOUNDED: f64 = 1e10;
-const EVERYTHING: Stored = Stored {
+const EVERYTHING: ExtentBox = ExtentBox {
     min: DVec3::splat(-UNBOUNDED),
     sides: DVec3::splat(2.0 * UNBOUNDED),
 };
@@ -21,16 +21,16 @@ const NORMAL_TOLERANCE: f64 = 1e-9;
 
 /// A box as POV-Ray stores it, in single precision.
 #[derive(Clone, Copy, Debug)]
-pub struct Stored {
+pub struct ExtentBox {
     /// The lower corner.
     pub min: DVec3,
     /// The lengths of its sides.
     pub sides: DVec3,
 }
 
-impl Stored {
-    fn new(bounds: &Bounds) -> Stored {
-        Stored {
+impl ExtentBox {
+    fn new(bounds: &Bounds) -> ExtentBox {
+        ExtentBox {
             min: single(bounds.min),
             sides: single(bounds.max - bounds.min),
         }
@@ -55,12 +55,12 @@ impl Object {
     /// The bounding box that the language returns for the object.
     #[must_use]
     pub fn extent(&self) -> Bounds {
-        self.stored_box().bounds()
+        self.extent_box().bounds()
     }
 
     /// The same box as POV-Ray stores it.
     #[must_use]
-    pub fn stored_box(&self) -> Stored {
+    pub fn extent_box(&self) -> ExtentBox {
         let bare = match &self.kind {
             Kind::Shape(shape) => self.shape_box(shape, &[]),
             Kind::Csg {
@@ -70,7 +70,7 @@ impl Object {
                 let combined = match operation {
                     Operation::Union | Operation::Merge => {
                         let boxes = children.iter().map(|child| child.extent());
-                        Stored::new(&boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
+                        ExtentBox::new(&boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
                     }
                     Operation::Intersection | Operation::Difference => {
                         csg_box(*operation, children)
@@ -86,11 +86,11 @@ impl Object {
 
     /// The intersection of all non-inverse clipping or bounding objects, if it is smaller than the box; otherwise the
     /// box.
-    fn shrunk(&self, bounds: Stored, by: &[Attached<Arc<Object>>]) -> Stored {
+    fn shrunk(&self, bounds: ExtentBox, by: &[Attached<Arc<Object>>]) -> ExtentBox {
         if by.iter().all(|held| held.what.is_inverse) {
             return bounds;
         }
-        let common_box = Stored::new(&common_box(by, &self.steps));
+        let common_box = ExtentBox::new(&common_box(by, &self.steps));
         if common_box.volume() < bounds.volume() {
             common_box
         } else {
@@ -100,16 +100,16 @@ impl Object {
 
     /// The box after transforms of an enclosing object. The box of a CSG object is transformed; the box of a shape is
     /// computed anew, without its clipping and bounding objects.
-    fn transformed_box(&self, by: &[Step]) -> Stored {
+    fn transformed_box(&self, by: &[Step]) -> ExtentBox {
         match &self.kind {
-            _ if by.is_empty() => self.stored_box(),
+            _ if by.is_empty() => self.extent_box(),
             Kind::Shape(shape) => self.shape_box(shape, by),
-            _ => transformed_by_steps(self.stored_box(), by),
+            _ => transformed_by_steps(self.extent_box(), by),
         }
     }
 
     /// The box of the object's shape, after its own steps and more. A quadric takes its clipping objects into account.
-    fn shape_box(&self, shape: &Shape, more: &[Step]) -> Stored {
+    fn shape_box(&self, shape: &Shape, more: &[Step]) -> ExtentBox {
         if let Shape::Quadric(quadric) = shape
             && let Some(limits) = self.clipped_quadric(quadric)
         {
@@ -120,7 +120,7 @@ impl Object {
     }
 
     /// The box of a quadric after the last clipping object that was added while all steps were axis-aligned.
-    fn clipped_quadric(&self, quadric: &Quadric) -> Option<Stored> {
+    fn clipped_quadric(&self, quadric: &Quadric) -> Option<ExtentBox> {
         let clips = self.clipped_by();
         let along = |steps: &[Step]| {
             let is_along = |step: &Step| matches!(step, Step::Translate(_) | Step::Scale(_));
@@ -152,7 +152,7 @@ impl Object {
             limits = limits.transformed(&to_world.world_from_object);
         }
         let is_known = limits.is_finite() && is_limited(&limits);
-        is_known.then(|| transformed_by_steps(Stored::new(&limits), after))
+        is_known.then(|| transformed_by_steps(ExtentBox::new(&limits), after))
     }
 }
 
@@ -165,10 +165,10 @@ fn common_box(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
         .fold(EVERYTHING.bounds(), |sum, held| sum.intersection(&held))
 }
 
-fn shape_box(shape: &Shape, steps: &[Step]) -> Stored {
+fn shape_box(shape: &Shape, steps: &[Step]) -> ExtentBox {
     if let Some((held, from_held)) = shape.povray_box() {
         let steps = Transform::from_steps(steps).world_from_object;
-        return Stored::new(&held.transformed(&(steps * from_held)));
+        return ExtentBox::new(&held.transformed(&(steps * from_held)));
     }
     let mut shape = shape.clone();
     let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
@@ -177,7 +177,7 @@ fn shape_box(shape: &Shape, steps: &[Step]) -> Stored {
         return EVERYTHING;
     }
     let rest = Transform::from_steps(&steps[absorbed..]);
-    Stored::new(&bounds.transformed(&rest.world_from_object))
+    ExtentBox::new(&bounds.transformed(&rest.world_from_object))
 }
 
 /// Returns true if a box is bounded on all sides.
@@ -186,7 +186,7 @@ pub(super) fn is_limited(bounds: &Bounds) -> bool {
 }
 
 /// The box of an intersection or difference, before its own steps.
-fn csg_box(operation: Operation, children: &[Arc<Object>]) -> Stored {
+fn csg_box(operation: Operation, children: &[Arc<Object>]) -> ExtentBox {
     let mut sum = EVERYTHING.bounds();
     for (at, child) in children.iter().enumerate() {
         let is_taken_away = operation == Operation::Difference && at > 0;
@@ -206,7 +206,7 @@ fn csg_box(operation: Operation, children: &[Arc<Object>]) -> Stored {
     if !is_limited(&sum) || sum.is_empty() {
         EVERYTHING
     } else {
-        Stored::new(&sum)
+        ExtentBox::new(&sum)
     }
 }
 
@@ -247,7 +247,7 @@ fn clip_at(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
 }
 
 /// Transforms a box by each step in turn.
-fn transformed_by_steps(limits: Stored, steps: &[Step]) -> Stored {
+fn transformed_by_steps(limits: ExtentBox, steps: &[Step]) -> ExtentBox {
     if steps.is_empty() {
         return limits;
     }
@@ -257,7 +257,7 @@ fn transformed_by_steps(limits: Stored, steps: &[Step]) -> Stored {
     }
     steps.iter().fold(limits, |limits, step| {
         let bounds = limits.bounds();
-        Stored::new(&bounds.transformed(&step.transform().world_from_object))
+        ExtentBox::new(&bounds.transformed(&step.transform().world_from_object))
     })
 }
 

@@ -15,7 +15,7 @@ pub enum Charset {
 
 /// `radiosity { ... }`; the defaults are those of POV-Ray 3.7.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Radiosity {
+pub struct RadiositySettings {
     /// Throughput below which no irradiance is queried.
     pub adc_bailout: f64,
     /// True if samples may be added during the final pass.
@@ -56,9 +56,9 @@ pub struct Radiosity {
     pub recursion_limit: u32,
 }
 
-impl Default for Radiosity {
+impl Default for RadiositySettings {
     fn default() -> Self {
-        Radiosity {
+        RadiositySettings {
             adc_bailout: 0.01,
             always_sample: false,
             brightness: 1.0,

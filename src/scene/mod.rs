@@ -18,13 +18,13 @@ mod seen_in;
 pub mod shape;
 pub mod texture;
 
-pub use extent::Stored;
-pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
+pub use extent::ExtentBox;
+pub use globals::{Charset, PhotonDensity, Photons, RadiositySettings, Subsurface};
 pub use object::{
     Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
 };
-pub(crate) use objects::{Colored, Entry, Taken};
-pub use objects::{Look, Objects, Plain};
+pub use objects::{ColorOrTexture, Objects, PlainObject};
+pub(crate) use objects::{Colored, Entry, OwnedObject};
 
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::math::noise::NoiseGenerator;
@@ -93,7 +93,7 @@ pub struct Globals {
     /// Length of the scene's unit in millimetres.
     pub mm_per_unit: f64,
     /// Radiosity, if the file enables it.
-    pub radiosity: Option<Radiosity>,
+    pub radiosity: Option<RadiositySettings>,
     /// Default importance of objects for irradiance rays (`#default`).
     pub importance: Importance,
     /// Photon mapping, if the file enables it.

@@ -101,7 +101,7 @@ impl Object {
         let textures = self.textures().map(|texture| texture.after);
         let boxes = self.seen_in().map(|bounds| bounds.after);
         let attached = textures
-            .chain(self.around().map(|held| held.after))
+            .chain(self.clips_and_bounds().map(|held| held.after))
             .chain(boxes);
         let fixed = attached.max().unwrap_or(0);
         let (mut sum, mut rest) = (by, DVec3::ZERO);

@@ -65,7 +65,7 @@ pub struct Size {
     pub extends_beyond_bounds: bool,
     /// Depth of nested CSG objects, without those that merge into their parents: differences as the first part of a
     /// difference, unions in unions.
-    pub turns: u32,
+    pub csg_depth: u32,
 }
 
 /// A property that was attached to an object after its first `after` transforms, so that only later ones apply to it.
@@ -151,7 +151,7 @@ pub struct Flags {
     pub double_illuminate: bool,
     /// `uv_mapping`: all patterns on it and on its parts are evaluated at texture coordinates.
     pub uv_mapping: bool,
-    /// Parts without a texture take the textures of the objects they cut ([`Object::cut_away`] sets this).
+    /// Parts without a texture take the textures of the objects they cut ([`Object::set_cutaway_textures`] sets this).
     pub(super) cutaway_textures: bool,
 }
 
@@ -191,7 +191,7 @@ impl Object {
             uses_uv: matches!(&kind, Kind::Shape(shape) if shape.face_textures().iter().any(FaceTexture::uses_uv)),
             has_cutaways: false,
             extends_beyond_bounds: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
-            turns: 0,
+            csg_depth: 0,
         };
         let size = match &kind {
             Kind::Shape(_) => leaf,
@@ -289,7 +289,7 @@ impl Object {
     }
 
     /// The `clipped_by` and `bounded_by` objects.
-    pub fn around(&self) -> impl Iterator<Item = &Attached<Arc<Object>>> {
+    pub fn clips_and_bounds(&self) -> impl Iterator<Item = &Attached<Arc<Object>>> {
         self.clipped_by().iter().chain(self.bounded_by())
     }
 
@@ -352,7 +352,7 @@ impl Object {
         let Kind::Csg { operation, .. } = &self.kind else {
             return true;
         };
-        let is_bare = self.around().next().is_none();
+        let is_bare = self.clips_and_bounds().next().is_none();
         let is_intersection = |of| matches!(of, Operation::Intersection | Operation::Difference);
         let is_same = if self.is_inverse == is_cut {
             *operation == around || (is_intersection(*operation) && is_intersection(around))
@@ -367,7 +367,7 @@ impl Object {
     /// The parts of a union that is neither inverse nor clipped nor bounded.
     #[must_use]
     pub fn plain_union(&self) -> Option<&Children> {
-        let is_plain = !self.is_inverse && self.around().next().is_none();
+        let is_plain = !self.is_inverse && self.clips_and_bounds().next().is_none();
         match &self.kind {
             Kind::Csg {
                 operation: Operation::Union,
@@ -390,7 +390,7 @@ impl Object {
 
     /// Returns true if the object has no attributes of its own.
     #[must_use]
-    pub fn says_no_looks(&self) -> bool {
+    pub fn has_no_attributes(&self) -> bool {
         self.texture.is_none()
             && self.interior_texture().is_none()
             && self.interior.is_none()
@@ -403,7 +403,7 @@ impl Object {
     #[must_use]
     pub fn is_plain_part(&self) -> bool {
         self.steps.is_empty()
-            && self.says_no_looks()
+            && self.has_no_attributes()
             && self.rare.is_none()
             && !matches!(self.kind, Kind::Light { .. })
     }
@@ -417,7 +417,7 @@ impl Object {
 
     /// Sets `cutaway_textures` if the object is an intersection or difference in its current orientation, and returns
     /// true if it is. The keyword has no effect on an inverted union.
-    pub fn cut_away(&mut self) -> bool {
+    pub fn set_cutaway_textures(&mut self) -> bool {
         let is_suited = matches!(&self.kind, Kind::Csg { operation, .. } if operation.is_intersection(self.is_inverse));
         self.flags.cutaway_textures |= is_suited && !self.is_inverse;
         self.size.has_cutaways |= is_suited;
@@ -497,15 +497,15 @@ impl Drop for Object {
 impl Size {
     fn with_nested(self, inner: Size) -> Size {
         Size {
-            turns: self.turns.max(inner.turns.saturating_add(1)),
+            csg_depth: self.csg_depth.max(inner.csg_depth.saturating_add(1)),
             ..self.with(inner)
         }
     }
 
     fn with_part(self, part: &Object, adds_depth: bool) -> Size {
-        let depth = part.size.turns + u32::from(adds_depth);
+        let depth = part.size.csg_depth + u32::from(adds_depth);
         Size {
-            turns: self.turns.max(depth),
+            csg_depth: self.csg_depth.max(depth),
             uses_uv: self.uses_uv || part.uses_uv(),
             ..self.with(part.size)
         }
@@ -513,7 +513,7 @@ impl Size {
 
     fn with(self, inner: Size) -> Size {
         Size {
-            turns: self.turns,
+            csg_depth: self.csg_depth,
             height: self.height.max(inner.height.saturating_add(1)),
             leaves: self.leaves.saturating_add(inner.leaves),
             has_lights: self.has_lights || inner.has_lights,
@@ -557,7 +557,7 @@ mod tests {
             uses_uv: false,
             has_cutaways: false,
             extends_beyond_bounds: false,
-            turns: 0,
+            csg_depth: 0,
         };
         assert_eq!(doubled.size(), size);
         for _ in 0..20 {
@@ -578,7 +578,7 @@ mod tests {
             uses_uv: false,
             has_cutaways: false,
             extends_beyond_bounds: false,
-            turns: 1,
+            csg_depth: 1,
         };
         assert_eq!(object.size(), size);
     }

@@ -23,16 +23,16 @@ pub struct Objects {
 
 /// A shape with a material, without transforms or other attributes.
 #[derive(Clone, Debug)]
-pub struct Plain {
+pub struct PlainObject {
     /// The shape.
     pub shape: Shape,
     /// The material.
-    pub look: Look,
+    pub look: ColorOrTexture,
 }
 
-/// Material of a [`Plain`] object.
+/// Material of a [`PlainObject`] object.
 #[derive(Clone, Debug)]
-pub enum Look {
+pub enum ColorOrTexture {
     /// A single colour.
     Color(Color, Arc<Finish>),
     /// A texture.
@@ -41,7 +41,7 @@ pub enum Look {
 
 /// An object removed from the list.
 #[derive(Debug)]
-pub(crate) enum Taken {
+pub(crate) enum OwnedObject {
     /// A shape of a single colour, without transforms or other attributes.
     Colored(Shape, Color, Arc<Finish>),
     /// Any other object.
@@ -92,13 +92,13 @@ impl Objects {
     }
 
     /// Adds a plain object.
-    pub fn push_plain(&mut self, plain: Plain) {
+    pub fn push_plain(&mut self, plain: PlainObject) {
         self.push_entry(plain.into());
     }
 
     /// Adds a sphere.
     #[inline]
-    pub(crate) fn push_ball(&mut self, sphere: Sphere, look: Look) {
+    pub(crate) fn push_sphere(&mut self, sphere: Sphere, look: ColorOrTexture) {
         self.push_entry(Entry::from_sphere(sphere, look));
     }
 
@@ -150,7 +150,7 @@ impl Objects {
     }
 
     /// The chunks, and the size of all but the last.
-    pub(crate) fn into_pieces(self) -> (Vec<Vec<Entry>>, usize) {
+    pub(crate) fn into_chunks(self) -> (Vec<Vec<Entry>>, usize) {
         (self.chunks, CHUNK)
     }
 
@@ -201,7 +201,7 @@ impl From<Arc<Object>> for Entry {
                 Shape::Sphere(sphere) => Entry::from_sphere(*sphere, look),
                 _ => Entry::from_shape(Arc::clone(shape), look),
             },
-            Some((shape, Look::Color(color, finish))) => Entry::Moved {
+            Some((shape, ColorOrTexture::Color(color, finish))) => Entry::Moved {
                 shape: Arc::clone(shape),
                 color,
                 finish,
@@ -212,8 +212,8 @@ impl From<Arc<Object>> for Entry {
     }
 }
 
-impl From<Plain> for Entry {
-    fn from(Plain { shape, look }: Plain) -> Self {
+impl From<PlainObject> for Entry {
+    fn from(PlainObject { shape, look }: PlainObject) -> Self {
         match shape {
             Shape::Sphere(sphere) => Entry::from_sphere(sphere, look),
             shape => Entry::from_shape(Arc::new(shape), look),
@@ -230,30 +230,30 @@ impl Entry {
         }
     }
 
-    fn from_sphere(sphere: Sphere, look: Look) -> Self {
+    fn from_sphere(sphere: Sphere, look: ColorOrTexture) -> Self {
         match look {
-            Look::Color(color, finish) => Entry::Sphere {
+            ColorOrTexture::Color(color, finish) => Entry::Sphere {
                 sphere,
                 color,
                 finish,
             },
-            Look::Texture(texture) => Entry::TexturedSphere { sphere, texture },
+            ColorOrTexture::Texture(texture) => Entry::TexturedSphere { sphere, texture },
         }
     }
 
-    fn from_shape(shape: Arc<Shape>, look: Look) -> Self {
+    fn from_shape(shape: Arc<Shape>, look: ColorOrTexture) -> Self {
         match look {
-            Look::Color(color, finish) => Entry::Colored {
+            ColorOrTexture::Color(color, finish) => Entry::Colored {
                 shape,
                 color,
                 finish,
             },
-            Look::Texture(texture) => Entry::Textured { shape, texture },
+            ColorOrTexture::Texture(texture) => Entry::Textured { shape, texture },
         }
     }
 
     /// The sphere, for a sphere of a single colour.
-    pub(crate) fn ball(&self) -> Option<Sphere> {
+    pub(crate) fn sphere(&self) -> Option<Sphere> {
         match self {
             Entry::Sphere { sphere, .. } => Some(*sphere),
             _ => None,
@@ -261,7 +261,7 @@ impl Entry {
     }
 
     /// The colour and finish, for a shape of a single colour.
-    pub(crate) fn looks(&self) -> Option<(Color, &Arc<Finish>)> {
+    pub(crate) fn color_and_finish(&self) -> Option<(Color, &Arc<Finish>)> {
         match self {
             Entry::Sphere { color, finish, .. }
             | Entry::Colored { color, finish, .. }
@@ -293,19 +293,19 @@ impl Entry {
     }
 
     /// The object by value.
-    pub(crate) fn taken(self) -> Taken {
+    pub(crate) fn into_owned(self) -> OwnedObject {
         match self {
             Entry::Sphere {
                 sphere,
                 color,
                 finish,
-            } => Taken::Colored(Shape::Sphere(sphere), color, finish),
+            } => OwnedObject::Colored(Shape::Sphere(sphere), color, finish),
             Entry::Colored {
                 shape,
                 color,
                 finish,
-            } => Taken::Colored(Arc::unwrap_or_clone(shape), color, finish),
-            other => Taken::Object(other.into_object()),
+            } => OwnedObject::Colored(Arc::unwrap_or_clone(shape), color, finish),
+            other => OwnedObject::Object(other.into_object()),
         }
     }
 
@@ -317,23 +317,23 @@ impl Entry {
                 sphere,
                 color,
                 finish,
-            } => (sphere_shape(sphere), Look::Color(color, finish)),
+            } => (sphere_shape(sphere), ColorOrTexture::Color(color, finish)),
             Entry::TexturedSphere { sphere, texture } => {
-                (sphere_shape(sphere), Look::Texture(texture))
+                (sphere_shape(sphere), ColorOrTexture::Texture(texture))
             }
             Entry::Colored {
                 shape,
                 color,
                 finish,
-            } => (shape, Look::Color(color, finish)),
-            Entry::Textured { shape, texture } => (shape, Look::Texture(texture)),
+            } => (shape, ColorOrTexture::Color(color, finish)),
+            Entry::Textured { shape, texture } => (shape, ColorOrTexture::Texture(texture)),
             Entry::Moved {
                 shape,
                 color,
                 finish,
                 steps,
             } => {
-                let mut object = object_of(shape, Look::Color(color, finish));
+                let mut object = object_of(shape, ColorOrTexture::Color(color, finish));
                 object.steps = steps.into_vec();
                 return Arc::new(object);
             }
@@ -342,16 +342,18 @@ impl Entry {
     }
 }
 
-impl From<Plain> for Object {
-    fn from(plain: Plain) -> Self {
+impl From<PlainObject> for Object {
+    fn from(plain: PlainObject) -> Self {
         object_of(Arc::new(plain.shape), plain.look)
     }
 }
 
-fn object_of(shape: Arc<Shape>, look: Look) -> Object {
+fn object_of(shape: Arc<Shape>, look: ColorOrTexture) -> Object {
     let texture = match look {
-        Look::Texture(texture) => texture,
-        Look::Color(color, finish) => Arc::new(Texture::from(Layer::colored(color, finish))),
+        ColorOrTexture::Texture(texture) => texture,
+        ColorOrTexture::Color(color, finish) => {
+            Arc::new(Texture::from(Layer::colored(color, finish)))
+        }
     };
     let mut object = Object::new(Kind::Shape(shape));
     object.texture = Some(object.attach(texture));
@@ -359,7 +361,7 @@ fn object_of(shape: Arc<Shape>, look: Look) -> Object {
 }
 
 /// The shape and material of an object without other properties except transforms, which do not affect a single colour.
-fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, Look)> {
+fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, ColorOrTexture)> {
     let Kind::Shape(shape) = &object.kind else {
         return None;
     };
@@ -371,9 +373,9 @@ fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, Look)> {
     if Arc::strong_count(texture) == 1
         && let Some((color, finish)) = texture.bare()
     {
-        return Some((shape, Look::Color(color, Arc::clone(finish))));
+        return Some((shape, ColorOrTexture::Color(color, Arc::clone(finish))));
     }
-    (*after == 0).then(|| (shape, Look::Texture(Arc::clone(texture))))
+    (*after == 0).then(|| (shape, ColorOrTexture::Texture(Arc::clone(texture))))
 }
 
 #[cfg(test)]
@@ -388,8 +390,8 @@ mod tests {
         })
     }
 
-    fn red() -> Look {
-        Look::Color(
+    fn red() -> ColorOrTexture {
+        ColorOrTexture::Color(
             Color::from_components([1.0, 0.0, 0.0, 0.25, 0.5]),
             Arc::default(),
         )
@@ -407,7 +409,7 @@ mod tests {
     #[test]
     fn plain_objects_are_stored_unchanged() {
         let texture = Arc::new(Texture::from(Layer::default()));
-        let shared = Look::Texture(Arc::clone(&texture));
+        let shared = ColorOrTexture::Texture(Arc::clone(&texture));
         let disc = Shape::read(
             crate::base::args::Word::Disc,
             &mut crate::base::args::text::TextArgs::new("0, <0, 1, 0>, 1 }"),
@@ -416,7 +418,7 @@ mod tests {
         let mut expected = Vec::new();
         for shape in [sphere(1.0), disc.unwrap().unwrap()] {
             for look in [red(), shared.clone()] {
-                let plain = Plain {
+                let plain = PlainObject {
                     shape: shape.clone(),
                     look,
                 };
@@ -436,7 +438,7 @@ mod tests {
     #[test]
     fn an_object_with_more_to_it_stays_whole() {
         let plain = || {
-            Object::from(Plain {
+            Object::from(PlainObject {
                 shape: sphere(0.0),
                 look: red(),
             })
@@ -458,9 +460,9 @@ mod tests {
 
     #[test]
     fn a_transformed_shape_of_one_colour_is_stored_compactly_and_unchanged() {
-        let moved = |look: Look| {
+        let moved = |look: ColorOrTexture| {
             let shape = sphere(1.0);
-            let mut object = Object::from(Plain { shape, look });
+            let mut object = Object::from(PlainObject { shape, look });
             object.steps = vec![Step::Rotate(DVec3::X), Step::Translate(DVec3::Y)];
             object
         };
@@ -473,7 +475,7 @@ mod tests {
         assert_eq!(out, [expected]);
         // An entry with a shared texture stays an object.
         let texture = Arc::new(Texture::from(Layer::default()));
-        let shared = moved(Look::Texture(Arc::clone(&texture)));
+        let shared = moved(ColorOrTexture::Texture(Arc::clone(&texture)));
         objects.push(Arc::new(shared));
         assert_eq!(objects.whole().count(), 1);
     }
@@ -481,7 +483,7 @@ mod tests {
     #[test]
     fn objects_are_counted_over_all_chunks() {
         let shape = sphere(0.0);
-        let plain = || Plain {
+        let plain = || PlainObject {
             shape: shape.clone(),
             look: red(),
         };

@@ -52,7 +52,7 @@ impl Scene {
             rainbow.distance *= factor;
         }
         for media in &mut self.atmosphere.media {
-            media.change_unit(factor);
+            media.scale_scene_lengths(factor);
             media.transform(&Step::Scale(DVec3::splat(factor)));
         }
         self.globals.unit *= factor;
@@ -154,7 +154,7 @@ fn scale_interior(interior: &mut Arc<Interior>, factor: f64) {
     }
     if !interior.media.is_empty() {
         let media = Arc::make_mut(interior).media.iter_mut();
-        media.for_each(|media| media.change_unit(factor));
+        media.for_each(|media| media.scale_scene_lengths(factor));
     }
 }
 

@@ -11,12 +11,13 @@ use super::{Kind, Object};
 
 impl Object {
     /// Stores the box outside which the object is invisible. Called when all its properties are set.
-    pub(crate) fn find_boxes(&mut self) {
+    pub(crate) fn update_visibility_box(&mut self) {
         if !self.size().extends_beyond_bounds {
             return;
         }
         let is_union = self.plain_union().is_some();
-        let is_bare = self.around().next().is_none() && matches!(self.kind, Kind::Shape(_));
+        let is_bare =
+            self.clips_and_bounds().next().is_none() && matches!(self.kind, Kind::Shape(_));
         let seen_in = (!is_union && !is_bare).then(|| self.extent());
         let moves_parts = is_union && !self.steps.is_empty();
         self.set_visibility_box(seen_in.filter(is_limited), moves_parts);

@@ -5,14 +5,14 @@ use super::interiors::{InteriorId, Interiors};
 use super::light_buffers::LightBuffers;
 use super::lights::Lights;
 use super::model::{IndexedItem, Item, ItemBvh, Model};
-use super::photons::Photons;
+use super::photons::PhotonMapping;
 use super::primitive::Leaf;
 use super::surface::{Surface, SurfaceSummary};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::math::Bounds;
 use crate::base::math::noise::NoiseGenerator;
-use crate::base::options::LeastDistance;
-use crate::scene::Radiosity;
+use crate::base::options::TMinRule;
+use crate::scene::RadiositySettings;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
@@ -72,9 +72,9 @@ pub struct World {
     /// The rainbows.
     pub rainbows: Vec<Rainbow>,
     /// The settings of radiosity (indirect diffuse light), if it is on.
-    pub radiosity: Option<Radiosity>,
+    pub radiosity: Option<RadiositySettings>,
     /// Photon mapping, if it is on.
-    pub photons: Option<Photons>,
+    pub photons: Option<PhotonMapping>,
     /// The settings of shading.
     pub globals: Globals,
     /// All objects.
@@ -86,7 +86,7 @@ pub struct World {
     pub(super) ties_by_box: bool,
     /// Properties of the surfaces as a whole.
     pub(super) summary: SurfaceSummary,
-    pub(super) least_distance: LeastDistance,
+    pub(super) least_distance: TMinRule,
     pub(super) light_buffers: LightBuffers,
     /// True if packets of four incoherent rays intersect the unbounded items: some are CSG programs that suit packets.
     pub(super) uses_packets: bool,

@@ -71,7 +71,7 @@ impl Interiors {
             (own, above) => {
                 let inherited = || above.map_or_else(Interior::default, |id| self.get(id).clone());
                 let mut interior = own.map_or_else(inherited, |own| (**own).clone());
-                interior.take_from_finishes(finishes);
+                interior.take_finish_settings(finishes);
                 self.written(interior)
             }
         }

@@ -20,7 +20,7 @@ pub use compiled::{Globals, World};
 pub use interiors::{InteriorId, Interiors};
 pub use lights::{LightList, Lights};
 pub use lower::probe::{ProbeModel, solid_of};
-pub use photons::{PhotonTarget, Photons};
+pub use photons::{PhotonMapping, PhotonTarget};
 pub use primitive::{Extent, Leaf};
 pub use query::QueryScratch;
 pub use query::packet::hits::{HitPacket4, NO_LEAF, ShadowPacket4};

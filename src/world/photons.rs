@@ -1,14 +1,14 @@
 //! Photon mapping as a scene asks for it: settings and targets.
 
 use crate::scene::light::PhotonRole;
-use crate::scene::{self, Globals, PhotonDensity, Stored};
+use crate::scene::{self, ExtentBox, Globals, PhotonDensity};
 use glam::DVec3;
 
 /// An object that receives photons.
 #[derive(Clone, Debug)]
 pub struct PhotonTarget {
     /// Its bounding box, as given by the scene.
-    pub bounds: Stored,
+    pub bounds: ExtentBox,
     /// The factor on the spacing of its photons.
     pub density: f64,
     /// Its refraction and reflection of photons.
@@ -17,7 +17,7 @@ pub struct PhotonTarget {
 
 /// The photon settings of a scene. Photons are stored and looked up in the scene's own coordinates and lengths.
 #[derive(Clone, Debug)]
-pub struct Photons {
+pub struct PhotonMapping {
     /// The settings as given.
     pub settings: scene::Photons,
     /// The targets, in the order of the scene.
@@ -32,15 +32,15 @@ pub struct Photons {
     pub origin: DVec3,
 }
 
-impl Photons {
+impl PhotonMapping {
     /// The photon settings of a scene; `None` if nothing is gathered.
     #[must_use]
     pub fn new(
         settings: &scene::Photons,
         targets: Vec<PhotonTarget>,
         globals: &Globals,
-    ) -> Option<Photons> {
-        (settings.gather[1] > 0).then(|| Photons {
+    ) -> Option<PhotonMapping> {
+        (settings.gather[1] > 0).then(|| PhotonMapping {
             settings: settings.clone(),
             targets,
             max_trace_level: settings.max_trace_level.unwrap_or(globals.max_trace_level),

@@ -174,7 +174,7 @@ impl SphereSoa {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::roots::ray_sphere::ball_chord;
+    use crate::base::math::roots::ray_sphere::sphere_span;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::with_widest;
 
@@ -187,7 +187,7 @@ mod tests {
             (1e9, DVec3::splat(3e10)),
         ] {
             let spheres: Vec<(DVec3, f64)> = (0..20)
-                .map(|_| (at + rng.vector(size), size * (0.01 + 0.2 * rng.share())))
+                .map(|_| (at + rng.vector(size), size * (0.01 + 0.2 * rng.uniform())))
                 .collect();
             let sphere = |index: usize| Some(spheres[index]);
             let cluster = SphereSoa::new(spheres.len(), sphere).unwrap();
@@ -209,7 +209,7 @@ mod tests {
                 );
                 assert!(is_decided);
                 for (&(centre, radius), visited) in spheres.iter().zip(visited) {
-                    let chord = ball_chord(ray.origin - centre, ray.dir, radius);
+                    let chord = sphere_span(ray.origin - centre, ray.dir, radius);
                     let is_hit = chord.is_some_and(|(enter, leave)| leave >= 0.0 && enter <= far);
                     assert!(visited || !is_hit, "{ray:?} {centre} {radius}");
                     hits += usize::from(is_hit);

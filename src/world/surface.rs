@@ -249,7 +249,10 @@ impl Surface {
             ),
             (SurfaceFlags::BUMPY, has(&|layer| layer.normal().is_some())),
             (SurfaceFlags::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
-            (SurfaceFlags::FILTERS_EVENLY, is_one && texture.is_even()),
+            (
+                SurfaceFlags::FILTERS_EVENLY,
+                is_one && texture.has_uniform_color(),
+            ),
         ];
         let traits = SurfaceFlags::new(&known, &flags);
         let ObjectFlags {
@@ -284,7 +287,7 @@ impl Surface {
     /// one.
     pub(super) fn in_color(&self, color: Color, interior: InteriorId) -> Option<Self> {
         Some(Surface {
-            texture: OwnedOrShared::Own(self.texture.in_color(color)?),
+            texture: OwnedOrShared::Own(self.texture.with_color(color)?),
             interior,
             lights: self.lights,
             traits: self.traits,

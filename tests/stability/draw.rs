@@ -45,7 +45,7 @@ pub(crate) fn by_povr(text: &str, size: (u32, u32)) -> Drawn {
     };
     let said = Mutex::new(String::new());
     let listen = |event: Event<'_>| {
-        if let (Event::Found(message), Ok(mut said)) = (event, said.lock()) {
+        if let (Event::Finding(message), Ok(mut said)) = (event, said.lock()) {
             said.push_str(&message.pov_line);
             said.push('\n');
         }

@@ -21,8 +21,8 @@ impl MessageBuffer {
     /// Stores an event.
     pub fn push(&self, event: Event<'_>) {
         let buffered = match event {
-            Event::Said(text) => BufferedEvent::Said(text.to_owned()),
-            Event::Found(message) => BufferedEvent::Finding(Box::new(message.clone())),
+            Event::SceneOutput(text) => BufferedEvent::Said(text.to_owned()),
+            Event::Finding(message) => BufferedEvent::Finding(Box::new(message.clone())),
             _ => return,
         };
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
@@ -40,8 +40,8 @@ impl MessageBuffer {
         let all = self.all.into_inner();
         for buffered in all.unwrap_or_else(PoisonError::into_inner) {
             match &buffered {
-                BufferedEvent::Said(text) => listen(Event::Said(text)),
-                BufferedEvent::Finding(message) => listen(Event::Found(message)),
+                BufferedEvent::Said(text) => listen(Event::SceneOutput(text)),
+                BufferedEvent::Finding(message) => listen(Event::Finding(message)),
             }
         }
     }

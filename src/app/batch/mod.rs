@@ -1,6 +1,6 @@
 //! Many pictures in one run: frames of an animation, or scenes of whole folders.
 //!
-//! [`run`] renders all pictures that are not up to date, several in parallel with the threads of one pool, so that one
+//! [`run()`] renders all pictures that are not up to date, several in parallel with the threads of one pool, so that one
 //! large scene and a thousand small ones both use the whole machine. Each picture is written atomically and its inputs
 //! are recorded in a log, so that a killed run continues where it stopped. An error in a scene ends that scene alone.
 

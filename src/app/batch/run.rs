@@ -298,7 +298,7 @@ impl Run<'_> {
         let has = |code: Code| messages.iter().any(|message| message.code == Some(code));
         let status = match drawn {
             Ok(Ok(())) => Status::Drawn,
-            _ if stop.is_asked() => Status::Failed(Some(format!(
+            _ if stop.is_cancelled() => Status::Failed(Some(format!(
                 "it took longer than {:?}, which `--timeout` allows",
                 self.timeout.unwrap_or_default()
             ))),
@@ -345,7 +345,7 @@ impl Run<'_> {
         }
         let mut render = picture.render.clone();
         render.stop = stop.clone();
-        render.only_for = Some(picture.encode.clone());
+        render.target_format = Some(picture.encode.clone());
         let input = Input::File(picture.scene.clone());
         let drawn = task
             .series
@@ -360,7 +360,7 @@ impl Run<'_> {
         };
         let reason = |refused: &dyn std::fmt::Display| Some(refused.to_string());
         let bytes = output::encode(&drawn.film, &options).map_err(|refused| reason(&refused))?;
-        if stop.is_asked() {
+        if stop.is_cancelled() {
             return Err(None);
         }
         self.journal
@@ -408,7 +408,7 @@ struct SceneEvents {
 impl SceneEvents {
     fn record(&mut self, event: Event<'_>) {
         match event {
-            Event::Found(message) if message.severity == Severity::Error => {
+            Event::Finding(message) if message.severity == Severity::Error => {
                 self.messages.push(message.clone());
             }
             Event::Read {

@@ -52,7 +52,7 @@ impl Watchdog {
             let now = Instant::now();
             state.watched.retain(|(deadline, stop)| {
                 if *deadline <= now {
-                    stop.ask();
+                    stop.cancel();
                 }
                 *deadline > now
             });
@@ -89,12 +89,12 @@ mod tests {
             std::thread::sleep(Duration::from_millis(30));
             let second = CancelToken::default();
             watchdog.watch(&second);
-            assert!(!first.is_asked());
-            while !first.is_asked() {
+            assert!(!first.is_cancelled());
+            while !first.is_cancelled() {
                 std::thread::yield_now();
             }
             watchdog.end();
-            assert!(!second.is_asked());
+            assert!(!second.is_cancelled());
         });
     }
 }

@@ -200,7 +200,7 @@ fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet:
             Ok(input) => drop(crate::check(&input, options, &listen)),
             Err(refusal) => {
                 let error = Diagnostic::error(None, refusal.to_string());
-                listen(Event::Found(&Message::new(&error, &Sources::default())));
+                listen(Event::Finding(&Message::new(&error, &Sources::default())));
             }
         }
         let counts = reporter.take_counts();

@@ -167,7 +167,7 @@ fn sweep(
     let mut chosen = Vec::new();
     for switches in list.iter().filter(|switches| !switches.is_empty()) {
         let setting = setting(switches, file, environment)?;
-        let is_known = !matches!(setting.sampling, Sampling::Converging(_));
+        let is_known = !matches!(setting.sampling, Sampling::Adaptive(_));
         let theirs = Setting {
             family: Family::PovRay,
             ..setting.clone()
@@ -220,7 +220,7 @@ fn setting(switches: &str, file: &Path, environment: &Environment) -> Result<Set
         family: match sampling {
             Sampling::Centres => Family::Centres,
             Sampling::PovRay(_) => Family::Grid,
-            Sampling::Converging(_) => Family::Converging,
+            Sampling::Adaptive(_) => Family::Converging,
         },
         switches: switches.split_whitespace().collect::<Vec<_>>().join(" "),
         sampling,

@@ -142,7 +142,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let started = Instant::now();
     let input = settings.scene.input()?;
     let render = RenderOptions {
-        only_for: settings.output.as_ref().map(|(_, options)| options.clone()),
+        target_format: settings.output.as_ref().map(|(_, options)| options.clone()),
         ..settings.render.clone()
     };
     let mut reporter = reporter(settings);
@@ -154,9 +154,9 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let progress = Progress::new(progress_kind(verbosity), pixels(&settings.render));
     let resumable = AtomicU64::new(0);
     let drawn = draw(&input, &settings.read, &render, &|event| match event {
-        Event::Kept(pixels) => resumable.store(pixels, Ordering::Relaxed),
+        Event::Checkpointed(pixels) => resumable.store(pixels, Ordering::Relaxed),
         // Consequences of a cancellation: skipped tiles count as rendered, and the end is a failure.
-        _ if render.stop.is_asked() => {}
+        _ if render.stop.is_cancelled() => {}
         Event::Drawn(pixels) => progress.advance(pixels),
         event => {
             reporter.report(event);
@@ -168,7 +168,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     progress.finish();
     let counts = reporter.take_counts();
     let Ok(picture) = drawn else {
-        if render.stop.is_asked() {
+        if render.stop.is_cancelled() {
             interrupt::report_cancelled(settings, resumable.into_inner(), pixels(&settings.render));
             console.cancelled();
             return Ok(ExitCode::from(interrupt::INTERRUPTED));
@@ -187,7 +187,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         };
         let write = || output::write(&picture.film, target, &options);
         let mut written = write();
-        if written.as_ref().is_err_and(OutputError::lacks_room) {
+        if written.as_ref().is_err_and(OutputError::is_out_of_space) {
             // The checkpoint takes the disk space that its picture needs.
             unfinished::forget(settings);
             written = write();

@@ -582,7 +582,7 @@ fn an_error_or_a_time_chooses_the_method_that_converges() {
         settings(&arguments).render.sampling
     };
     let converging = |error, seconds: Option<u64>| {
-        Sampling::Converging(Adaptive {
+        Sampling::Adaptive(Adaptive {
             error,
             time: seconds.map(Duration::from_secs),
         })

@@ -266,7 +266,7 @@ impl Watch {
                 }
                 if !is_changed && known.changed().is_some() {
                     is_changed = true;
-                    stop.ask();
+                    stop.cancel();
                 }
                 if matches!(happened, Ok(WatchEvent::End)) {
                     break;

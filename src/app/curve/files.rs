@@ -1,15 +1,15 @@
 //! Files of a curve, replaced as a whole.
 
 use super::CurveError;
-use crate::output::Pending;
+use crate::output::PendingFile;
 use serde::Serialize;
 use std::path::Path;
 
 /// Writes a file atomically.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
-    let written = Pending::new(path).and_then(|mut file| {
+    let written = PendingFile::new(path).and_then(|mut file| {
         std::io::Write::write_all(&mut file, bytes)?;
-        file.take_name()
+        file.persist()
     });
     written.map(drop).map_err(|error| {
         CurveError::new(format!("cannot write `{}`: {error}", path.display()))

@@ -45,7 +45,7 @@ pub(super) fn stored_or_rendered(
     if let Some(stored) = stored(&key, folder) {
         return Ok(stored);
     }
-    let sampling = Sampling::Converging(Adaptive { error, time: None });
+    let sampling = Sampling::Adaptive(Adaptive { error, time: None });
     let Drawn {
         picture,
         reached,

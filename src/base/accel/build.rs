@@ -8,7 +8,7 @@
 //! Each split reads the items twice: once to bin them, and once to partition them, which also computes all that the
 //! splits of both halves need.
 //!
-//! Large lists are first divided into clusters; see [`treelets`].
+//! Large lists are first divided into clusters; see [`treelets`](super::treelets).
 
 use super::LeafItems;
 use super::node::{Aabb32, Child, Node, WIDTH, max_f32, min_f32};

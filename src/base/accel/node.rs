@@ -493,7 +493,7 @@ mod tests {
                 special
                     .get(bits)
                     .copied()
-                    .unwrap_or_else(|| nearest(rng.share() - 0.5))
+                    .unwrap_or_else(|| nearest(rng.uniform() - 0.5))
             };
             let mut three = || [number(), number(), number()];
             let ray = FrameRay {

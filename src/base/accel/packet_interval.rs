@@ -156,7 +156,7 @@ mod tests {
 
     /// Rays around a direction, some of them along axes, in narrow and in wide packets.
     fn packet(rng: &mut Random) -> RayPacket8 {
-        let (middle, spread) = (rng.vector(1.0), 0.5 * rng.share().powi(4));
+        let (middle, spread) = (rng.vector(1.0), 0.5 * rng.uniform().powi(4));
         let flat = rng.bits() % 8;
         let mut packet = RayPacket8::EMPTY;
         for lane in 0..LANES {
@@ -205,7 +205,7 @@ mod tests {
             let interval = DirInterval::new(&packet);
             let mut boxes = ViewedBoxes([[[0.0; WIDTH]; 2]; 3]);
             for slot in 0..WIDTH {
-                let (centre, half) = (rng.vector(1.0), 0.3 * rng.share().powi(3));
+                let (centre, half) = (rng.vector(1.0), 0.3 * rng.uniform().powi(3));
                 for axis in 0..3 {
                     boxes.0[axis][0][slot] = nearest(centre[axis] - half);
                     boxes.0[axis][1][slot] = nearest(centre[axis] + half);

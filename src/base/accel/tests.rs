@@ -2,7 +2,7 @@
 
 use super::{Bundle, Bvh, LightBuffer};
 use crate::base::math::conditioning::RescaledRay;
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::sampling::random::Random;
 use crate::base::math::simd::SimdLevel;
 use crate::base::math::{Bounds, Ray};
@@ -20,7 +20,7 @@ impl Sphere {
 
     fn hit(&self, ray: &Ray) -> Option<f64> {
         let rescaled = RescaledRay::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
-        let (enter, leave) = ball_chord(
+        let (enter, leave) = sphere_span(
             rescaled.ray.origin,
             rescaled.ray.dir,
             self.radius / rescaled.size,
@@ -36,7 +36,7 @@ fn spheres(count: usize, size: f64, at: DVec3) -> Vec<Sphere> {
     let mut rng = Random::new(17);
     let mut sphere = || Sphere {
         centre: at + rng.vector(size),
-        radius: size * 0.3 * rng.share().powi(4),
+        radius: size * 0.3 * rng.uniform().powi(4),
     };
     (0..count).map(|_| sphere()).collect()
 }
@@ -470,7 +470,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                 let light_buffer =
                     LightBuffer::for_camera(&tree, from, (axes, [0.01, 0.005]), cylinder).unwrap();
                 let rays = [(); 8].map(|()| {
-                    let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
+                    let [x, y] = [(); 2].map(|()| rng.uniform() - 0.5);
                     Ray::new(from, (along + x * right + y * up).normalize())
                 });
                 let best = light_buffer_hits(&light_buffer, &spheres, &order, &rays, None);
@@ -529,8 +529,8 @@ fn no_ray_hits_anything_where_a_view_is_empty() {
         let light_buffer =
             LightBuffer::for_camera(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
         for _ in 0..60 {
-            let low = [(); 2].map(|()| 0.95 * rng.share() - 0.5);
-            let high = low.map(|low| low + 0.05 * rng.share());
+            let low = [(); 2].map(|()| 0.95 * rng.uniform() - 0.5);
+            let high = low.map(|low| low + 0.05 * rng.uniform());
             if !light_buffer.is_empty(low, high) {
                 full += 1;
                 continue;

@@ -39,8 +39,8 @@ impl Interner {
 }
 
 /// Wraps a value in an `Arc`, shared with equal values that were read recently.
-pub fn alike<T: Any + Send + Sync + PartialEq>(args: &dyn Args, value: T) -> Arc<T> {
-    match args.alike() {
+pub fn interned<T: Any + Send + Sync + PartialEq>(args: &dyn Args, value: T) -> Arc<T> {
+    match args.interner() {
         Some(interner) => interner.share(value),
         None => Arc::new(value),
     }

@@ -7,7 +7,7 @@ mod steps;
 pub(crate) mod text;
 
 pub use crate::base::word::Word;
-pub use intern::{Interner, alike};
+pub use intern::{Interner, interned};
 pub use steps::transform_step;
 
 use crate::base::color::{Color, Gamma};
@@ -61,7 +61,7 @@ pub trait Args {
         Err(self.expected(&format!("the name of {what}")))
     }
     /// Reads `function W, H { ... }` as a picture if the next word is `function`.
-    fn sampled(&mut self) -> Parse<Option<Sampled>> {
+    fn sampled_function(&mut self) -> Parse<Option<SampledFunction>> {
         Ok(None)
     }
     /// Reads an object. The value has the type of scene objects.
@@ -70,7 +70,7 @@ pub trait Args {
     }
     /// Reads an object and the transforms that follow it, and applies them. An implementation that only holds the
     /// object's name may leave the transforms unread: nothing else reads them at this point.
-    fn moved_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn transformed_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         self.object_any()
     }
     /// Reads a mesh with its modifiers. The value has the type of mesh instances.
@@ -130,7 +130,7 @@ pub trait Args {
         Ok(None)
     }
     /// The cache for values that many objects have in common, if there is one.
-    fn alike(&self) -> Option<&Interner> {
+    fn interner(&self) -> Option<&Interner> {
         None
     }
     /// Span of the next token.
@@ -150,7 +150,7 @@ pub trait Args {
     ///
     /// # Errors
     /// That much memory is not available.
-    fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+    fn reserve_memory(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
         let _ = (what, bytes, at);
         Ok(())
     }
@@ -160,7 +160,7 @@ pub trait Args {
 
 /// Values of a function over the unit square, sampled as a picture.
 #[derive(Clone, Debug)]
-pub struct Sampled {
+pub struct SampledFunction {
     /// Pixels in a row, at least 1.
     pub width: usize,
     /// Rows, at least 1. The first row is at `y = 0`.

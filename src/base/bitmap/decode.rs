@@ -52,7 +52,7 @@ pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Resul
         Format::Png => png::decode(bytes, handling),
         Format::Gif => gif::decode(bytes, handling),
         _ => bitmap_from_image(
-            picture(bytes, format)?,
+            decode_samples(bytes, format)?,
             handling.transfer(format, None),
             handling,
         ),
@@ -60,7 +60,7 @@ pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Resul
 }
 
 /// Decodes a file to its stored samples, with palettes expanded and without gamma handling.
-pub(crate) fn picture(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
+pub(crate) fn decode_samples(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
     match format {
         Format::Jpeg => jpeg::decode(bytes),
         _ => decode_by_crate(bytes, format),

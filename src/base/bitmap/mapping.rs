@@ -102,7 +102,7 @@ impl Mapping {
 
     /// Image position of a point, in pixels from the top left; `None` outside an image mapped `once`.
     #[must_use]
-    pub fn place(&self, bitmap: &Bitmap, point: DVec3) -> Option<DVec2> {
+    pub fn image_position(&self, bitmap: &Bitmap, point: DVec3) -> Option<DVec2> {
         let at = match self.map_type {
             MapType::Planar => DVec2::new(point.x, point.y),
             MapType::Spherical => {
@@ -147,7 +147,7 @@ impl Mapping {
     /// The colour at a point; `None` outside an image mapped `once`.
     #[must_use]
     pub fn color(&self, bitmap: &Bitmap, point: DVec3) -> Option<Color> {
-        let at = self.place(bitmap, point)?;
+        let at = self.image_position(bitmap, point)?;
         Some(self.color_at(bitmap, at))
     }
 

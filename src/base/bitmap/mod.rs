@@ -14,10 +14,10 @@ mod read;
 mod size;
 
 pub(crate) use bmp::{Content as BmpContent, content as bmp_content};
-pub(crate) use decode::picture;
+pub(crate) use decode::decode_samples;
 pub(crate) use format::Format;
 pub use mapping::{Interpolation, MapType, Mapping};
-pub use read::{AddedTransparency, Alpha, Purpose, Source, read};
+pub use read::{AddedTransparency, Alpha, MappedBitmap, Purpose, read};
 pub(crate) use size::bytes_to_decode;
 
 use crate::base::color::{Color, Gamma, Rgb};

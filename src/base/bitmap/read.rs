@@ -4,7 +4,7 @@ use super::decode::{Handling, decode};
 use super::format::Format;
 use super::size::bytes_to_decode;
 use super::{Bitmap, Mapping, Samples, mapping::NO_INDEX};
-use crate::base::args::{Args, Parse, Sampled, Word, not_built};
+use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::{Diagnostic, Span};
 use glam::{DVec2, DVec3};
@@ -44,7 +44,7 @@ pub struct AddedTransparency {
 
 /// A bitmap with its mapping to space and the parameters of its block.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct MappedBitmap {
     /// The pixels.
     pub bitmap: Arc<Bitmap>,
     /// The mapping from points to pixels.
@@ -59,7 +59,7 @@ pub struct Source {
     pub bump_size: Option<f64>,
 }
 
-impl Source {
+impl MappedBitmap {
     /// The bitmap's colour at a point plus `filter all` and `transmit all`; transparent outside an image mapped `once`.
     #[must_use]
     pub fn color(&self, point: DVec3) -> Color {
@@ -94,7 +94,7 @@ impl Source {
     /// around (modulo), but `textures` itself selects the last one. Outside an image mapped `once` the result is 0.
     #[must_use]
     pub fn material(&self, point: DVec3, textures: usize) -> usize {
-        let Some(at) = self.mapping.place(&self.bitmap, point) else {
+        let Some(at) = self.mapping.image_position(&self.bitmap, point) else {
             return 0;
         };
         let number = self.mapping.index_at(&self.bitmap, at);
@@ -135,10 +135,10 @@ struct TransparencyEntry {
 ///
 /// # Errors
 /// The block is malformed, or the file is missing or cannot be decoded.
-pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
+pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
     args.open()?;
     skip_orientation(args)?;
-    let content = match args.sampled()? {
+    let content = match args.sampled_function()? {
         Some(sampled) => Content::Sampled(sampled),
         None => read_file(args)?,
     };
@@ -197,7 +197,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     for entry in &entries {
         entry.apply(&mut bitmap, &mut added)?;
     }
-    Ok(Source {
+    Ok(MappedBitmap {
         bitmap: Arc::new(bitmap),
         mapping,
         added,
@@ -214,7 +214,7 @@ const SRGB_SINCE: f64 = 3.7;
 enum Content {
     /// The bytes of a file, its format, and the span of its name in the scene.
     File(Arc<[u8]>, Format, Span),
-    Sampled(Sampled),
+    Sampled(SampledFunction),
 }
 
 impl Content {
@@ -226,7 +226,7 @@ impl Content {
                     Box::new(Diagnostic::error(span, message))
                 };
                 let bytes_needed = bytes_to_decode(&bytes, format).map_err(error)?;
-                args.make_room("this picture", bytes_needed, span)?;
+                args.reserve_memory("this picture", bytes_needed, span)?;
                 decode(&bytes, format, handling).map_err(error)
             }
             Content::Sampled(sampled) => Ok(Bitmap {

@@ -99,7 +99,7 @@ impl Levels {
     }
 
     /// Bytes per pixel.
-    pub(crate) fn bytes_of_pixel(&self) -> usize {
+    pub(crate) fn bytes_per_pixel(&self) -> usize {
         bytes_per_pixel(&self.options)
     }
 

@@ -25,7 +25,7 @@ pub(crate) fn shift(all: &[f64]) -> i32 {
 }
 
 /// `x · 2^shift` as an integer.
-pub(crate) fn whole(x: f64, shift: i32) -> IBig {
+pub(crate) fn to_integer(x: f64, shift: i32) -> IBig {
     let (mantissa, exponent) = parts(x);
     if mantissa == 0 {
         return IBig::ZERO;
@@ -43,7 +43,7 @@ impl Exact {
     /// The polynomial with these coefficients, by ascending power.
     pub(crate) fn new(c: &[f64]) -> Exact {
         let shift = shift(c);
-        let mut c: Vec<IBig> = c.iter().map(|c| whole(*c, shift)).collect();
+        let mut c: Vec<IBig> = c.iter().map(|c| to_integer(*c, shift)).collect();
         while c.last().is_some_and(|c| *c == IBig::ZERO) {
             c.pop();
         }

@@ -22,4 +22,4 @@ pub use sampling::halton::halton;
 pub use sampling::jitter::jitter;
 pub use shear::Shear;
 pub use spline::{Spline, SplineKind};
-pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};
+pub use transform::{Step, Transform, axis_rotation, merge_steps, normal_from_inverse, rotation};

@@ -62,7 +62,7 @@ impl Octaves {
         clippy::cast_sign_loss,
         reason = "the number is cut to 1..=10"
     )]
-    pub fn count_of(written: f64) -> u32 {
+    pub fn clamped_count(written: f64) -> u32 {
         written.clamp(1.0, f64::from(MAX_OCTAVES)) as u32
     }
 

@@ -102,9 +102,9 @@ mod tests {
     fn powers_are_within_the_stated_error() {
         let mut rng = Random::new(3);
         for _ in 0..100_000 {
-            let p =
-                2.0_f64.powf(16.0 * rng.share() - 8.0) * if rng.share() < 0.5 { 1.0 } else { -1.0 };
-            let x = rng.share() * 2.0_f64.powf(40.0 * rng.share() - 20.0);
+            let p = 2.0_f64.powf(16.0 * rng.uniform() - 8.0)
+                * if rng.uniform() < 0.5 { 1.0 } else { -1.0 };
+            let x = rng.uniform() * 2.0_f64.powf(40.0 * rng.uniform() - 20.0);
             let (approx, exact) = (power(x, p), x.powf(p));
             if exact > 1e-100 && exact < 1e100 {
                 assert!(
@@ -129,8 +129,8 @@ mod tests {
     fn lanes_give_the_bits_of_single_numbers() {
         let mut rng = Random::new(4);
         for _ in 0..10_000 {
-            let x = [(); 4].map(|()| rng.share() * 10.0_f64.powf(20.0 * rng.share() - 10.0));
-            let p = 8.0 * rng.share() - 4.0;
+            let x = [(); 4].map(|()| rng.uniform() * 10.0_f64.powf(20.0 * rng.uniform() - 10.0));
+            let p = 8.0 * rng.uniform() - 4.0;
             let wide = with_widest(|lanes| lanes.run(Powers(x, p)));
             assert_eq!(wide, x.map(|x| power(x, p)));
             assert_eq!(wide, SimdLevel::NARROW.run(Powers(x, p)));

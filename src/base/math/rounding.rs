@@ -69,7 +69,7 @@ pub(crate) fn floor(x: f64) -> f64 {
 
 /// [`floor`] in lanes.
 #[inline(always)]
-pub(crate) fn floor_of<F: F64Lanes>(x: F) -> F {
+pub(crate) fn floor_lanes<F: F64Lanes>(x: F) -> F {
     let limit = F::splat(TWO_POW_52);
     let away = F::select(x.lt(F::splat(0.0)), -limit, limit);
     let near = x + away - away;

@@ -124,7 +124,7 @@ mod tests {
 
     /// A vector with each component between `least` and `most`.
     fn size(rng: &mut Random, least: f64, most: f64) -> DVec3 {
-        let mut component = || least + (most - least) * rng.share();
+        let mut component = || least + (most - least) * rng.uniform();
         DVec3::new(component(), component(), component())
     }
 

@@ -37,7 +37,7 @@ const MAX_STEPS: usize = 1_000;
 
 /// Merges the steps from `start` on into one if there are very many. A loop that rotates an object a little further
 /// in each iteration copies all its steps each time, which takes quadratic time.
-pub fn shorten(steps: &mut Vec<Step>, start: usize) {
+pub fn merge_steps(steps: &mut Vec<Step>, start: usize) {
     if steps.len() - start < MAX_STEPS {
         return;
     }
@@ -215,11 +215,11 @@ mod tests {
     fn very_many_steps_become_one_equivalent_step() {
         let step = Step::Rotate(DVec3::new(0.0, 0.0, 0.36));
         let mut below_limit = vec![step.clone(); MAX_STEPS - 1];
-        shorten(&mut below_limit, 0);
+        merge_steps(&mut below_limit, 0);
         assert_eq!(below_limit.len(), MAX_STEPS - 1);
         let mut at_limit = vec![Step::Scale(DVec3::splat(2.0))];
         at_limit.extend(vec![step; MAX_STEPS]);
-        shorten(&mut at_limit, 1);
+        merge_steps(&mut at_limit, 1);
         assert_eq!(at_limit.len(), 2);
         let turned = at_limit[1].transform().world_from_object;
         assert!(close(turned.transform_point3(DVec3::X), DVec3::X));

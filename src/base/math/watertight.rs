@@ -7,9 +7,9 @@
 //!
 //! Error bound: no gaps; a hit point lies within 2 roundings of the plane of the triangle (`shape/roundings.rs`).
 
-mod four;
+mod packet;
 
-pub(crate) use four::{RayFrames4, RaysAndTriangle, TriangleHits4};
+pub(crate) use packet::{RayFrames4, RaysAndTriangle, TriangleHits4};
 
 use super::{Ray, conditioning::power_of_two};
 use glam::{DVec2, DVec3};

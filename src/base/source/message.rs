@@ -19,7 +19,7 @@ pub struct Message {
     pub message: String,
     /// The location; `None` if there is none in a text.
     #[serde(flatten)]
-    pub place: Option<Location>,
+    pub location: Option<Location>,
     /// Notes on related locations.
     pub labels: Vec<Note>,
     /// The calls, loops and includes that led here, innermost first.
@@ -81,7 +81,7 @@ impl Message {
             severity: diagnostic.severity,
             code: diagnostic.code,
             message: diagnostic.message.clone(),
-            place: diagnostic.span.map(|span| location(span, sources)),
+            location: diagnostic.span.map(|span| location(span, sources)),
             labels: diagnostic.labels.iter().map(note).collect(),
             trace: diagnostic.trace.iter().map(note).collect(),
             hints: diagnostic.hints.iter().map(|hint| sentence(hint)).collect(),
@@ -94,7 +94,7 @@ impl Message {
     /// One line in the form that editors parse: `x.pov:5:3: error: message (hint)`.
     #[must_use]
     pub fn short(&self) -> String {
-        let prefix = self.place.as_ref().map_or(String::new(), |start| {
+        let prefix = self.location.as_ref().map_or(String::new(), |start| {
             format!("{}:{}:{}: ", start.file, start.line, start.column)
         });
         let remedies = self.remedies();
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn locations_are_lines_and_columns_in_characters() {
         let message = message_of_scene();
-        let location = message.place.as_ref().unwrap();
+        let location = message.location.as_ref().unwrap();
         assert_eq!((location.line, location.column), (3, 3));
         assert_eq!((location.end.line, location.end.column), (3, 7));
         assert_eq!(

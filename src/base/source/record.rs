@@ -55,7 +55,7 @@ impl Sources {
 
     /// Returns true for the text of a file that the scene did not write itself.
     #[must_use]
-    pub fn is_lasting(&self, file: FileId) -> bool {
+    pub fn is_persistent(&self, file: FileId) -> bool {
         self.by_path
             .iter()
             .any(|(path, id)| *id == file && !self.written.contains(path))

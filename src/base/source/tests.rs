@@ -71,14 +71,14 @@ fn requested_files_are_dependencies_and_files_that_the_scene_wrote_are_not() {
     assert!(sources.has_data(&name("data.txt"), scene));
     let old = sources.find_include(&name("own"), scene).unwrap();
     fs::write(path("own.inc"), "new").unwrap();
-    sources.wrote(&path("own.inc"));
+    sources.record_write(&path("own.inc"));
     let new = sources.find_include(&name("own"), scene).unwrap();
     assert_eq!(
         (sources.text(old).as_str(), sources.text(new).as_str()),
         ("old", "new")
     );
     fs::write(path("made.inc"), "").unwrap();
-    sources.wrote(&path("made.inc"));
+    sources.record_write(&path("made.inc"));
     sources.find_data(&name("made.inc"), scene).unwrap();
     assert!(sources.find_data(&name("made"), scene).is_err());
     let paths = sources.dependencies().iter();

@@ -11,7 +11,7 @@ use std::{fs, io};
 impl Sources {
     /// Records that the scene has written this file: it is read again, takes precedence over others of its name, and
     /// its former content is not a dependency of the picture.
-    pub fn wrote(&mut self, path: &Path) {
+    pub fn record_write(&mut self, path: &Path) {
         if let Ok(key) = canonical_path(path) {
             self.by_path.remove(&key);
             self.data.remove(&key);
@@ -20,7 +20,7 @@ impl Sources {
     }
 
     /// Replaces the file at this path by the one in memory.
-    pub(crate) fn hold(&mut self, path: &Path, file: &HeldFile) {
+    pub(crate) fn hold_in_memory(&mut self, path: &Path, file: &HeldFile) {
         if let Ok(key) = canonical_path(path) {
             self.held.insert(key, file.clone());
         }
@@ -33,7 +33,7 @@ impl Sources {
             None if path.exists() => HeldFile::appended_to(path),
             None => HeldFile::default(),
         };
-        self.hold(path, &held);
+        self.hold_in_memory(path, &held);
         held
     }
 

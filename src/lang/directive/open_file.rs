@@ -3,7 +3,7 @@
 use super::data_file::DataFile;
 use crate::base::args::Word;
 use crate::base::source::{HeldFile, Sources, only_regular, open_regular};
-use crate::output::{Pending, try_to_append, try_to_write};
+use crate::output::{PendingFile, try_to_append, try_to_write};
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::io::{BufWriter, Write};
@@ -41,7 +41,7 @@ pub(crate) struct Output {
 /// The destination of the bytes: a file without its final name, one that has it, or memory.
 #[derive(Debug)]
 pub(crate) enum To {
-    Pending(BufWriter<Pending>),
+    Pending(BufWriter<PendingFile>),
     Named(BufWriter<File>),
     Memory(HeldFile),
 }
@@ -54,7 +54,7 @@ impl Output {
             To::Named(BufWriter::new(file))
         } else {
             only_regular(&path)?;
-            To::Pending(BufWriter::new(Pending::new(&path)?))
+            To::Pending(BufWriter::new(PendingFile::new(&path)?))
         };
         Ok(Output { name, path, to })
     }
@@ -98,18 +98,18 @@ impl Output {
         let to = match self.to {
             To::Pending(file) => {
                 let pending = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-                To::Named(BufWriter::new(pending.take_name()?))
+                To::Named(BufWriter::new(pending.persist()?))
             }
             To::Named(mut file) => {
                 file.flush()?;
                 To::Named(file)
             }
             To::Memory(held) => {
-                sources.hold(&self.path, &held);
+                sources.hold_in_memory(&self.path, &held);
                 To::Memory(held)
             }
         };
-        sources.wrote(&self.path);
+        sources.record_write(&self.path);
         Ok(Output { to, ..self })
     }
 }

@@ -1,6 +1,6 @@
 //! [`Args`] for [`Reader`]: how elements read their parameters.
 
-use crate::base::args::{Args, Interner, Parse, Sampled, Word};
+use crate::base::args::{Args, Interner, Parse, SampledFunction, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::math::Transform;
 use crate::base::source::{Diagnostic, Span};
@@ -19,7 +19,7 @@ use std::sync::Arc;
 const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
-    fn alike(&self) -> Option<&Interner> {
+    fn interner(&self) -> Option<&Interner> {
         Some(&self.memory.alike)
     }
 
@@ -80,7 +80,7 @@ impl Args for Reader<'_> {
         Ok((name, bytes))
     }
 
-    fn sampled(&mut self) -> Parse<Option<Sampled>> {
+    fn sampled_function(&mut self) -> Parse<Option<SampledFunction>> {
         if !self.take_word(Word::Function)? {
             return Ok(None);
         }
@@ -97,7 +97,7 @@ impl Args for Reader<'_> {
         }
     }
 
-    fn moved_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn transformed_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         let Some(object) = self.object_or_name()? else {
             return Err(self.expected_here("an object"));
         };
@@ -259,7 +259,7 @@ impl Args for Reader<'_> {
         self.draft.version_of_rules()
     }
 
-    fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+    fn reserve_memory(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
         self.take_memory_for(what, bytes, at)
     }
 }

@@ -1,6 +1,6 @@
 //! Transformations of an object and its texture, folded into one.
 
-use crate::base::math::shorten;
+use crate::base::math::merge_steps;
 use crate::scene::texture::{Layer, Texture};
 use crate::scene::{Attached, Object};
 use std::sync::Arc;
@@ -9,11 +9,11 @@ use std::sync::Arc;
 pub(crate) fn fold_steps(object: &mut Object) {
     let textures = object.textures().map(|texture| texture.after);
     let start = textures
-        .chain(object.around().map(|attached| attached.after))
+        .chain(object.clips_and_bounds().map(|attached| attached.after))
         .chain(object.seen_in().map(|boxes| boxes.after))
         .max()
         .unwrap_or(0);
-    shorten(&mut object.steps, start);
+    merge_steps(&mut object.steps, start);
 }
 
 /// Gives an object a texture of its own if it has none.

@@ -4,7 +4,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
 use crate::lang::reader::Reader;
 use crate::scene::light::photon_file;
-use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
+use crate::scene::{Importance, PhotonDensity, Photons, RadiositySettings, Subsurface};
 
 /// Number of stored radiosity directions unless a scene sets it.
 const ALL_DIRECTIONS: u32 = 1600;
@@ -57,7 +57,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn radiosity_setting(&mut self, word: Word, settings: &mut Radiosity) -> Parse<()> {
+    fn radiosity_setting(&mut self, word: Word, settings: &mut RadiositySettings) -> Parse<()> {
         if matches!(word, Word::LoadFile | Word::SaveFile) {
             self.pass();
             let at = self.taken_span();
@@ -311,7 +311,7 @@ mod tests {
     use crate::base::options::ReadOptions;
     use crate::base::source::Sources;
     use crate::lang::evaluate;
-    use crate::scene::{Globals, PhotonDensity, Radiosity};
+    use crate::scene::{Globals, PhotonDensity, RadiositySettings};
 
     fn globals(text: &str) -> Result<Globals, String> {
         let mut sources = Sources::new(Vec::new());
@@ -334,7 +334,7 @@ mod tests {
               low_error_factor .4 max_sample 3 media on maximum_reuse 0.3 minimum_reuse 0.01 nearest_count 6, 3 normal on
               pretrace_start .1 pretrace_end .02 recursion_limit 3 subsurface on save_file \"x\" load_file \"y\" }",
         );
-        let expected = Radiosity {
+        let expected = RadiositySettings {
             adc_bailout: 0.1,
             always_sample: true,
             brightness: 1.0,
@@ -357,10 +357,10 @@ mod tests {
         };
         assert_eq!(all.unwrap().radiosity, Some(expected));
         let two = globals("radiosity { brightness 3 } radiosity { count 7 }").unwrap();
-        let expected = Radiosity {
+        let expected = RadiositySettings {
             brightness: 3.0,
             count: 7,
-            ..Radiosity::default()
+            ..RadiositySettings::default()
         };
         assert_eq!(two.radiosity, Some(expected));
     }

@@ -2,7 +2,7 @@
 
 use super::fold::{baked, fold_steps, own_texture};
 use crate::base::args::{Args, Parse, Word, transform_step};
-use crate::base::math::shorten;
+use crate::base::math::merge_steps;
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
@@ -113,7 +113,7 @@ impl Reader<'_> {
         let mut steps = Vec::new();
         while let Some(step) = transform_step(self)? {
             steps.push(step);
-            shorten(&mut steps, 0);
+            merge_steps(&mut steps, 0);
         }
         if steps.is_empty() {
             return Ok(());
@@ -193,7 +193,7 @@ impl Reader<'_> {
     pub(crate) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
-                object.find_boxes();
+                object.update_visibility_box();
                 return self.check_sides(object);
             }
             if let Some(step) = transform_step(self)? {
@@ -278,7 +278,7 @@ impl Reader<'_> {
             Word::UvMapping => object.flags.uv_mapping = true,
             Word::Inverse => object.invert(),
             Word::CutawayTextures => {
-                if !object.cut_away() {
+                if !object.set_cutaway_textures() {
                     let text = "`cutaway_textures` stands only in `intersection` and `difference`";
                     return Err(self.error_here(text));
                 }

@@ -15,7 +15,7 @@ use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::scene::camera::Camera;
 use crate::scene::interior::Media;
 use crate::scene::texture::{Finish, Layer, Texture};
-use crate::scene::{Entry, Look, Object, Plain};
+use crate::scene::{ColorOrTexture, Entry, Object, PlainObject};
 use std::sync::Arc;
 
 /// Collects the objects of the scene itself.
@@ -31,7 +31,7 @@ impl LiteralSink for TopLevel {
             }
             Read::Shape { shape, color } => {
                 let look = look(color, &defaults.finish, defaults.texture);
-                Entry::from(Plain { shape, look })
+                Entry::from(PlainObject { shape, look })
             }
         }
     }
@@ -50,10 +50,10 @@ impl LiteralSink for TopLevel {
 }
 
 /// The appearance of a shape with a colour of its own or the default texture.
-fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> Look {
+fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> ColorOrTexture {
     match color {
-        Some(color) => Look::Color(color, Arc::clone(finish)),
-        None => Look::Texture(Arc::clone(texture)),
+        Some(color) => ColorOrTexture::Color(color, Arc::clone(finish)),
+        None => ColorOrTexture::Texture(Arc::clone(texture)),
     }
 }
 
@@ -178,7 +178,7 @@ impl Reader<'_> {
         if let Some((sphere, color)) = self.replay_sphere()? {
             let look = self.look_of(color);
             self.count_leaf()?;
-            self.draft.objects.push_ball(sphere, look);
+            self.draft.objects.push_sphere(sphere, look);
             return Ok(());
         }
         if let Some(read) = self.replay_object()? {
@@ -214,12 +214,12 @@ impl Reader<'_> {
         };
         let look = self.look_of(color);
         self.count_leaf()?;
-        self.draft.objects.push_plain(Plain { shape, look });
+        self.draft.objects.push_plain(PlainObject { shape, look });
         Ok(())
     }
 
     /// The appearance of a shape with a colour of its own or the default texture.
-    fn look_of(&self, color: Option<Color>) -> Look {
+    fn look_of(&self, color: Option<Color>) -> ColorOrTexture {
         look(
             color,
             &self.draft.default_layer.finish,

@@ -10,7 +10,7 @@ use crate::base::source::Diagnostic;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Symbol};
-use crate::scene::function::{Binary, Graph, Id, Operand, Rest, chain, product};
+use crate::scene::function::{Binary, ChainTail, Graph, Id, Operand, chain, product};
 
 /// The name of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,7 +94,7 @@ impl Reader<'_> {
 
     fn body_comparison(&mut self, body: &mut Body) -> Parse<Operand> {
         let first = self.body_sum(body)?;
-        let mut rest = Rest::new();
+        let mut rest = ChainTail::new();
         while let Some(f) = self.body_relation()? {
             rest.push((f, self.body_sum(body)?));
         }
@@ -121,7 +121,7 @@ impl Reader<'_> {
 
     fn body_sum(&mut self, body: &mut Body) -> Parse<Operand> {
         let first = self.body_product(body)?;
-        let mut rest = Rest::new();
+        let mut rest = ChainTail::new();
         loop {
             let f = if self.take_mark('+')? {
                 Binary::Add
@@ -136,7 +136,7 @@ impl Reader<'_> {
 
     fn body_product(&mut self, body: &mut Body) -> Parse<Operand> {
         let first = self.body_operand(body)?;
-        let mut rest = Rest::new();
+        let mut rest = ChainTail::new();
         let start = self.taken_span();
         loop {
             let f = if self.take_mark('*')? {

@@ -260,7 +260,7 @@ impl Reader<'_> {
 
     /// Rejects layers on patterned textures, and textures whose layers would double.
     pub(crate) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
-        match lower.fault_below(upper) {
+        match lower.layering_error(upper) {
             Some(fault) => Err(self.error_taken(fault)),
             None => Ok(()),
         }

@@ -9,7 +9,7 @@ use crate::base::source::{Diagnostic, Span};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
 use crate::scene::function::{
-    Function, Internal, Kind as Computes, MOST_PARAMETERS, Refusal, internal,
+    Function, Internal, Kind as Computes, MAX_PARAMETERS, Refusal, internal,
 };
 use crate::scene::pattern::{Settings, read_field};
 use crate::scene::texture::{Pigment, PreparedPigment, read_pattern};
@@ -251,9 +251,9 @@ impl Reader<'_> {
                 _ => return Err(self.expected_here(WHAT)),
             });
             self.pass();
-            if names.len() > MOST_PARAMETERS {
+            if names.len() > MAX_PARAMETERS {
                 return Err(self.error_taken(format!(
-                    "a function has at most {MOST_PARAMETERS} parameters"
+                    "a function has at most {MAX_PARAMETERS} parameters"
                 )));
             }
             if self.take_mark(')')? {

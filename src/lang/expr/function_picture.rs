@@ -1,6 +1,6 @@
 //! `function W, H { ... }`: the values of a function as an image.
 
-use crate::base::args::{Args, Parse, Sampled};
+use crate::base::args::{Args, Parse, SampledFunction};
 use crate::base::color::Color;
 use crate::base::source::Diagnostic;
 use crate::lang::reader::Reader;
@@ -10,7 +10,7 @@ const MAX_PIXELS: f64 = 67_108_864.0;
 
 impl Reader<'_> {
     /// Reads the sizes and the function, and calls it for each pixel.
-    pub(crate) fn picture_of_function(&mut self) -> Parse<Sampled> {
+    pub(crate) fn picture_of_function(&mut self) -> Parse<SampledFunction> {
         let start = self.start()?;
         let columns = self.float()?.trunc();
         self.comma()?;
@@ -46,7 +46,7 @@ impl Reader<'_> {
                 });
             }
         }
-        Ok(Sampled {
+        Ok(SampledFunction {
             width,
             height,
             colors,

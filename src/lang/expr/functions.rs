@@ -170,7 +170,7 @@ impl Reader<'_> {
         self.take_mark(',')?;
         let omega = self.number_at_sum()?;
         self.take_mark(',')?;
-        let count = Octaves::count_of(self.number_at_sum()?);
+        let count = Octaves::clamped_count(self.number_at_sum()?);
         self.take_mark(',')?;
         let point = self.vector3()?;
         #[allow(

@@ -314,7 +314,7 @@ fn is_letter(byte: u8) -> bool {
 }
 
 impl Args for Literal<'_> {
-    fn alike(&self) -> Option<&Interner> {
+    fn interner(&self) -> Option<&Interner> {
         Some(&self.memory.alike)
     }
 

@@ -11,7 +11,7 @@ use crate::lang::limits;
 use crate::lang::syntax::Class;
 use crate::scene::interior::Interior;
 use crate::scene::shape::Shape;
-use crate::scene::texture::{Family, Layer, Pigment, Texture};
+use crate::scene::texture::{Layer, Pigment, PigmentSyntax, Texture};
 use crate::scene::{Kind, Object, Operation};
 use std::sync::Arc;
 
@@ -210,7 +210,7 @@ pub(crate) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Opti
             continue;
         }
         let pigment = match color {
-            Some(color) => Pigment::plain(color).read_on(args, Family::Pigment)?,
+            Some(color) => Pigment::plain(color).read_to_block_end(args, PigmentSyntax::Pigment)?,
             None => Pigment::read_inside(args, &default.pigment)?,
         };
         let layer = Layer {
@@ -270,6 +270,6 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
         }
     }
     object.steps.shrink_to_fit();
-    object.find_boxes();
+    object.update_visibility_box();
     Ok(Some(Read::Object(object)))
 }

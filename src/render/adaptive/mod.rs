@@ -99,14 +99,14 @@ pub(super) fn draw(
                     missing = without(&missing, &tile.rows);
                 }
             }
-            let continues = options.keep.as_ref().is_some_and(|keep| keep.continues);
+            let continues = options.checkpoint.as_ref().is_some_and(|keep| keep.resume);
             let height = match continues {
                 true => drawing.rows_together().min(ROWS_WITH_CHECKPOINT),
                 false => drawing.rows_together(),
             };
             for rows in missing.iter().flat_map(|rows| bands(rows, height)) {
                 drawing.draw(&rows, target, progress);
-                if let Some(checkpoint) = checkpoint.filter(|_| !options.stop.is_asked()) {
+                if let Some(checkpoint) = checkpoint.filter(|_| !options.stop.is_cancelled()) {
                     checkpoint.keep(&drawing.tile(&rows));
                 }
             }

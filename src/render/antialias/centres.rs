@@ -195,7 +195,7 @@ mod tests {
                 has_alpha: true,
             };
             let mut pixel = || {
-                let [r, g, b, transmit] = [(); 4].map(|()| nearest(rng.share()));
+                let [r, g, b, transmit] = [(); 4].map(|()| nearest(rng.uniform()));
                 Pixel::new(Rgb::new(r, g, b), transmit)
             };
             let pixels: Vec<Pixel> = (0..width * height).map(|_| pixel()).collect();

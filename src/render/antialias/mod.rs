@@ -323,7 +323,7 @@ mod tests {
                     0 => f32::INFINITY,
                     1 => 0.0,
                     2 => f32::MAX,
-                    _ => nearest(rng.share()),
+                    _ => nearest(rng.uniform()),
                 };
                 let [a, b] = [(); 2].map(|()| {
                     let [r, g, b, transmit] = [(); 4].map(|()| value(&mut rng));

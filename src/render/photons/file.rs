@@ -1,7 +1,7 @@
 //! Photon maps in the format of POV-Ray's `save_file`.
 
 use super::{Map, Photon};
-use crate::scene::light::photon_file::{RECORD, records};
+use crate::scene::light::photon_file::{RECORD_SIZE, records};
 
 /// The bytes of a file with the photons of both maps.
 #[must_use]
@@ -26,7 +26,7 @@ pub fn write(maps: [&Map; 2]) -> Vec<u8> {
 pub fn read(bytes: &[u8]) -> Option<[Map; 2]> {
     let mut maps = [Map::default(), Map::default()];
     for (map, records) in maps.iter_mut().zip(records(bytes)?) {
-        let photons = records.chunks_exact(RECORD).map(photon);
+        let photons = records.chunks_exact(RECORD_SIZE).map(photon);
         *map = Map::of_sorted(photons.collect::<Option<_>>()?);
     }
     Some(maps)
@@ -66,11 +66,11 @@ mod tests {
             Map::new(vec![Photon::default(); 2]),
         ];
         let bytes = write([&maps[0], &maps[1]]);
-        assert_eq!(bytes.len(), 8 + 5 * RECORD);
+        assert_eq!(bytes.len(), 8 + 5 * RECORD_SIZE);
         let [surface, media] = read(&bytes).unwrap();
         assert_eq!(surface.photons(), maps[0].photons());
         assert_eq!(media.photons(), maps[1].photons());
         assert!(read(&bytes[..bytes.len() - 1]).is_none());
-        assert!(read(&bytes[..4 + 3 * RECORD]).unwrap()[1].is_empty());
+        assert!(read(&bytes[..4 + 3 * RECORD_SIZE]).unwrap()[1].is_empty());
     }
 }

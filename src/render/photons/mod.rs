@@ -18,7 +18,7 @@ pub use map::{Map, Search};
 pub use near::Near;
 pub use photon::Photon;
 
-use crate::world::Photons;
+use crate::world::PhotonMapping;
 use radius::{CRand, Space};
 
 /// All stored photons.
@@ -42,7 +42,7 @@ const IN_MEDIA: f64 = 2.0;
 impl PhotonMaps {
     /// The photons of two maps, with their search parameters.
     #[must_use]
-    pub fn new(photons: &Photons, emitted: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
+    pub fn new(photons: &PhotonMapping, emitted: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
         let settings = &photons.settings;
         let most = settings.gather[1] as usize;
         let mut random = CRand::new();

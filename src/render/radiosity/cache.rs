@@ -388,12 +388,12 @@ mod tests {
         let mut rng = Random::new(7);
         let mut cache = Cache::new(1.0);
         let random_point = |rng: &mut Random| {
-            DVec3::new(rng.share(), 0.1 * rng.share(), rng.share()) * 20.0 - 10.0
+            DVec3::new(rng.uniform(), 0.1 * rng.uniform(), rng.uniform()) * 20.0 - 10.0
         };
         for _ in 0..500 {
             let (point, radius) = (
                 random_point(&mut rng),
-                0.01 + rng.share() * rng.share() * 3.0,
+                0.01 + rng.uniform() * rng.uniform() * 3.0,
             );
             cache.add(sample(point, radius), radius * 1.5);
         }

@@ -32,7 +32,7 @@ const QUARTERS: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub struct Radiosity {
     /// The settings as given.
-    pub settings: scene::Radiosity,
+    pub settings: scene::RadiositySettings,
     /// The importance of objects without their own: the share of rays that count there.
     pub importance: f64,
     /// The directions, about y.
@@ -42,7 +42,7 @@ pub struct Radiosity {
 impl Radiosity {
     /// The radiosity of a scene; `importance` is the default of objects.
     #[must_use]
-    pub fn new(settings: scene::Radiosity, importance: f64) -> Self {
+    pub fn new(settings: scene::RadiositySettings, importance: f64) -> Self {
         let count = settings.directions.unwrap_or(directions::USUAL);
         let count = count.max(settings.count).clamp(1, MOST_DIRECTIONS);
         Radiosity {

@@ -3,7 +3,7 @@
 use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::math::Ray;
 use crate::render::shade::Scratch;
-use crate::scene::atmosphere::{Tint, WAY_TO_NOTHING, mean_of, sum_of};
+use crate::scene::atmosphere::{MISS_DISTANCE, Tint, combined_tint, mean_tint};
 use crate::world::LightList;
 
 /// Attenuation and in-scattered light along a ray, in the order in which they apply.
@@ -46,7 +46,7 @@ impl Tracer<'_> {
                 (inside, length, lights)
             }
             End::Nothing => {
-                let length = self.world.globals.unit * WAY_TO_NOTHING;
+                let length = self.world.globals.unit * MISS_DISTANCE;
                 (None, length, LightList::default())
             }
         };
@@ -56,7 +56,7 @@ impl Tracer<'_> {
         let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
         Some(AirTint {
             inside,
-            rainbow: mean_of(arcs),
+            rainbow: mean_tint(arcs),
             media: self.media_of_air(path, length, lights, scratch),
             fog: self.fog(&path.ray, length),
         })
@@ -66,7 +66,8 @@ impl Tracer<'_> {
     pub(super) fn fog(&self, ray: &Ray, length: f64) -> Option<Tint> {
         let fogs = &self.world.fogs;
         let noise = self.world.globals.noise;
-        (!fogs.is_empty()).then(|| sum_of(fogs.iter().map(|fog| fog.tint(ray, length, noise))))
+        (!fogs.is_empty())
+            .then(|| combined_tint(fogs.iter().map(|fog| fog.tint(ray, length, noise))))
     }
 
     /// Reports if no solid object is around a ray.
@@ -82,7 +83,7 @@ impl Sample {
         let Some(air) = air else { return self };
         let tints = [air.inside, air.rainbow, air.media, air.fog];
         tints.into_iter().flatten().fold(self, |seen, tint| Sample {
-            rgb: tint.of(seen.rgb),
+            rgb: tint.apply(seen.rgb),
             transmit: seen.transmit * tint.factor.grey(),
         })
     }

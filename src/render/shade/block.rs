@@ -267,7 +267,7 @@ impl Tracer<'_> {
             && !self.has_air()
             && world.sky.is_none()
             && world.lens.is_none();
-        if !is_even || self.stop.is_asked() {
+        if !is_even || self.stop.is_cancelled() {
             return None;
         }
         let (width, height) = (f64::from(width), f64::from(height));

@@ -16,7 +16,7 @@ use crate::render::radiosity::{
 };
 use crate::render::shade::Scratch;
 use crate::scene::Importance;
-use crate::scene::atmosphere::WAY_TO_NOTHING;
+use crate::scene::atmosphere::MISS_DISTANCE;
 use crate::world::{Hit, Query, RayCounts, RayKind};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -93,7 +93,7 @@ impl Tracer<'_> {
             qualities: 0.0,
             weights: 0.0,
             nearness: 0.0,
-            nearest: WAY_TO_NOTHING * self.world.globals.unit,
+            nearest: MISS_DISTANCE * self.world.globals.unit,
             to_nearest: cache_query.normal,
         };
         let random = (

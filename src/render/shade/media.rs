@@ -11,7 +11,7 @@ use crate::base::math::Ray;
 use crate::base::math::sampling::chi_square::chi_square;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::Tint;
-use crate::scene::interior::{Effect, PreparedMedia, Sampling};
+use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
 use crate::world::LightList;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -162,7 +162,7 @@ impl Tracer<'_> {
             if !light.media_interaction || light.is_shadowless() {
                 return None;
             }
-            let (from, to) = light.crossed_by(ray)?;
+            let (from, to) = light.beam_interval(ray)?;
             let (from, to) = (from.max(0.0), to.min(length));
             (from < to).then_some(LightBeam { number, from, to })
         };
@@ -363,7 +363,7 @@ impl Tracer<'_> {
         let spawn_surface = segment.path.from.as_ref().filter(|_| distance == 0.0);
         let light = self.world.lights.get(number);
         let arrival = light.arrival(point);
-        let mut arriving = light.color * light.share(point, &arrival);
+        let mut arriving = light.color * light.attenuation(point, &arrival);
         if is_negligible(arriving) {
             return Rgb::BLACK;
         }
@@ -398,7 +398,7 @@ impl Tracer<'_> {
         length: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if !media.iter().any(|media| media.takes_light()) {
+        if !media.iter().any(|media| media.attenuates()) {
             return Rgb::WHITE;
         }
         if !media.iter().any(|media| media.has_density()) {
@@ -410,7 +410,7 @@ impl Tracer<'_> {
             return Rgb::WHITE;
         };
         let taken = |at: f64| effect_of(media, ray.at(at)).extinction;
-        let is_even = media.iter().all(|media| media.is_even());
+        let is_even = media.iter().all(|media| media.is_homogeneous());
         let intervals = sampling.intervals;
         let each = length / f64::from(intervals);
         // As in `subdivided`.
@@ -433,10 +433,10 @@ impl Tracer<'_> {
 
 /// The combined effect of media at a point.
 #[inline]
-fn effect_of(media: &[&PreparedMedia], point: DVec3) -> Effect {
-    let mut effect = Effect::NONE;
+fn effect_of(media: &[&PreparedMedia], point: DVec3) -> MediumCoefficients {
+    let mut effect = MediumCoefficients::NONE;
     for media in media {
-        media.add_effect(point, &mut effect);
+        media.add_coefficients(point, &mut effect);
     }
     effect
 }

@@ -325,7 +325,7 @@ impl<'w> Tracer<'w> {
     fn is_above_bailout(&self, level: u32, weight: f64, irradiance_depth: usize) -> bool {
         level < self.world.globals.max_trace_level
             && weight >= self.bailout(irradiance_depth)
-            && !self.stop.is_asked()
+            && !self.stop.is_cancelled()
     }
 
     /// Radiance of a ray that hits nothing.
@@ -333,7 +333,7 @@ impl<'w> Tracer<'w> {
         let background = self.background_of(kind);
         match &self.world.sky {
             None => background.seen,
-            Some(sky) => background.behind(sky.seen(dir)),
+            Some(sky) => background.behind(sky.radiance(dir)),
         }
     }
 
@@ -360,7 +360,7 @@ struct Background {
 }
 
 impl Background {
-    fn behind(&self, sky: crate::scene::atmosphere::Seen) -> Sample {
+    fn behind(&self, sky: crate::scene::atmosphere::SkyRadiance) -> Sample {
         if self.hides_sky {
             return self.seen;
         }

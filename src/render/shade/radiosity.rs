@@ -111,7 +111,7 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         }
         let (_, bsdf) = self.layer_bsdf(layer, color);
-        let [front, back] = layer.finish.diffuse_as_given;
+        let [front, back] = layer.finish.diffuse_without_albedo;
         let mut sum = Rgb::BLACK;
         let sides = [
             (front, &mut known.front, 1.0),

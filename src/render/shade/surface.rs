@@ -11,7 +11,10 @@ use crate::base::math::powers::exact_power;
 use crate::scene::interior::Interior;
 use crate::scene::pattern::SurfacePoint;
 use crate::scene::shape::TextureWeights;
-use crate::scene::texture::{Choosing, Finish, Irid, Look, Looks, PreparedLayer, PreparedTexture};
+use crate::scene::texture::{
+    Finish, Irid, PreparedLayer, PreparedTexture, TextureSelection, WeightedTexture,
+    WeightedTextures,
+};
 use crate::world::{Hit, Surface};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -92,7 +95,7 @@ pub(super) enum TextureUse {
 
 /// A texture of a hit to be shaded.
 pub(super) struct TextureShading<'a, 't> {
-    pub(super) look: &'a Look<'t>,
+    pub(super) look: &'a WeightedTexture<'t>,
     /// The last bumped normal at the hit.
     pub(super) tilted: &'a mut Option<DVec3>,
     /// The shadowed light of earlier textures.
@@ -157,7 +160,7 @@ impl<'w> Tracer<'w> {
         hit: &Hit,
         dir: DVec3,
         purpose: TextureUse,
-    ) -> Looks<'s> {
+    ) -> WeightedTextures<'s> {
         let outside = match surface.inside_texture() {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
                 return self.single_texture(inside, hit, dir, purpose);
@@ -182,12 +185,12 @@ impl<'w> Tracer<'w> {
         };
         let needs_normal = shares
             .iter()
-            .any(|share| texture_of(share.texture).minds_normal());
+            .any(|share| texture_of(share.texture).needs_normal());
         let (point, mut chosen) = self.choosing(hit, dir, purpose, needs_normal);
         for share in drawn {
-            texture_of(share.texture).look(point, single(share.weight), &mut chosen);
+            texture_of(share.texture).select(point, single(share.weight), &mut chosen);
         }
-        chosen.looks
+        chosen.textures
     }
 
     /// The point at which the patterns of a hit are evaluated, and a new texture selection there.
@@ -197,13 +200,13 @@ impl<'w> Tracer<'w> {
         dir: DVec3,
         purpose: TextureUse,
         needs_normal: bool,
-    ) -> (DVec3, Choosing<'t>) {
+    ) -> (DVec3, TextureSelection<'t>) {
         let (point, spot) = self.pattern_point(hit, dir);
         let needs_bumps = needs_normal && purpose == TextureUse::Drawn && self.quality.has_normals;
         let chosen = if needs_bumps {
-            Choosing::drawn_at(spot)
+            TextureSelection::in_shading_order(spot)
         } else {
-            Choosing::at(spot)
+            TextureSelection::at(spot)
         };
         (point, chosen)
     }
@@ -216,14 +219,14 @@ impl<'w> Tracer<'w> {
         hit: &Hit,
         dir: DVec3,
         purpose: TextureUse,
-    ) -> Looks<'t> {
+    ) -> WeightedTextures<'t> {
         if texture.is_patterned() {
-            let (point, mut chosen) = self.choosing(hit, dir, purpose, texture.minds_normal());
-            texture.look(point, 1.0, &mut chosen);
-            return chosen.looks;
+            let (point, mut chosen) = self.choosing(hit, dir, purpose, texture.needs_normal());
+            texture.select(point, 1.0, &mut chosen);
+            return chosen.textures;
         }
         let is_mapped = self.world.surfaces[hit.surface as usize].is_mapped();
-        Looks::from_buf([Look {
+        WeightedTextures::from_buf([WeightedTexture {
             weight: 1.0,
             texture,
             point: if is_mapped {
@@ -308,7 +311,7 @@ impl<'w> Tracer<'w> {
             shadow_cache,
             is_double_illuminated: surface.is_double_illuminated(),
             lights: self.world.lights.of(surface.lights),
-            collects: self.has_caustics() && !surface.photons().keeps_none,
+            collects: self.has_caustics() && !surface.photons().collects_none,
         };
         let mut shaded = ShadedLayers {
             rgb: Rgb::BLACK,
@@ -333,7 +336,8 @@ impl<'w> Tracer<'w> {
         for layer in texture.layers() {
             lit.at.normal = match layer.normal() {
                 Some(bumps) if self.quality.has_normals => {
-                    let (normal, seen) = bumps.tilted_and_seen(look.point, flat, &spot);
+                    let (normal, seen) =
+                        bumps.perturbed_with_pattern_normal(look.point, flat, &spot);
                     *tilted = Some(seen);
                     normal
                 }
@@ -477,7 +481,7 @@ impl<'w> Tracer<'w> {
     pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &SurfacePoint) -> Color {
         match layer.quick_color() {
             Some(quick) if !self.quality.has_transparency => *quick,
-            _ => layer.pigment.patterned(point, spot),
+            _ => layer.pigment.color_at(point, spot),
         }
     }
 

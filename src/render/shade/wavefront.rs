@@ -15,7 +15,7 @@ use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Scratch, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::scene::texture::{Irid, Look};
+use crate::scene::texture::{Irid, WeightedTexture};
 use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 
@@ -451,7 +451,7 @@ impl Tracer<'_> {
                 let is_worth = onward.level < most && onward.weight >= least && !is_past;
                 is_worth && onward.passed < MAX_STRAIGHT
             });
-            if self.stop.is_asked() {
+            if self.stop.is_cancelled() {
                 wavefront.rays.clear();
             }
             // With many lights the shadow rays would take too much memory.
@@ -564,7 +564,7 @@ impl Tracer<'_> {
             return Some(plain.behind_air(self.air(&path, end, scratch)));
         }
         let textures = self.textures_at(surface, &hit, path.ray.dir, TextureUse::Drawn);
-        let [only @ Look { weight: 1.0, .. }] = textures.as_slice() else {
+        let [only @ WeightedTexture { weight: 1.0, .. }] = textures.as_slice() else {
             return Some(self.trace(path, Some((Some(hit), known)), scratch));
         };
         let shadow_cache = (only.texture.layers().len() > 1).then(ShadowCache::default);

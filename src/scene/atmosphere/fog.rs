@@ -130,7 +130,7 @@ impl Fog {
         args.accept(word)?;
         let value = args.float()?;
         match word {
-            Word::Octaves => self.octaves.count = Octaves::count_of(value),
+            Word::Octaves => self.octaves.count = Octaves::clamped_count(value),
             Word::Omega => self.octaves.omega = value as f32,
             _ => self.octaves.lambda = value as f32,
         }
@@ -189,7 +189,7 @@ impl Fog {
 /// The combined effect of several fogs: their factors multiply, and their own light adds up without being attenuated by
 /// the other fogs.
 #[must_use]
-pub fn sum_of(tints: impl Iterator<Item = Tint>) -> Tint {
+pub fn combined_tint(tints: impl Iterator<Item = Tint>) -> Tint {
     tints.fold(Tint::NONE, |sum, tint| Tint {
         factor: sum.factor * tint.factor,
         added: sum.added + tint.added,
@@ -212,7 +212,7 @@ mod tests {
         let tints = fogs
             .iter()
             .map(|text| read(text).tint(&ray, 3.0 / 0.94880, NoiseGenerator::default()));
-        let Rgb { r, g, b } = sum_of(tints).of(Rgb::new(0.2, 0.5, 0.9));
+        let Rgb { r, g, b } = combined_tint(tints).apply(Rgb::new(0.2, 0.5, 0.9));
         for (actual, expected) in [r, g, b].into_iter().zip(expected) {
             assert!((actual - expected).abs() < 2e-3, "{fogs:?}: {r} {g} {b}");
         }

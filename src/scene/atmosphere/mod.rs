@@ -4,16 +4,16 @@ mod fog;
 mod rainbow;
 mod sky_sphere;
 
-pub use fog::{Fog, sum_of};
-pub use rainbow::{Rainbow, mean_of};
-pub use sky_sphere::{PreparedSky, Seen, SkySphere};
+pub use fog::{Fog, combined_tint};
+pub use rainbow::{Rainbow, mean_tint};
+pub use sky_sphere::{PreparedSky, SkyRadiance, SkySphere};
 
 use crate::base::color::Rgb;
 use crate::scene::interior::Media;
 use std::sync::Arc;
 
 /// The length of a ray that hits nothing, as in POV-Ray.
-pub const WAY_TO_NOTHING: f64 = 2e10;
+pub const MISS_DISTANCE: f64 = 2e10;
 
 /// The atmosphere of a scene.
 #[derive(Clone, Debug, Default)]
@@ -46,7 +46,7 @@ impl Tint {
 
     /// Applies the effect to light from behind.
     #[must_use]
-    pub fn of(&self, light: Rgb) -> Rgb {
+    pub fn apply(&self, light: Rgb) -> Rgb {
         light * self.factor + self.added
     }
 }

@@ -209,7 +209,7 @@ impl Rainbow {
 
 /// The combined effect of the rainbows in one direction: the mean of their effects.
 #[must_use]
-pub fn mean_of(tints: impl Iterator<Item = Tint>) -> Option<Tint> {
+pub fn mean_tint(tints: impl Iterator<Item = Tint>) -> Option<Tint> {
     let mut count = 0.0_f64;
     let mut sum = Tint {
         factor: Rgb::BLACK,

@@ -30,7 +30,7 @@ pub struct PreparedSky {
 
 /// Radiance of the sky in one direction, and the factor on the background behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct SkyRadiance {
     /// Radiance of the sky itself.
     pub rgb: Rgb,
     /// The factor on the background.
@@ -94,7 +94,7 @@ impl PreparedSky {
     /// them, and the transmittance to the background is the product of all transmits, plus the product of all filters
     /// times the product of all colours (measured).
     #[must_use]
-    pub fn seen(&self, dir: DVec3) -> Seen {
+    pub fn radiance(&self, dir: DVec3) -> SkyRadiance {
         if self.rules_37 {
             self.filtered_layers(dir)
         } else {
@@ -102,21 +102,21 @@ impl PreparedSky {
         }
     }
 
-    fn filtered_layers(&self, dir: DVec3) -> Seen {
-        let clear = Seen {
+    fn filtered_layers(&self, dir: DVec3) -> SkyRadiance {
+        let clear = SkyRadiance {
             rgb: Rgb::BLACK,
             factor: Rgb::WHITE,
         };
         self.colors(dir).fold(clear, |above, color| {
             let light = color.rgb * (1.0 - color.filter - color.transmit);
-            Seen {
+            SkyRadiance {
                 rgb: above.rgb + light * above.factor * self.emission,
                 factor: above.factor * color.transmission(),
             }
         })
     }
 
-    fn layers_before_37(&self, dir: DVec3) -> Seen {
+    fn layers_before_37(&self, dir: DVec3) -> SkyRadiance {
         let mut rgb = Rgb::BLACK;
         let mut transmittance = 1.0;
         let mut product = Color {
@@ -132,7 +132,7 @@ impl PreparedSky {
             product.filter *= color.filter;
             product.transmit *= color.transmit;
         }
-        Seen {
+        SkyRadiance {
             rgb,
             factor: product.transmission(),
         }
@@ -159,7 +159,7 @@ mod tests {
         let seen = read(text)
             .unwrap()
             .prepare(&Settings::default(), rules_37)
-            .seen(DVec3::Z);
+            .radiance(DVec3::Z);
         let Rgb { r, g, b } = seen.rgb + seen.factor * background;
         for (actual, expected) in [r, g, b].into_iter().zip(expected) {
             assert!((actual - expected).abs() < 3e-5, "{text}: {r} {g} {b}");

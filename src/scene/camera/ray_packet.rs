@@ -117,7 +117,7 @@ mod tests {
         let mut rng = Random::new(8);
         let mut camera = Camera::default();
         for case in 0..1000 {
-            let mut vector = || DVec3::from([0; 3].map(|_| rng.share() - 0.5));
+            let mut vector = || DVec3::from([0; 3].map(|_| rng.uniform() - 0.5));
             camera.frame.direction = vector();
             camera.frame.right = vector();
             camera.frame.up = vector();

@@ -33,7 +33,7 @@ pub struct Operand {
 }
 
 /// The operators after the first operand of a chain, each with its right operand.
-pub type Rest = SmallVec<[(Binary, Operand); 4]>;
+pub type ChainTail = SmallVec<[(Binary, Operand); 4]>;
 
 /// A literal divisor is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,7 +17,7 @@ mod program;
 #[cfg(test)]
 mod tests;
 
-pub use fold::{DivisionByZero, Form, Operand, Rest, chain, product};
+pub use fold::{ChainTail, DivisionByZero, Form, Operand, chain, product};
 pub use graph::{Block, Graph, Id};
 pub use internal::Internal;
 pub use interval::Interval;
@@ -35,7 +35,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 /// Limit on the parameters of a function, as in POV-Ray.
-pub const MOST_PARAMETERS: usize = 56;
+pub const MAX_PARAMETERS: usize = 56;
 /// Limit on the operations of one evaluation. A few hundred million run in a second.
 const MAX_COST: u64 = 10_000_000_000;
 /// Limit on the bytes of stack of one evaluation; render threads have two million.

@@ -223,7 +223,8 @@ fn bounds_contain_all_values() {
             let bounds = function.bounds(&domain);
             for _ in 0..20 {
                 let at = domain.map(|side| {
-                    (side.low + random.share() * (side.high - side.low)).clamp(side.low, side.high)
+                    (side.low + random.uniform() * (side.high - side.low))
+                        .clamp(side.low, side.high)
                 });
                 let value = function.eval(&at);
                 let is_bounded = value.is_nan() || bounds.contains(value);

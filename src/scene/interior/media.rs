@@ -5,7 +5,7 @@ use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::pattern::{Keys, Map};
-use crate::scene::texture::{Family, Pigment};
+use crate::scene::texture::{Pigment, PigmentSyntax};
 
 /// The first language version with the current sampling defaults.
 const NEW_DEFAULTS_VERSION: f64 = 3.5;
@@ -100,7 +100,9 @@ impl Density {
     pub fn read(args: &mut dyn Args) -> Parse<Density> {
         args.open()?;
         let base = Density::known(args)?;
-        Ok(Density(base.0.read_on(args, Family::Density)?))
+        Ok(Density(
+            base.0.read_to_block_end(args, PigmentSyntax::Density)?,
+        ))
     }
 
     /// Reads `density_map { ... }` after the keyword.
@@ -110,7 +112,7 @@ impl Density {
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Density>> {
         Map::read("density_map", keys, args, &mut |args| {
             let base = Density::known(args)?;
-            base.0.read_entry(args, Family::Density).map(Density)
+            base.0.read_entry(args, PigmentSyntax::Density).map(Density)
         })
     }
 
@@ -203,7 +205,7 @@ impl Media {
 
 impl Media {
     /// Converts the coefficients to a smaller unit of length, in which all lengths are larger by `factor`.
-    pub(crate) fn change_unit(&mut self, factor: f64) {
+    pub(crate) fn scale_scene_lengths(&mut self, factor: f64) {
         for color in [
             &mut self.absorption,
             &mut self.emission,

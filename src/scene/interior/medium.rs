@@ -15,16 +15,16 @@ pub struct PreparedMedia {
     scattering: Scattering,
     densities: Vec<PreparedPigment>,
     /// The coefficients of a homogeneous medium.
-    homogeneous: Option<Effect>,
+    homogeneous: Option<MediumCoefficients>,
     /// Photons are stored in the medium.
-    pub collects: bool,
+    pub stores_photons: bool,
     /// Sampling along rays.
     pub sampling: Sampling,
 }
 
 /// Coefficients of media, per unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Effect {
+pub struct MediumCoefficients {
     /// Extinction coefficient.
     pub extinction: Rgb,
     /// Emitted radiance.
@@ -33,9 +33,9 @@ pub struct Effect {
     pub scattering: Rgb,
 }
 
-impl Effect {
+impl MediumCoefficients {
     /// Coefficients of empty space.
-    pub const NONE: Effect = Effect {
+    pub const NONE: MediumCoefficients = MediumCoefficients {
         extinction: Rgb::BLACK,
         emission: Rgb::BLACK,
         scattering: Rgb::BLACK,
@@ -51,7 +51,7 @@ impl Media {
             absorption: self.absorption,
             emission: self.emission,
             scattering: self.scattering,
-            collects: self.collect,
+            stores_photons: self.collect,
             densities: densities
                 .map(|density| PreparedPigment::new(&density.0, after, settings))
                 .collect(),
@@ -75,20 +75,20 @@ impl PreparedMedia {
 
     /// Returns true if the medium is homogeneous.
     #[must_use]
-    pub fn is_even(&self) -> bool {
+    pub fn is_homogeneous(&self) -> bool {
         self.homogeneous.is_some()
     }
 
     /// Returns true if the medium attenuates light.
     #[must_use]
-    pub fn takes_light(&self) -> bool {
+    pub fn attenuates(&self) -> bool {
         let scattered = self.scattering.color * self.scattering.extinction;
         self.absorption != Rgb::BLACK || scattered != Rgb::BLACK
     }
 
     /// Adds the coefficients at a point.
     #[inline]
-    pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
+    pub fn add_coefficients(&self, point: DVec3, sum: &mut MediumCoefficients) {
         let coefficients = match &self.homogeneous {
             Some(coefficients) => *coefficients,
             None => self.coefficients(point),
@@ -98,7 +98,7 @@ impl PreparedMedia {
         sum.scattering += coefficients.scattering;
     }
 
-    fn coefficients(&self, point: DVec3) -> Effect {
+    fn coefficients(&self, point: DVec3) -> MediumCoefficients {
         let surface_point = SurfacePoint::at(point);
         let mut density = Rgb::WHITE;
         for factor in &self.densities {
@@ -108,7 +108,7 @@ impl PreparedMedia {
             }
         }
         let scattering = self.scattering.color;
-        Effect {
+        MediumCoefficients {
             extinction: density * (self.absorption + scattering * self.scattering.extinction),
             emission: density * self.emission,
             scattering: density * scattering,
@@ -148,21 +148,21 @@ mod tests {
             "{ absorption 0.5 emission 2 scattering { 1, 0.25 extinction 2 }
                density { rgb 0.5 } density { gradient <1,0,0> } }",
         );
-        let mut coefficients = Effect::NONE;
-        media.add_effect(DVec3::new(0.5, 0.0, 0.0), &mut coefficients);
+        let mut coefficients = MediumCoefficients::NONE;
+        media.add_coefficients(DVec3::new(0.5, 0.0, 0.0), &mut coefficients);
         assert_eq!(coefficients.extinction, Rgb::splat(0.25));
         assert_eq!(coefficients.emission, Rgb::splat(0.5));
         assert_eq!(coefficients.scattering, Rgb::splat(0.0625));
-        assert!(media.has_density() && !media.is_even());
+        assert!(media.has_density() && !media.is_homogeneous());
     }
 
     #[test]
     fn emission_and_scattering_without_extinction_do_not_attenuate() {
         for text in ["{ emission 1 }", "{ scattering { 1, 1 extinction 0 } }"] {
-            assert!(!prepare(text).takes_light(), "{text}");
+            assert!(!prepare(text).attenuates(), "{text}");
         }
         for text in ["{ absorption 1 }", "{ scattering { 1, 1 } }"] {
-            assert!(prepare(text).takes_light(), "{text}");
+            assert!(prepare(text).attenuates(), "{text}");
         }
     }
 

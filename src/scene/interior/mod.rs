@@ -4,7 +4,7 @@ mod media;
 mod medium;
 
 pub use media::{Density, Media, Phase, Sampling, Scattering};
-pub use medium::{Effect, PreparedMedia};
+pub use medium::{MediumCoefficients, PreparedMedia};
 
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::Rgb;
@@ -158,7 +158,7 @@ impl Interior {
 
     /// The transmittance of shadow rays over `distance`; as in POV-Ray, powers of 0 and below do not attenuate them.
     #[must_use]
-    pub fn fade_on_light(&self, distance: f64) -> Rgb {
+    pub fn shadow_ray_fade(&self, distance: f64) -> Rgb {
         if self.fade_power > 0.0 {
             self.fade(distance)
         } else {
@@ -167,7 +167,7 @@ impl Interior {
     }
 
     /// Takes `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes write them.
-    pub fn take_from_finishes<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
+    pub fn take_finish_settings<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
         for finish in finishes {
             if let Some(ior) = finish.ior {
                 self.set_ior(ior);
@@ -252,7 +252,7 @@ mod tests {
         let mut args = TextArgs::new("{ I ior 0 }").with("I", read("{ ior 1.5 }").unwrap());
         let named = Interior::read(&mut args).unwrap();
         let mut finished = read("{ ior 1.5 }").unwrap();
-        finished.take_from_finishes([&Finish {
+        finished.take_finish_settings([&Finish {
             ior: Some(0.0),
             ..Finish::default()
         }]);
@@ -281,9 +281,9 @@ mod tests {
     #[test]
     fn power_0_does_not_attenuate_shadow_rays() {
         let interior = read("{ fade_distance 1 }").unwrap();
-        assert_eq!(interior.fade_on_light(2.0), Rgb::WHITE);
+        assert_eq!(interior.shadow_ray_fade(2.0), Rgb::WHITE);
         let interior = read("{ fade_distance 2 fade_power 1 }").unwrap();
-        assert_eq!(interior.fade_on_light(2.0), interior.fade(2.0));
+        assert_eq!(interior.shadow_ray_fade(2.0), interior.fade(2.0));
     }
 
     #[test]

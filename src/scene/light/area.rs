@@ -35,10 +35,10 @@ pub struct Area {
     /// True if the grid turns towards the shading point.
     pub is_oriented: bool,
     /// `area_illumination`: true if each grid light illuminates from its own position.
-    pub is_full: bool,
+    pub has_area_illumination: bool,
     /// Span of `circular` or `orient`.
     at_circular: Option<Span>,
-    /// Cache for [`Area::first_lamps`].
+    /// Cache for [`Area::initial_grid_lights`].
     initial: OnceLock<Vec<[u32; 2]>>,
 }
 
@@ -63,7 +63,7 @@ impl Area {
             has_jitter: false,
             is_circular: false,
             is_oriented: false,
-            is_full: false,
+            has_area_illumination: false,
             at_circular: None,
             initial: OnceLock::new(),
         }
@@ -71,7 +71,7 @@ impl Area {
 
     /// The grid lights sampled for every shading point, regardless of the results, in this order.
     #[must_use]
-    pub fn first_lamps(&self) -> &[[u32; 2]] {
+    pub fn initial_grid_lights(&self) -> &[[u32; 2]] {
         self.initial
             .get_or_init(|| initial_grid_lights(self.sizes, self.adaptive))
     }
@@ -113,7 +113,7 @@ impl Area {
         match word {
             Word::Adaptive => area.adaptive = saturating_u32(args.float()?),
             Word::Jitter => area.has_jitter = true,
-            Word::AreaIllumination => area.is_full = args.float_or(1.0)? != 0.0,
+            Word::AreaIllumination => area.has_area_illumination = args.float_or(1.0)? != 0.0,
             _ => {
                 area.is_oriented |= word == Word::Orient;
                 area.is_circular = true;
@@ -195,7 +195,7 @@ impl Area {
 
     /// The offset of grid light (`u`, `v`) from the centre of the light. Jitter makes the indices fractional.
     #[must_use]
-    pub fn lamp(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
+    pub fn grid_light_offset(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
         let position = |index: f64, size: u32| {
             if size > 1 {
                 index / f64::from(size - 1) - 0.5
@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn grid_lights_span_the_edges() {
         let area = area("0 rgb 1 area_light <4, 0, 0>, <0, 2, 0>, 3, 1").unwrap();
-        let offset = |u| area.lamp(&area.axes, u, 0.0);
+        let offset = |u| area.grid_light_offset(&area.axes, u, 0.0);
         assert_eq!(offset(0.0), DVec3::new(-2.0, 0.0, 0.0));
         assert_eq!(
             (offset(1.0), offset(2.0)),
@@ -256,7 +256,7 @@ mod tests {
     #[test]
     fn the_lights_of_a_circular_grid_lie_on_circles() {
         let area = area("0 rgb 1 area_light <2, 0, 0>, <0, 2, 0>, 5, 5 circular").unwrap();
-        let radius = |u, v| area.lamp(&area.axes, u, v).length();
+        let radius = |u, v| area.grid_light_offset(&area.axes, u, v).length();
         assert!((radius(0.0, 0.0) - 1.0).abs() < 0.01 && (radius(0.0, 2.0) - 1.0).abs() < 0.01);
         assert!((radius(1.0, 1.0) - 0.5).abs() < 0.01);
     }

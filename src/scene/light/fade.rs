@@ -39,7 +39,7 @@ impl Fade {
     /// them is NaN: no light arrives there (measured with POV-Ray).
     #[must_use]
     #[inline]
-    pub fn share(&self, distance: f64) -> f64 {
+    pub fn attenuation(&self, distance: f64) -> f64 {
         if self.fades() {
             let share = 2.0 / (1.0 + exact_power(distance / self.distance, self.power));
             if share.is_nan() { 0.0 } else { share }
@@ -59,21 +59,21 @@ mod tests {
             distance: 4.0,
             power: 2.0,
         };
-        assert_eq!((fade.share(4.0), fade.share(12.0)), (1.0, 0.2));
+        assert_eq!((fade.attenuation(4.0), fade.attenuation(12.0)), (1.0, 0.2));
     }
 
     #[test]
     fn fractional_power_of_a_negative_distance_gives_no_light() {
         let fade = |power| {
             let distance = 4.0;
-            Fade { distance, power }.share(-2.0)
+            Fade { distance, power }.attenuation(-2.0)
         };
         assert_eq!((fade(2.0), fade(1.5)), (1.6, 0.0));
     }
 
     #[test]
     fn light_without_distance_or_power_does_not_fade() {
-        let fade = |distance, power| Fade { distance, power }.share(12.0);
+        let fade = |distance, power| Fade { distance, power }.attenuation(12.0);
         assert_eq!((fade(0.0, 2.0), fade(4.0, 0.0)), (1.0, 1.0));
     }
 }

@@ -16,7 +16,7 @@ pub use area::{Area, Axes};
 pub use cylinder::Cylinder;
 pub use fade::Fade;
 pub use part::Part;
-pub use photons::{ObjectPhotons, PhotonRole, Photons};
+pub use photons::{ObjectPhotons, PhotonRole, PhotonSettings};
 pub use spotlight::Spotlight;
 
 use crate::base::args::{Args, Parse, Word};
@@ -47,7 +47,7 @@ pub struct Light {
     /// True if media and fog attenuate the light between its source and the shading point.
     pub media_attenuation: bool,
     /// The `photons` settings.
-    pub photons: Photons,
+    pub photons: PhotonSettings,
     points_at: DVec3,
     /// Unit direction from `centre` to `points_at`; zero where they are the same.
     axis: DVec3,
@@ -96,7 +96,7 @@ impl Light {
             area: None,
             media_interaction: true,
             media_attenuation: false,
-            photons: Photons::default(),
+            photons: PhotonSettings::default(),
             points_at: DVec3::Z,
             axis: DVec3::ZERO,
             rays: DVec3::ZERO,
@@ -216,7 +216,7 @@ impl Light {
     /// The light of the area grid at `offset` from the centre, as an independent light. A cone keeps the axis of the
     /// whole light, a cylinder also its position, and parallel rays aim at the same `point_at`.
     #[must_use]
-    pub fn lamp(&self, offset: DVec3) -> Light {
+    pub fn grid_light(&self, offset: DVec3) -> Light {
         let centre = self.centre + offset;
         Light {
             centre,
@@ -270,7 +270,7 @@ impl Light {
 
     /// True if the unoccluded light arrives at full strength everywhere.
     #[must_use]
-    pub fn has_even_share(&self) -> bool {
+    pub fn is_unattenuated(&self) -> bool {
         let is_even = matches!(self.beam, Beam::Point | Beam::Shadowless);
         is_even && !self.fade.fades()
     }
@@ -278,8 +278,8 @@ impl Light {
     /// The fraction of the light that arrives at `point`, ignoring occlusion.
     #[must_use]
     #[inline]
-    pub fn share(&self, point: DVec3, arrival: &Arrival) -> f64 {
-        self.beam_attenuation(point, arrival.to_light) * self.fade.share(arrival.distance)
+    pub fn attenuation(&self, point: DVec3, arrival: &Arrival) -> f64 {
+        self.beam_attenuation(point, arrival.to_light) * self.fade.attenuation(arrival.distance)
     }
 
     /// The beam's factor of the attenuation, without fading.
@@ -295,13 +295,13 @@ impl Light {
     /// The fraction of the light that a ray leaving the light carries. It is evaluated at the parameter `at`: rays of
     /// parallel light start beside the light, where the beam has not begun yet.
     #[must_use]
-    pub fn share_of_ray(&self, ray: &Ray, at: f64) -> f64 {
+    pub fn attenuation_along_ray(&self, ray: &Ray, at: f64) -> f64 {
         self.beam_attenuation(ray.at(at), -ray.dir)
     }
 
     /// The unit direction in which parallel rays travel.
     #[must_use]
-    pub fn rays(&self) -> DVec3 {
+    pub fn parallel_dir(&self) -> DVec3 {
         self.rays
     }
 }
@@ -309,7 +309,7 @@ impl Light {
 impl Light {
     /// The interval of ray parameters inside the beam; `None` if the ray misses the beam.
     #[must_use]
-    pub fn crossed_by(&self, ray: &Ray) -> Option<(f64, f64)> {
+    pub fn beam_interval(&self, ray: &Ray) -> Option<(f64, f64)> {
         match &self.beam {
             Beam::Point | Beam::Shadowless => Some((f64::NEG_INFINITY, f64::INFINITY)),
             Beam::Spotlight(spotlight) => spotlight.interval(ray, self.beam_origin, self.axis),
@@ -380,7 +380,7 @@ mod tests {
         assert_eq!(arrival.to_light, DVec3::new(-3.0, 8.0, 0.0).normalize());
         // POV-Ray 3.7 fades parallel light by the distance along its direction.
         assert!((arrival.distance - 7.6663).abs() < 2e-4);
-        assert!((light.share(point, &arrival) - 0.97621 / 0.93632).abs() < 2e-5);
+        assert!((light.attenuation(point, &arrival) - 0.97621 / 0.93632).abs() < 2e-5);
     }
 
     #[test]

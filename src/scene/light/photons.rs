@@ -4,7 +4,7 @@ use crate::base::args::{Args, Parse, Word};
 
 /// The `photons` settings of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Photons {
+pub struct PhotonSettings {
     /// Emission of photons for refraction; `None` leaves it to the objects.
     pub refraction: Option<bool>,
     /// Emission of photons for reflection; `None` leaves it to the objects.
@@ -40,7 +40,7 @@ impl Default for ObjectPhotons {
     }
 }
 
-impl Photons {
+impl PhotonSettings {
     /// Parses the block after `photons` in a light.
     ///
     /// # Errors
@@ -72,9 +72,9 @@ pub struct PhotonRole {
     /// Reflection of photons; `None` leaves it to the light.
     pub reflection: Option<bool>,
     /// True if the surface stores no photons.
-    pub keeps_none: bool,
+    pub collects_none: bool,
     /// True if the surface does not block photons that have not hit their target yet.
-    pub is_passed: bool,
+    pub passes_through: bool,
     /// The index of the target that the surface belongs to.
     pub target: Option<u32>,
 }
@@ -87,21 +87,21 @@ impl PhotonRole {
         PhotonRole {
             refraction: self.refraction.or(own.refraction),
             reflection: self.reflection.or(own.reflection),
-            keeps_none: self.keeps_none || !own.collect,
-            is_passed: self.is_passed || own.passes_through(),
+            collects_none: self.collects_none || !own.collect,
+            passes_through: self.passes_through || own.passes_through(),
             target: self.target,
         }
     }
 
     /// True if the surface refracts photons of `light`: one of the two requests it and neither forbids it.
     #[must_use]
-    pub fn refracts(&self, light: &Photons) -> bool {
+    pub fn refracts(&self, light: &PhotonSettings) -> bool {
         agree(self.refraction, light.refraction)
     }
 
     /// True if the surface reflects photons of `light`, by the same rule.
     #[must_use]
-    pub fn reflects(&self, light: &Photons) -> bool {
+    pub fn reflects(&self, light: &PhotonSettings) -> bool {
         agree(self.reflection, light.reflection)
     }
 }
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn light_photons_are_parsed() {
-        let mut photons = Photons::default();
+        let mut photons = PhotonSettings::default();
         let text = "{ refraction on area_light }";
         photons.read(&mut TextArgs::new(text)).unwrap();
         assert_eq!((photons.refraction, photons.reflection), (Some(true), None));

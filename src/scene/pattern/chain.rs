@@ -6,7 +6,7 @@
 use super::Settings;
 use super::warp::{self, Turbulence, Warp, WarpEval};
 use crate::base::args::{Args, Parse, Word, transform_step};
-use crate::base::math::{Step, Transform, shorten};
+use crate::base::math::{Step, Transform, merge_steps};
 use glam::{DAffine3, DMat3, DVec3};
 
 /// Coordinates are clamped to this size, so that sums and products of several stay finite; POV-Ray's value.
@@ -45,7 +45,7 @@ impl WarpChain {
     /// Adds a transform.
     pub fn push(&mut self, step: &Step) {
         self.steps.push(step.clone());
-        shorten(&mut self.steps, 0);
+        merge_steps(&mut self.steps, 0);
     }
 
     /// The transforms after the last warp.

@@ -10,7 +10,7 @@ pub(crate) fn read_octaves(octaves: &mut Octaves, word: Word, args: &mut dyn Arg
     }
     args.accept(word)?;
     match word {
-        Word::Octaves => octaves.count = Octaves::count_of(args.float()?),
+        Word::Octaves => octaves.count = Octaves::clamped_count(args.float()?),
         Word::Omega => octaves.omega = args.single()?,
         _ => octaves.lambda = args.single()?,
     }

@@ -45,7 +45,7 @@ impl FaceTexture {
             match own {
                 None => *own = Some(upper),
                 Some(lower) => {
-                    if let Some(fault) = lower.fault_below(&upper) {
+                    if let Some(fault) = lower.layering_error(&upper) {
                         return Err(Box::new(Diagnostic::error(args.last_span(), fault)));
                     }
                     lower.lay_over(upper, args.version());

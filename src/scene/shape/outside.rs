@@ -117,7 +117,7 @@ mod tests {
                     roots.clear();
                     shape.roots(&ray, &mut roots);
                     let root = roots.first().filter(|_| rng.bits() & 1 == 0);
-                    root.map_or_else(|| 2.0 * rng.share(), |root| root.t)
+                    root.map_or_else(|| 2.0 * rng.uniform(), |root| root.t)
                 });
                 let kernel = OutsideKernel { shape, rays, t };
                 let outside = SimdLevel::widest().run(kernel);

@@ -291,7 +291,7 @@ pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
     is_dir & origin_sq.lt(F::splat(FAR_SQUARE))
 }
 
-/// Chords of a ray packet with a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds
+/// Chords of a ray packet with a sphere about the origin, as [`crate::base::math::roots::ray_sphere::sphere_span`] finds
 /// each: enter, leave, and the mask of the lanes that hit it.
 #[inline(always)]
 pub(super) fn chords<F: F64Lanes>(
@@ -462,8 +462,8 @@ mod tests {
                 let dir = ray.dir.normalize_or(DVec3::Y);
                 Ray::new(if round % 3 == 0 { on_it } else { ray.origin }, dir)
             });
-            let from = [(); 4].map(|()| 1e-13 * rng.share());
-            let far = [(); 4].map(|()| 12.0 * rng.share());
+            let from = [(); 4].map(|()| 1e-13 * rng.uniform());
+            let far = [(); 4].map(|()| 12.0 * rng.uniform());
             let sphere = &sphere;
             let kernel = AnyHitKernel {
                 sphere,

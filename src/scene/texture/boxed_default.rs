@@ -3,9 +3,9 @@
 /// A value that is stored on the heap only if it is not the default. Costs one pointer otherwise; a scene may have a
 /// million owners.
 #[derive(Clone, Debug, Default)]
-pub struct Rare<T>(Option<Box<T>>);
+pub struct BoxedDefault<T>(Option<Box<T>>);
 
-impl<T: Default> Rare<T> {
+impl<T: Default> BoxedDefault<T> {
     /// The value, or `None` for the default.
     #[must_use]
     pub fn get(&self) -> Option<&T> {

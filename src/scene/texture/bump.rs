@@ -51,7 +51,7 @@ enum Relief {
     /// The weighted mean of normals.
     Average(PreparedWarpChain, Map<PreparedNormal>),
     /// The brightness of an image.
-    Image(PreparedWarpChain, bitmap::Source),
+    Image(PreparedWarpChain, bitmap::MappedBitmap),
     /// Flat faces.
     Facets(PreparedWarpChain, Facets),
     /// Other bumps, evaluated at the texture coordinates.
@@ -145,13 +145,13 @@ impl PreparedNormal {
     /// around it.
     #[must_use]
     pub fn tilted(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
-        self.tilted_and_seen(point, normal, spot).0
+        self.perturbed_with_pattern_normal(point, normal, spot).0
     }
 
     /// The perturbed normal, and the normal that slope patterns use: transformed to the space of the innermost texture
     /// map, and with `no_bump_scale` not normalized (measured with POV-Ray).
     #[must_use]
-    pub fn tilted_and_seen(
+    pub fn perturbed_with_pattern_normal(
         &self,
         point: DVec3,
         normal: DVec3,
@@ -252,8 +252,8 @@ impl PreparedNormal {
     }
 
     /// Tilts a normal by the gradient of an image's brightness.
-    fn by_image(&self, normal: DVec3, point: DVec3, source: &bitmap::Source) -> DVec3 {
-        let Some(at) = source.mapping.place(&source.bitmap, point) else {
+    fn by_image(&self, normal: DVec3, point: DVec3, source: &bitmap::MappedBitmap) -> DVec3 {
+        let Some(at) = source.mapping.image_position(&source.bitmap, point) else {
             return normal;
         };
         // Each position is computed from the previous one and wrapped: with interpolated palette indices the last bits

@@ -18,7 +18,7 @@ pub struct Finish {
     /// Diffuse transmission of light from behind the surface.
     pub diffuse_back: f32,
     /// `diffuse` and `diffuse_back` without the `albedo` factor: the shares of indirect light that are reflected.
-    pub diffuse_as_given: [f32; 2],
+    pub diffuse_without_albedo: [f32; 2],
     /// The exponent of the diffuse cosine.
     pub brilliance: f32,
     /// The strength of Phong highlights, the `albedo` factor included.
@@ -57,7 +57,7 @@ impl Default for Finish {
             emission: Rgb::BLACK,
             diffuse: 0.6,
             diffuse_back: 0.0,
-            diffuse_as_given: [0.6, 0.0],
+            diffuse_without_albedo: [0.6, 0.0],
             brilliance: 1.0,
             phong: 0.0,
             phong_size: 40.0,
@@ -130,7 +130,7 @@ impl Finish {
             Word::Diffuse => {
                 self.diffuse = number(word, args)?;
                 self.diffuse_back = 0.0;
-                self.diffuse_as_given = [self.diffuse, 0.0];
+                self.diffuse_without_albedo = [self.diffuse, 0.0];
             }
             Word::Metallic => {
                 args.accept(word)?;
@@ -175,7 +175,7 @@ impl Finish {
                 self.diffuse = single(args.float()?);
                 args.comma()?;
                 self.diffuse_back = single(args.float_or(0.0)?);
-                self.diffuse_as_given = [self.diffuse, self.diffuse_back];
+                self.diffuse_without_albedo = [self.diffuse, self.diffuse_back];
             }
             Word::Brilliance => self.brilliance = number(word, args)?,
             Word::Phong => {
@@ -260,7 +260,7 @@ impl Finish {
     /// Clamps negative strengths to 0. POV-Ray skips diffuse light and highlights of 0 or less; molecule viewers rely
     /// on this when they write `phong -1`. Ambient light, reflection and exponents stay as given.
     fn clamp_negative_strengths(&mut self) {
-        let [front, back] = &mut self.diffuse_as_given;
+        let [front, back] = &mut self.diffuse_without_albedo;
         let shares = [
             &mut self.diffuse,
             &mut self.diffuse_back,
@@ -365,7 +365,7 @@ mod tests {
     fn negative_strengths_are_clamped() {
         let finish = read("{ diffuse albedo -0.5, -1 phong -1 specular albedo -0.25 metallic -1 }");
         assert_eq!((finish.diffuse, finish.diffuse_back), (0.0, 0.0));
-        assert_eq!(finish.diffuse_as_given, [0.0, 0.0]);
+        assert_eq!(finish.diffuse_without_albedo, [0.0, 0.0]);
         assert_eq!(
             (finish.phong, finish.specular, finish.metallic),
             (0.0, 0.0, 0.0)

@@ -1,7 +1,7 @@
 //! `texture`: layers of pigment, normal and finish, and changes to them by later parts of a scene.
 
 use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
-use crate::base::args::{Args, Parse, Word, alike, declared, transform_step};
+use crate::base::args::{Args, Parse, Word, declared, interned, transform_step};
 use crate::base::color::Color;
 use crate::base::math::Step;
 use crate::scene::pattern::{NormalTransforms, Settings};
@@ -59,7 +59,7 @@ impl Layer {
             Word::Finish => {
                 args.accept(word)?;
                 let finish = Finish::read(args, &self.finish)?;
-                self.finish = alike(args, finish);
+                self.finish = interned(args, finish);
             }
             Word::Normal => {
                 args.accept(word)?;
@@ -225,7 +225,7 @@ impl Texture {
 
     /// The reason why another texture cannot be layered over this one, if there is one.
     #[must_use]
-    pub fn fault_below(&self, upper: &Texture) -> Option<String> {
+    pub fn layering_error(&self, upper: &Texture) -> Option<String> {
         if self.is_patterned() || upper.is_patterned() {
             return Some("a texture that a pattern chooses is no layer of another".to_owned());
         }
@@ -255,7 +255,7 @@ impl Texture {
 
     /// True if the texture depends on position, so that a transform may change it.
     #[must_use]
-    pub fn depends_on_place(&self) -> bool {
+    pub fn depends_on_position(&self) -> bool {
         self.pattern.is_some()
             || self.layers.iter().any(|layer| {
                 layer.normal.is_some() || !matches!(layer.pigment.kind, PigmentKind::Plain(_))

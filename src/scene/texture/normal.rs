@@ -47,7 +47,7 @@ pub enum NormalKind {
     /// The weighted mean of normals; `None` until the map is read.
     Average(Option<Map<Arc<Normal>>>),
     /// The brightness of an image.
-    Image(bitmap::Source),
+    Image(bitmap::MappedBitmap),
     /// Flat faces.
     Facets(Facets),
     /// Other bumps at the texture coordinates of the surface.

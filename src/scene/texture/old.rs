@@ -4,7 +4,7 @@
 //! Only the words of that version are supported. The colours inside the set of `mandel` are those of version 3.7.
 
 use super::{Layer, Normal};
-use crate::base::args::{Args, Parse, Word, alike};
+use crate::base::args::{Args, Parse, Word, interned};
 use crate::base::source::Diagnostic;
 use crate::base::word::Class;
 use crate::scene::pattern::Shape;
@@ -84,7 +84,7 @@ impl Layer {
                 if !finish.read_bare(word, args)? {
                     return self.read_grain(args);
                 }
-                self.finish = alike(args, finish);
+                self.finish = interned(args, finish);
                 Ok(true)
             }
         }
@@ -98,7 +98,7 @@ impl Layer {
         let at = args.span();
         let mut finish = self.finish.as_ref().clone();
         finish.crand = args.single()?;
-        self.finish = alike(args, finish);
+        self.finish = interned(args, finish);
         let warning = Diagnostic::warning(
             at.to(args.last_span()),
             "a number alone in a texture is taken for `crand`",

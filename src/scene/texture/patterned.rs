@@ -37,7 +37,7 @@ pub enum PatternedKind {
     /// One texture at the texture coordinates of the surface.
     Uv(Arc<Texture>),
     /// `material_map`: the pixels of an image; each value selects a texture.
-    Material(bitmap::Source, Arc<[Texture]>),
+    Material(bitmap::MappedBitmap, Arc<[Texture]>),
 }
 
 impl Patterned {

@@ -1,6 +1,6 @@
 //! `pigment`: the colour of a surface, uniform or from a pattern.
 
-use super::{Rare, read_pattern};
+use super::{BoxedDefault, read_pattern};
 use crate::base::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::base::bitmap;
 use crate::base::color::{Color, Rgb};
@@ -16,7 +16,7 @@ pub struct Pigment {
     /// `quick_color`: the colour in previews of quality 5 and less.
     pub quick_color: Option<Box<Color>>,
     /// Turbulence, waves, warps and transforms of the pattern. Transforms of the texture are appended to them.
-    pub modifiers: Rare<Modifiers>,
+    pub modifiers: BoxedDefault<Modifiers>,
 }
 
 /// The source of a pigment's colour. A scene may have a million of them, most of them plain.
@@ -31,7 +31,7 @@ pub enum PigmentKind {
     /// `average`: the weighted mean of pigments; `None` until its `pigment_map` is read.
     Average(Option<Box<Map<Pigment>>>),
     /// `image_map`: the colours of an image.
-    Image(Box<bitmap::Source>),
+    Image(Box<bitmap::MappedBitmap>),
     /// `uv_mapping`: another pigment, evaluated at the texture coordinates of the surface.
     Uv(Box<Pigment>),
 }
@@ -80,32 +80,34 @@ impl Mapped<Color> {
 
 /// The keywords of a block: a density is read like a pigment, with its own keywords, which do not mix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
+pub enum PigmentSyntax {
     /// `pigment`, `pigment_map`.
     Pigment,
     /// `density`, `density_map`.
     Density,
 }
 
-impl Family {
+impl PigmentSyntax {
     fn word(self) -> Word {
         match self {
-            Family::Pigment => Word::Pigment,
-            Family::Density => Word::Density,
+            PigmentSyntax::Pigment => Word::Pigment,
+            PigmentSyntax::Density => Word::Density,
         }
     }
 
     fn map_word(self) -> Word {
         match self {
-            Family::Pigment => Word::PigmentMap,
-            Family::Density => Word::DensityMap,
+            PigmentSyntax::Pigment => Word::PigmentMap,
+            PigmentSyntax::Density => Word::DensityMap,
         }
     }
 
     fn read_map(self, keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
         match self {
-            Family::Pigment => Pigment::read_map(keys, args),
-            Family::Density => Ok(Density::read_map(keys, args)?.map(|entry| entry.0.clone())),
+            PigmentSyntax::Pigment => Pigment::read_map(keys, args),
+            PigmentSyntax::Density => {
+                Ok(Density::read_map(keys, args)?.map(|entry| entry.0.clone()))
+            }
         }
     }
 }
@@ -124,7 +126,7 @@ impl Pigment {
         Pigment {
             kind: PigmentKind::Plain(color),
             quick_color: None,
-            modifiers: Rare::default(),
+            modifiers: BoxedDefault::default(),
         }
     }
 
@@ -150,9 +152,11 @@ impl Pigment {
         let known = Pigment::read_known(args, base)?;
         if args.accept(Word::UvMapping)? {
             let mapped = Pigment::entry(args)?;
-            return known.mapped(mapped).read_on(args, Family::Pigment);
+            return known
+                .mapped(mapped)
+                .read_to_block_end(args, PigmentSyntax::Pigment);
         }
-        known.read_on(args, Family::Pigment)
+        known.read_to_block_end(args, PigmentSyntax::Pigment)
     }
 
     /// Makes `mapped`, evaluated at the texture coordinates, the source of this pigment's colour.
@@ -178,7 +182,11 @@ impl Pigment {
     ///
     /// # Errors
     /// A malformed value, or an unsupported keyword.
-    pub fn read_on(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+    pub fn read_to_block_end(
+        mut self,
+        args: &mut dyn Args,
+        family: PigmentSyntax,
+    ) -> Parse<Pigment> {
         while !args.accept_close()? {
             if !self.read_item(args, family)? {
                 let what = family.word();
@@ -192,7 +200,7 @@ impl Pigment {
     ///
     /// # Errors
     /// A malformed value, or an unsupported keyword.
-    pub fn read_entry(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+    pub fn read_entry(mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<Pigment> {
         while self.read_item(args, family)? {}
         self.checked(args, family)
     }
@@ -207,7 +215,7 @@ impl Pigment {
             known = Pigment::read_known(args, &default)?;
             is_mapped = true;
         }
-        let entry = known.read_entry(args, Family::Pigment)?;
+        let entry = known.read_entry(args, PigmentSyntax::Pigment)?;
         Ok(if is_mapped {
             default.mapped(entry)
         } else {
@@ -222,7 +230,7 @@ impl Pigment {
         })
     }
 
-    fn checked(self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+    fn checked(self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<Pigment> {
         match self.kind {
             PigmentKind::Average(None) => {
                 Err(args.expected(&format!("`{}` after `average`", family.map_word())))
@@ -241,7 +249,7 @@ impl Pigment {
 
     /// Reads a colour, a pattern, a map or a modifier without a block; false if none is next.
     pub(super) fn read_bare(&mut self, args: &mut dyn Args) -> Parse<bool> {
-        self.read_item(args, Family::Pigment)
+        self.read_item(args, PigmentSyntax::Pigment)
     }
 
     /// Reads a colour that begins with a colour word or a name; false if none is next.
@@ -254,7 +262,7 @@ impl Pigment {
     }
 
     /// Reads one part of a pigment; false if none is next.
-    fn read_item(&mut self, args: &mut dyn Args, family: Family) -> Parse<bool> {
+    fn read_item(&mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         if self.read_own_color(args)? {
             return Ok(true);
         }
@@ -268,8 +276,10 @@ impl Pigment {
             || self.read_pattern(word, args, family)?;
         if !is_known && word == Word::UvMapping {
             return Err(args.expected(match family {
-                Family::Pigment => "`uv_mapping` at the start of the pigment, before its pattern",
-                Family::Density => "a pattern of space in `density`, which has no surface",
+                PigmentSyntax::Pigment => {
+                    "`uv_mapping` at the start of the pigment, before its pattern"
+                }
+                PigmentSyntax::Density => "a pattern of space in `density`, which has no surface",
             }));
         }
         if !is_known && pattern::is_pattern(word) {
@@ -278,7 +288,7 @@ impl Pigment {
         Ok(is_known)
     }
 
-    fn read_own(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
+    fn read_own(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         match word {
             Word::QuickColor | Word::QuickColour => {
                 args.accept(word)?;
@@ -321,7 +331,12 @@ impl Pigment {
         }
     }
 
-    fn read_pattern(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
+    fn read_pattern(
+        &mut self,
+        word: Word,
+        args: &mut dyn Args,
+        family: PigmentSyntax,
+    ) -> Parse<bool> {
         if word == Word::ImageMap {
             args.accept(word)?;
             let source = bitmap::read(args, bitmap::Purpose::Colors)?;
@@ -406,10 +421,14 @@ fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
 }
 
 /// Reads a list of pigments, with or without commas. Missing pigments are the default pigment.
-fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse<Map<Pigment>> {
+fn pigment_list(
+    defaults: &[Stop],
+    args: &mut dyn Args,
+    family: PigmentSyntax,
+) -> Parse<Map<Pigment>> {
     let default = match family {
-        Family::Pigment => default_of(args),
-        Family::Density => Density::default().0,
+        PigmentSyntax::Pigment => default_of(args),
+        PigmentSyntax::Density => Density::default().0,
     };
     let mut entries: Vec<_> = defaults
         .iter()
@@ -420,8 +439,8 @@ fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse
             break;
         }
         *slot = match family {
-            Family::Pigment => Pigment::read(args, &default)?,
-            Family::Density => Density::read(args)?.0,
+            PigmentSyntax::Pigment => Pigment::read(args, &default)?,
+            PigmentSyntax::Density => Density::read(args)?.0,
         };
         args.comma()?;
     }

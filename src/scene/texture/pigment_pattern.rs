@@ -36,6 +36,6 @@ impl Pattern for PigmentPattern {
 
 impl PatternEval for Prepared {
     fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
-        f64::from(self.0.patterned(point, spot).rgb.grey())
+        f64::from(self.0.color_at(point, spot).rgb.grey())
     }
 }

@@ -1,7 +1,7 @@
 //! Textures prepared for rendering: the top layer first, with inverse matrices for patterns and precomputed properties.
 
-use super::select::{Choosing, Selector};
-use super::{Finish, Layer, Look, Pigment, PigmentKind, PreparedNormal, Texture};
+use super::select::{Selector, TextureSelection};
+use super::{Finish, Layer, Pigment, PigmentKind, PreparedNormal, Texture, WeightedTexture};
 use crate::base::bitmap;
 use crate::base::color::Color;
 use crate::base::math::Step;
@@ -64,7 +64,7 @@ pub enum PreparedPigment {
     /// The weighted mean of pigments.
     Average(Box<(PreparedWarpChain, Map<PreparedPigment>)>),
     /// The colours of an image.
-    Image(Box<(PreparedWarpChain, bitmap::Source)>),
+    Image(Box<(PreparedWarpChain, bitmap::MappedBitmap)>),
     /// Another pigment, evaluated at the texture coordinates.
     Uv(Box<PreparedPigment>),
 }
@@ -120,7 +120,7 @@ impl PreparedTexture {
 
     /// This texture in another colour; `None` if it is more than one colour and a finish.
     #[must_use]
-    pub(crate) fn in_color(&self, color: Color) -> Option<Self> {
+    pub(crate) fn with_color(&self, color: Color) -> Option<Self> {
         match &self.layers {
             Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(_),
@@ -167,11 +167,11 @@ impl PreparedTexture {
     }
 
     /// Adds this texture, or the textures that it selects, to a selection. Patterns are evaluated at `point`.
-    pub fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
+    pub fn select<'t>(&'t self, point: DVec3, weight: f32, to: &mut TextureSelection<'t>) {
         if let Some(selector) = self.selector() {
             return selector.select(point, weight, to);
         }
-        to.looks.push(Look {
+        to.textures.push(WeightedTexture {
             weight,
             texture: self,
             point,
@@ -191,12 +191,16 @@ impl PreparedTexture {
         let seen = lowest.map_or(self.layers().len(), |lowest| lowest + 1);
         let mut bumps = self.layers()[..seen].iter().rev();
         let bumps = bumps.find_map(PreparedLayer::normal)?;
-        Some(bumps.tilted_and_seen(point, flat.normal, flat).1)
+        Some(
+            bumps
+                .perturbed_with_pattern_normal(point, flat.normal, flat)
+                .1,
+        )
     }
 
     /// True if the selection of textures depends on the normal.
     #[must_use]
-    pub fn minds_normal(&self) -> bool {
+    pub fn needs_normal(&self) -> bool {
         self.selector().is_some_and(Selector::needs_normal)
     }
 
@@ -242,7 +246,7 @@ impl PreparedTexture {
 
     /// True if each of its layers has a uniform colour.
     #[must_use]
-    pub fn is_even(&self) -> bool {
+    pub fn has_uniform_color(&self) -> bool {
         let is_plain = |layer: &PreparedLayer| matches!(layer.pigment, PreparedPigment::Plain(_));
         self.selector().is_none() && self.layers().iter().all(is_plain)
     }
@@ -333,14 +337,14 @@ impl PreparedPigment {
     pub fn color(&self, spot: &SurfacePoint) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
-            _ => self.patterned(spot.point, spot),
+            _ => self.color_at(spot.point, spot),
         }
     }
 
     /// The colour at `point`: the surface point or, for an entry of a map, the point in the space of the pattern
     /// around it.
     #[must_use]
-    pub fn patterned(&self, point: DVec3, spot: &SurfacePoint) -> Color {
+    pub fn color_at(&self, point: DVec3, spot: &SurfacePoint) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(both) => {
@@ -351,10 +355,10 @@ impl PreparedPigment {
                 let (pattern, map) = &**both;
                 let pattern_point = pattern.to_pattern_space(point);
                 match map.between(pattern.value(pattern_point, spot)) {
-                    Between::One(entry) => entry.patterned(pattern_point, spot),
+                    Between::One(entry) => entry.color_at(pattern_point, spot),
                     Between::Two(from, to, share) => {
-                        let to = to.patterned(pattern_point, spot);
-                        from.patterned(pattern_point, spot).blended(&to, share)
+                        let to = to.color_at(pattern_point, spot);
+                        from.color_at(pattern_point, spot).blended(&to, share)
                     }
                 }
             }
@@ -362,12 +366,12 @@ impl PreparedPigment {
                 let (chain, map) = &**both;
                 let pattern_point = chain.to_pattern_space(point);
                 let weighted = |(weight, entry): &(f32, PreparedPigment)| {
-                    (*weight, entry.patterned(pattern_point, spot))
+                    (*weight, entry.color_at(pattern_point, spot))
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
             PreparedPigment::Image(both) => both.1.color(both.0.to_pattern_space(point)),
-            PreparedPigment::Uv(mapped) => mapped.patterned(spot.uv_point(), spot),
+            PreparedPigment::Uv(mapped) => mapped.color_at(spot.uv_point(), spot),
         }
     }
 

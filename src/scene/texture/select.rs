@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 /// A texture that is selected at a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Look<'t> {
+pub struct WeightedTexture<'t> {
     /// The share of the texture in the colour of the surface.
     pub weight: f32,
     /// The texture; never a patterned one.
@@ -23,25 +23,25 @@ pub struct Look<'t> {
 }
 
 /// The textures that are selected at a point.
-pub type Looks<'t> = SmallVec<[Look<'t>; 1]>;
+pub type WeightedTextures<'t> = SmallVec<[WeightedTexture<'t>; 1]>;
 
 /// The selection of textures at a surface point, in shading order.
 #[derive(Clone, Debug)]
-pub struct Choosing<'t> {
+pub struct TextureSelection<'t> {
     /// The textures selected so far.
-    pub looks: Looks<'t>,
+    pub textures: WeightedTextures<'t>,
     /// The surface point, with the normal that slope patterns use.
     pub(super) spot: SurfacePoint,
     /// The surface point with its own normal, if slope patterns use the bumps of textures selected before them.
     pub(super) flat: Option<SurfacePoint>,
 }
 
-impl Choosing<'_> {
+impl TextureSelection<'_> {
     /// An empty selection.
     #[must_use]
     pub fn at(spot: SurfacePoint) -> Self {
-        Choosing {
-            looks: Looks::new(),
+        TextureSelection {
+            textures: WeightedTextures::new(),
             spot,
             flat: None,
         }
@@ -51,10 +51,10 @@ impl Choosing<'_> {
     /// earlier texture have perturbed last, as in POV-Ray, which shades the upper entry of a map before it selects
     /// within the lower one.
     #[must_use]
-    pub fn drawn_at(spot: SurfacePoint) -> Self {
-        Choosing {
+    pub fn in_shading_order(spot: SurfacePoint) -> Self {
+        TextureSelection {
             flat: Some(spot),
-            ..Choosing::at(spot)
+            ..TextureSelection::at(spot)
         }
     }
 }
@@ -71,7 +71,11 @@ pub(super) enum Selector {
     /// One texture, evaluated at the texture coordinates.
     Uv(Box<PreparedTexture>),
     /// By the pixels of an image.
-    Material(PreparedWarpChain, Box<bitmap::Source>, Vec<PreparedTexture>),
+    Material(
+        PreparedWarpChain,
+        Box<bitmap::MappedBitmap>,
+        Vec<PreparedTexture>,
+    ),
 }
 
 impl Selector {
@@ -132,24 +136,24 @@ impl Selector {
     /// True if this selector, or one in its textures, depends on the normal.
     pub(super) fn needs_normal(&self) -> bool {
         matches!(self, Selector::Map(pattern, _) if pattern.needs_normal())
-            || self.textures().any(PreparedTexture::minds_normal)
+            || self.textures().any(PreparedTexture::needs_normal)
     }
 
     /// Adds the textures at a point to a selection.
-    pub(super) fn select<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
+    pub(super) fn select<'t>(&'t self, point: DVec3, weight: f32, to: &mut TextureSelection<'t>) {
         match self {
             Selector::Map(pattern, map) => {
                 let pattern_point = pattern.to_pattern_space(point);
                 match map.between(pattern.value(pattern_point, &to.spot)) {
-                    Between::One(entry) => entry.look(pattern_point, weight, to),
+                    Between::One(entry) => entry.select(pattern_point, weight, to),
                     Between::Two(first, second, share) => {
                         #[allow(
                             clippy::cast_possible_truncation,
                             reason = "shares are single precision, like colours"
                         )]
                         let share = share as f32;
-                        second.look(pattern_point, weight * share, to);
-                        first.look(pattern_point, weight * (1.0 - share), to);
+                        second.select(pattern_point, weight * share, to);
+                        first.select(pattern_point, weight * (1.0 - share), to);
                     }
                 }
             }
@@ -157,19 +161,19 @@ impl Selector {
                 let pattern_point = chain.to_pattern_space(point);
                 let total: f32 = map.entries().iter().map(|entry| entry.0).sum();
                 for (own, entry) in map.entries() {
-                    entry.look(pattern_point, weight * own / total, to);
+                    entry.select(pattern_point, weight * own / total, to);
                 }
             }
             Selector::Tiles(chain, two) => {
                 let pattern_point = chain.to_pattern_space(point);
-                two[tile(pattern_point)].look(pattern_point, weight, to);
+                two[tile(pattern_point)].select(pattern_point, weight, to);
             }
-            Selector::Uv(mapped) => mapped.look(to.spot.uv_point(), weight, to),
+            Selector::Uv(mapped) => mapped.select(to.spot.uv_point(), weight, to),
             Selector::Material(chain, source, textures) => {
                 let pattern_point = chain.to_pattern_space(point);
                 if let Some(texture) = textures.get(source.material(pattern_point, textures.len()))
                 {
-                    texture.look(pattern_point, weight, to);
+                    texture.select(pattern_point, weight, to);
                 }
             }
         }
@@ -195,9 +199,9 @@ mod tests {
         let texture = Texture::read(&mut args, &Layer::default()).unwrap();
         let texture = texture.prepare(&[], &Settings::default());
         let point = DVec3::new(x, 0.5, 0.5);
-        let mut chosen = Choosing::at(SurfacePoint::at(point));
-        texture.look(point, 1.0, &mut chosen);
-        chosen.looks.iter().map(|look| look.weight).collect()
+        let mut chosen = TextureSelection::at(SurfacePoint::at(point));
+        texture.select(point, 1.0, &mut chosen);
+        chosen.textures.iter().map(|look| look.weight).collect()
     }
 
     #[test]
@@ -213,27 +217,27 @@ mod tests {
 
     /// The number of textures selected from the mean of a bumpy texture and a map by slope, which has two where the
     /// surface is level.
-    fn count_beside_bumps(begin: fn(SurfacePoint) -> Choosing<'static>) -> usize {
+    fn count_beside_bumps(begin: fn(SurfacePoint) -> TextureSelection<'static>) -> usize {
         let known = Texture::from(Layer::default());
         let text = "{ average texture_map { [normal { bumps 2 }] \
                     [slope <0,1,0> texture_map { [0.99 T] [0.99 average texture_map { [T] [T] }] }] } }";
         let mut args = TextArgs::new(text).with("T", known);
         let texture = Texture::read(&mut args, &Layer::default()).unwrap();
         let texture = Box::leak(Box::new(texture.prepare(&[], &Settings::default())));
-        assert!(texture.minds_normal());
+        assert!(texture.needs_normal());
         let point = DVec3::new(0.3, 0.5, 0.4);
         let mut chosen = begin(SurfacePoint {
             normal: DVec3::Y,
             ..SurfacePoint::at(point)
         });
-        texture.look(point, 1.0, &mut chosen);
-        chosen.looks.len()
+        texture.select(point, 1.0, &mut chosen);
+        chosen.textures.len()
     }
 
     #[test]
     fn slope_uses_the_bumps_of_a_texture_shaded_before() {
-        assert_eq!(count_beside_bumps(Choosing::at), 3);
-        assert_eq!(count_beside_bumps(Choosing::drawn_at), 2);
+        assert_eq!(count_beside_bumps(TextureSelection::at), 3);
+        assert_eq!(count_beside_bumps(TextureSelection::in_shading_order), 2);
     }
 
     #[test]

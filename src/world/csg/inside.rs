@@ -101,7 +101,7 @@ mod tests {
         let all: Vec<InsideInit> = [3, 64, 200, 200]
             .into_iter()
             .map(|operands| {
-                let leaf_in = (0..operands).map(|_| rng.share() < 0.5);
+                let leaf_in = (0..operands).map(|_| rng.uniform() < 0.5);
                 InsideInit::new(leaf_in, &[100; 20])
             })
             .collect();
@@ -116,9 +116,9 @@ mod tests {
             assert_eq!(state.counts[..], rest.counts[..]);
             for _ in 0..number(&mut rng, 9) {
                 let operand = number(&mut rng, rest.leaf_in.len());
-                state.set(u32::try_from(operand).unwrap(), rng.share() < 0.5);
+                state.set(u32::try_from(operand).unwrap(), rng.uniform() < 0.5);
                 let node = number(&mut rng, rest.counts.len());
-                state.count(u32::try_from(node).unwrap(), rng.share() < 0.5);
+                state.count(u32::try_from(node).unwrap(), rng.uniform() < 0.5);
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
 use crate::scene::shape::{Geometry, Shape};
-use crate::scene::{Kind, Look, Object, Plain, Taken};
+use crate::scene::{ColorOrTexture, Kind, Object, OwnedObject, PlainObject};
 use crate::world::index::index;
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
@@ -26,14 +26,14 @@ impl Lowering {
     }
 
     /// Lowers one top-level object; returns it if it can be dropped now.
-    pub(crate) fn take(&mut self, object: Taken) -> Option<Arc<Object>> {
+    pub(crate) fn take(&mut self, object: OwnedObject) -> Option<Arc<Object>> {
         match object {
-            Taken::Colored(shape, color, finish) => {
-                let look = Look::Color(color, finish);
-                self.add(&Plain { shape, look }.into());
+            OwnedObject::Colored(shape, color, finish) => {
+                let look = ColorOrTexture::Color(color, finish);
+                self.add(&PlainObject { shape, look }.into());
                 None
             }
-            Taken::Object(object) => {
+            OwnedObject::Object(object) => {
                 self.add(&object);
                 self.forget_textures(&object);
                 Some(object)

@@ -217,7 +217,7 @@ impl Lowering {
 
     /// Prepares a texture for points in world space. One without patterns is prepared once and shared.
     pub(crate) fn prepare(&mut self, transformed: &TransformedTexture) -> OwnedOrShared {
-        if transformed.texture.depends_on_place() {
+        if transformed.texture.depends_on_position() {
             return OwnedOrShared::Own(
                 transformed
                     .texture

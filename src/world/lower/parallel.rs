@@ -23,7 +23,7 @@ const LARGE: usize = 4096;
 impl Lowering {
     /// Lowers all top-level objects; passes each to `drop_object` when it is no longer needed.
     pub(crate) fn lower_all(&mut self, objects: Objects, drop_object: &mut dyn FnMut(Arc<Object>)) {
-        let (pieces, size) = objects.into_pieces();
+        let (pieces, size) = objects.into_chunks();
         let suits = |piece: &Vec<Entry>| piece.iter().all(|entry| self.is_plain_entry(entry));
         let suited: Vec<bool> = pieces.par_iter().map(suits).collect();
         let mut pieces = pieces.into_iter().zip(suited).peekable();
@@ -50,7 +50,7 @@ impl Lowering {
     }
 
     fn add_one(&mut self, entry: Entry, drop_object: &mut dyn FnMut(Arc<Object>)) {
-        if let Some(object) = self.take(entry.taken()) {
+        if let Some(object) = self.take(entry.into_owned()) {
             drop_object(object);
         }
     }

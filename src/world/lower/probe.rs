@@ -1,7 +1,7 @@
 //! Ray and point queries on single objects while the scene is read: `trace`, `inside` and `object` patterns.
 
 use crate::base::math::Ray;
-use crate::base::options::{LeastDistance, RenderOptions};
+use crate::base::options::{RenderOptions, TMinRule};
 use crate::scene::pattern::Solid;
 use crate::scene::shape::Geometry;
 use crate::scene::{Object, Scene};
@@ -109,7 +109,7 @@ fn compiled(object: &Arc<Object>) -> World {
     flat.surfaces.iter_mut().for_each(Surface::show);
     let scene = Scene::default();
     let options = RenderOptions {
-        least_distance: LeastDistance::PovRay,
+        t_min_rule: TMinRule::PovRay,
         ..RenderOptions::default()
     };
     World::new(&scene, flat, &options)

@@ -8,7 +8,7 @@ use crate::scene::camera::Lens;
 use crate::world::compiled::{Globals, SingleBox, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
-use crate::world::photons::Photons;
+use crate::world::photons::PhotonMapping;
 use crate::world::surface::SurfaceSummary;
 use rayon::prelude::*;
 
@@ -77,12 +77,12 @@ impl World {
                 working_gamma: scene.working_gamma(),
             },
             ties_by_box: has_tree,
-            least_distance: options.least_distance,
+            least_distance: options.t_min_rule,
             summary: SurfaceSummary::of(&flat.surfaces),
             radiosity,
             photons: flat.targets.and_then(|targets| {
                 let settings = scene.globals.photons.as_ref()?;
-                Photons::new(settings, targets.into_list(), &scene.globals)
+                PhotonMapping::new(settings, targets.into_list(), &scene.globals)
             }),
             boxes,
             lights: flat.lights,

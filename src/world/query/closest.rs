@@ -8,7 +8,7 @@ use super::{ClosestHit, QueryScratch};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
-use crate::base::options::LeastDistance;
+use crate::base::options::TMinRule;
 use crate::scene::shape::Root;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
@@ -317,9 +317,9 @@ impl World {
             // POV-Ray's in any case: nearest hits decide how far a radiosity sample reaches, and the reach shows in the
             // picture.
             (_, RayKind::Radiosity) => POV_RAY_LEAST,
-            (LeastDistance::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
-            (LeastDistance::PovRay, RayKind::Shadow) => POV_RAY_SHADOW,
-            (LeastDistance::PovRay, _) => POV_RAY_LEAST,
+            (TMinRule::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
+            (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW,
+            (TMinRule::PovRay, _) => POV_RAY_LEAST,
         }
     }
 
@@ -336,7 +336,7 @@ impl World {
 
     #[cold]
     fn is_within_rounding(&self, hit: &RawHit, query: &Query, blur: f64) -> bool {
-        if self.least_distance == LeastDistance::PovRay {
+        if self.least_distance == TMinRule::PovRay {
             return false;
         }
         let Root { t, face, .. } = hit.root;

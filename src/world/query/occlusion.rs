@@ -4,7 +4,7 @@ use super::QueryScratch;
 use super::closest::POV_RAY_SHADOW;
 use super::intersect::{HitPolicy, Search};
 use crate::base::math::simd::{SimdLevel, with_widest};
-use crate::base::options::LeastDistance;
+use crate::base::options::TMinRule;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::model::IndexedItem;
@@ -70,8 +70,8 @@ impl World {
     #[must_use]
     pub fn shadow_t_max(&self, centre: DVec3, distance: f64) -> f64 {
         match self.least_distance {
-            LeastDistance::Rounding => distance - BLUR * centre.abs().max_element().max(distance),
-            LeastDistance::PovRay => distance - POV_RAY_SHADOW,
+            TMinRule::Rounding => distance - BLUR * centre.abs().max_element().max(distance),
+            TMinRule::PovRay => distance - POV_RAY_SHADOW,
         }
     }
 
@@ -82,8 +82,8 @@ impl World {
         let mut reach = *distance;
         for (reach, size) in reach.iter_mut().zip(size) {
             *reach -= match self.least_distance {
-                LeastDistance::Rounding => BLUR * size,
-                LeastDistance::PovRay => POV_RAY_SHADOW,
+                TMinRule::Rounding => BLUR * size,
+                TMinRule::PovRay => POV_RAY_SHADOW,
             };
         }
         reach

@@ -3,7 +3,7 @@
 use super::{ClosestHit, QueryScratch};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::base::options::LeastDistance;
+use crate::base::options::TMinRule;
 use crate::scene::shape::{Geometry, Root};
 use crate::world::compiled::World;
 use crate::world::csg::program::{RawHit, hide_departure};
@@ -63,7 +63,7 @@ impl World {
         program_hits: &[RawHit],
         roots: &mut Vec<Root>,
     ) -> Option<TransmissiveHits> {
-        if self.least_distance == LeastDistance::PovRay {
+        if self.least_distance == TMinRule::PovRay {
             return None;
         }
         let search = self.search_for(query);

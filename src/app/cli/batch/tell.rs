@@ -167,7 +167,7 @@ impl<'a> BatchReporter<'a> {
                 _ => {
                     say(format_args!("povr: {scene}: it cannot be drawn"));
                     for message in &outcome.messages {
-                        reporter.report(Event::Found(message));
+                        reporter.report(Event::Finding(message));
                     }
                     let first = outcome.messages.first();
                     first.map_or_else(|| "it cannot be drawn".to_owned(), Message::short)

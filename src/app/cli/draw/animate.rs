@@ -120,7 +120,7 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
             run.console.finished();
             Ok(ExitCode::SUCCESS)
         }
-        Done::Until(at) if settings.render.stop.is_asked() => {
+        Done::Until(at) if settings.render.stop.is_cancelled() => {
             if !settings.verbosity.quiet {
                 let (next, of) = (numbers[at], numbers.len());
                 match at {
@@ -155,7 +155,7 @@ impl Run<'_> {
                     if let Event::Read { wrote_files, .. } = event {
                         writes.fetch_or(wrote_files, Ordering::Relaxed);
                     }
-                    if !self.settings.render.stop.is_asked() {
+                    if !self.settings.render.stop.is_cancelled() {
                         self.reporter.report(event);
                     }
                 });
@@ -179,7 +179,7 @@ impl Run<'_> {
                 if done.as_ref().is_err_and(writes_files) {
                     return ControlFlow::Break(End::WritesFiles(at + number));
                 }
-                if done.is_err() && self.settings.render.stop.is_asked() {
+                if done.is_err() && self.settings.render.stop.is_cancelled() {
                     return ControlFlow::Break(End::Failed(at + number));
                 }
                 self.begin(at + number, numbers.len());
@@ -226,7 +226,7 @@ impl Run<'_> {
         let (render, verbosity) = (&self.settings.render, self.settings.verbosity);
         let is_timed = verbosity.stats
             || verbosity.json
-            || matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some());
+            || matches!(&render.sampling, Sampling::Adaptive(how) if how.time.is_some());
         if is_timed {
             return 1;
         }
@@ -253,7 +253,7 @@ impl Run<'_> {
         }
         let output = self.settings.output.as_ref();
         let render = RenderOptions {
-            only_for: output.map(|(_, options)| options.clone()),
+            target_format: output.map(|(_, options)| options.clone()),
             ..self.settings.render.clone()
         };
         let Picture {
@@ -262,7 +262,7 @@ impl Run<'_> {
             statistics,
             ..
         } = (self.draw)(&self.input, &read, &render, &|event| match event {
-            Event::Drawn(_) if render.stop.is_asked() => {}
+            Event::Drawn(_) if render.stop.is_cancelled() => {}
             Event::Drawn(pixels) => self.progress.advance(pixels),
             event => listen(event),
         })?;

@@ -94,21 +94,21 @@ impl Reporter {
     /// Reports an event.
     pub(crate) fn report(&self, event: Event<'_>) {
         match &event {
-            Event::Said(text) => self.files.write(output_kinds::Stream::Debug, text),
-            Event::Found(message) => self.files.write_finding(message),
+            Event::SceneOutput(text) => self.files.write(output_kinds::Stream::Debug, text),
+            Event::Finding(message) => self.files.write_finding(message),
             _ => {}
         }
         match event {
-            Event::Said(text) if self.debugs => self.said(text),
-            Event::Found(message) => self.write_finding(message),
-            Event::GoesOn(pixels) if self.warns => {
+            Event::SceneOutput(text) if self.debugs => self.said(text),
+            Event::Finding(message) => self.write_finding(message),
+            Event::Resumed(pixels) if self.warns => {
                 say(format_args!("povr: going on: {pixels} pixels are there"));
             }
-            Event::StartsAnew if self.warns => say(
+            Event::CheckpointDiscarded if self.warns => say(
                 "povr: the unfinished picture is of another scene, has other options or is by another program: \
                  starting anew",
             ),
-            Event::KeepsNothing(kind) if self.warns => {
+            Event::CheckpointFailed(kind) if self.warns => {
                 say(format_args!(
                     "povr: the unfinished picture cannot be kept: {kind}"
                 ));

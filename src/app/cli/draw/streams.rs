@@ -77,7 +77,7 @@ impl Files {
             Severity::Error => (Stream::Fatal, "Error"),
             Severity::Warning => (Stream::Warning, "Warning"),
         };
-        let position = message.place.as_ref();
+        let position = message.location.as_ref();
         let position = position.map_or_else(String::new, |position| {
             format!("File: {}  Line: {}\n", position.file, position.line)
         });

@@ -36,9 +36,9 @@ pub(crate) fn is_done(settings: &Settings) -> bool {
 /// Enables checkpoints for the rendering.
 pub(crate) fn keep(settings: &mut Settings) {
     if let Some(picture) = picture(settings) {
-        settings.render.keep = Some(CheckpointOptions {
+        settings.render.checkpoint = Some(CheckpointOptions {
             file: state(picture),
-            continues: settings.continues,
+            resume: settings.continues,
             build: build(),
         });
     }
@@ -46,7 +46,7 @@ pub(crate) fn keep(settings: &mut Settings) {
 
 /// Removes the checkpoint: the picture is complete.
 pub(crate) fn forget(settings: &Settings) {
-    if let Some(keep) = &settings.render.keep {
+    if let Some(keep) = &settings.render.checkpoint {
         // Usually there is none.
         let _ = fs::remove_file(&keep.file);
     }

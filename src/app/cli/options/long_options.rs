@@ -4,7 +4,7 @@ use super::output_kinds::MessageFormat;
 use super::raw_args::{Output, RawArgs};
 use super::values::{duration, error};
 use crate::app::cli::COMMANDS;
-use crate::base::options::{LeastDistance, RandomOrder};
+use crate::base::options::{RandomOrder, TMinRule};
 use clap::{CommandFactory, Parser};
 use std::str::FromStr;
 use std::time::Duration;
@@ -146,7 +146,7 @@ impl LongOptions {
             raw_args.converge();
         }
         if self.pov_distances {
-            raw_args.least_distance = LeastDistance::PovRay;
+            raw_args.least_distance = TMinRule::PovRay;
         }
         if self.pov_random {
             raw_args.random_order = RandomOrder::PovRay;

@@ -1,6 +1,6 @@
 //! The options as typed, before they are interpreted: every option's last value.
 
-use crate::base::options::{Antialias, LeastDistance, RandomOrder};
+use crate::base::options::{Antialias, RandomOrder, TMinRule};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -54,7 +54,7 @@ pub(crate) struct RawArgs {
     pub(crate) has_console: bool,
     pub(crate) stats: bool,
     pub(crate) json: bool,
-    pub(crate) least_distance: LeastDistance,
+    pub(crate) least_distance: TMinRule,
     pub(crate) random_order: RandomOrder,
     /// True to continue from a checkpoint.
     pub(crate) continues: bool,
@@ -135,7 +135,7 @@ impl Default for RawArgs {
             has_console: false,
             stats: false,
             json: false,
-            least_distance: LeastDistance::default(),
+            least_distance: TMinRule::default(),
             random_order: RandomOrder::default(),
             continues: false,
             is_antialiased: false,

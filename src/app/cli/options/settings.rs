@@ -195,12 +195,12 @@ fn render_options(raw_args: &RawArgs) -> Result<RenderOptions, CliError> {
         quality: raw_args.quality,
         threads: raw_args.threads,
         alpha: raw_args.alpha,
-        least_distance: raw_args.least_distance,
+        t_min_rule: raw_args.least_distance,
         random_order: raw_args.random_order,
         statistics: raw_args.stats || raw_args.json || raw_args.keeps_statistics(),
         sampling: sampling(raw_args),
-        keep: None,
-        only_for: None,
+        checkpoint: None,
+        target_format: None,
         stop: CancelToken::default(),
     })
 }
@@ -213,7 +213,7 @@ fn sampling(raw_args: &RawArgs) -> Sampling {
     };
     match raw_args.is_antialiased {
         false => Sampling::Centres,
-        true if raw_args.converges => Sampling::Converging(Adaptive {
+        true if raw_args.converges => Sampling::Adaptive(Adaptive {
             error: match (raw_args.error, raw_args.time) {
                 (Some(error), _) => error,
                 // As small as the time allows.

@@ -59,16 +59,16 @@ impl Painter {
                     let known = Known::of(paths.chain(scene), began);
                     *read.lock().unwrap_or_else(PoisonError::into_inner) = Some(known);
                 }
-                if let Event::Found(message) = event
+                if let Event::Finding(message) = event
                     && message.severity == Severity::Error
-                    && !stop.is_asked()
+                    && !stop.is_cancelled()
                 {
                     let mut errors = errors.lock().unwrap_or_else(PoisonError::into_inner);
                     errors.push_str(&format!("{}\n", message.excerpt));
                 }
                 // The second pass repeats the messages of the first.
-                if (pass == 0 || !matches!(event, Event::Said(_) | Event::Found(_)))
-                    && !stop.is_asked()
+                if (pass == 0 || !matches!(event, Event::SceneOutput(_) | Event::Finding(_)))
+                    && !stop.is_cancelled()
                 {
                     self.reporter.report(event);
                 }
@@ -76,7 +76,7 @@ impl Painter {
             let start = Instant::now();
             let Ok(picture) = series.draw(&self.input, &options, &render, &listen) else {
                 self.reporter.take_counts();
-                if !stop.is_asked() {
+                if !stop.is_cancelled() {
                     let errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
                     self.shown.fail(errors);
                     say("povr: not drawn; the last picture stays");

@@ -90,7 +90,7 @@ fn search(function: &impl IntervalFunction, ends: [(f64, bool); 2], depth: u32, 
 }
 
 /// The sign change of a function that is monotone between `from` and `to`.
-pub(crate) fn exact_change(
+pub(crate) fn monotone_root(
     function: &impl IntervalFunction,
     [from, to]: [f64; 2],
     is_rising: bool,

@@ -4,7 +4,7 @@
 //! this loses none. Above degree four, bisection ([`bernstein`]) costs less than the chain.
 //!
 //! Error bound: the residual at a root is within a few epsilon of the sum of the coefficients, or the root is within
-//! [`LAST_STEP`] squared of the exact one. Callers that need more digits refine it on the shape itself, as torus and
+//! `bracket::LAST_STEP` squared of the exact one. Callers that need more digits refine it on the shape itself, as torus and
 //! poly do. A pair of roots whose extremum in between is zero within that rounding may be lost or reported.
 //!
 //! Coefficients are by ascending power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 <= x <= 1` is searched: the caller

@@ -126,11 +126,11 @@ mod tests {
         let mut rng = Random::new(11);
         let (mut quick, mut with_roots) = (0, 0);
         for _ in 0..200_000 {
-            let part = |rng: &mut Random, size: f64| (rng.share() - 0.5) * size;
+            let part = |rng: &mut Random, size: f64| (rng.uniform() - 0.5) * size;
             let c = [
                 part(&mut rng, 1.0),
                 part(&mut rng, 1.0),
-                rng.share(),
+                rng.uniform(),
                 part(&mut rng, 0.4),
                 part(&mut rng, 0.2),
             ];
@@ -161,7 +161,7 @@ mod tests {
         let mut rng = Random::new(12);
         let mut counts = [0; 5];
         for _ in 0..200_000 {
-            let c = [(); 5].map(|()| rng.share() - 0.5);
+            let c = [(); 5].map(|()| rng.uniform() - 0.5);
             let is_negative = |x: f64| polynomial::value(&c, x) < 0.0;
             let signs = (is_negative(-1.0), is_negative(1.0));
             let fast = quartic_changes_between(&c, signs.0, signs.1);

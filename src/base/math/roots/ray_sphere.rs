@@ -15,7 +15,7 @@ pub(crate) const MARGIN: f64 = 64.0 * f64::EPSILON;
 /// The sorted `t` at which the line `p + t · dir` enters and leaves the sphere of this radius around the origin. `None`
 /// if it misses or is tangent. All squares must be representable (see `is_comfortable`).
 #[inline(always)]
-pub(crate) fn ball_chord(p: DVec3, dir: DVec3, radius: f64) -> Option<(f64, f64)> {
+pub(crate) fn sphere_span(p: DVec3, dir: DVec3, radius: f64) -> Option<(f64, f64)> {
     let a = dir.dot(dir);
     let b = p.dot(dir);
     let from_centre_sq = p.dot(p);
@@ -67,7 +67,7 @@ mod tests {
             let dir = rng.vector(1.0);
             let nearest = p - (p.dot(dir) / dir.dot(dir)) * dir;
             let radius = nearest.length() * (1.0 + f64::from(exponent % 7 - 3) * f64::EPSILON);
-            let chord = ball_chord(p, dir, radius);
+            let chord = sphere_span(p, dir, radius);
             assert_eq!(chord.is_some(), is_hit(p, dir, radius));
             hits += usize::from(chord.is_some());
         }

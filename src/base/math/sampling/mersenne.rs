@@ -20,7 +20,7 @@ pub fn random(index: u32) -> f64 {
 
 /// The entries at three consecutive indices.
 #[must_use]
-pub fn three(first: u32) -> [f64; 3] {
+pub fn random_triple(first: u32) -> [f64; 3] {
     match TABLE[(first % SIZE) as usize..].first_chunk() {
         Some(numbers) => *numbers,
         None => [0, 1, 2].map(|i| random(first + i)),

@@ -21,13 +21,13 @@ impl Random {
     }
 
     /// A uniform number in `[0, 1)`.
-    pub(crate) fn share(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         f64::from_bits(0x3ff0_0000_0000_0000 | (self.bits() >> 12)) - 1.0
     }
 
     /// A vector with each component between `-size` and `size`.
     pub(crate) fn vector(&mut self, size: f64) -> DVec3 {
-        let mut component = || (2.0 * self.share() - 1.0) * size;
+        let mut component = || (2.0 * self.uniform() - 1.0) * size;
         DVec3::new(component(), component(), component())
     }
 
@@ -41,9 +41,9 @@ impl Random {
     /// an axis.
     pub(crate) fn ray_near(&mut self, bounds: &Bounds) -> Ray {
         let size = (bounds.max - bounds.min).length();
-        let far = size * 3.0 * self.share();
+        let far = size * 3.0 * self.uniform();
         let origin = bounds.centre() + self.vector(far);
-        let dir = (self.point_near(bounds) - origin) * (0.1 + self.share());
+        let dir = (self.point_near(bounds) - origin) * (0.1 + self.uniform());
         let bits = self.bits();
         if bits & 3 != 0 {
             return Ray::new(origin, dir);

@@ -21,7 +21,7 @@ fn summary(reading: &Reading) -> String {
 
 fn agree(text: &str) -> Reading {
     let mut options = ReadOptions::default();
-    options.patience = options.patience.min(20_000_000);
+    options.max_repeated_tokens = options.max_repeated_tokens.min(20_000_000);
     let read = |read: fn(_, &mut Sources, &ReadOptions) -> Reading| {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", format!("#version 3.7;\n{text}"));

@@ -14,7 +14,7 @@
 //!
 //! Statements are replayed as far as they consist of recorded expressions: the directives of loops and the arguments of
 //! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`])
-//! or, for spheres, from the recorded expressions alone ([`ball`]).
+//! or, for spheres, from the recorded expressions alone ([`recorded_sphere`]).
 
 pub(crate) mod cache;
 mod directives;

@@ -219,7 +219,7 @@ fn color_word(token: Token) -> Option<Word> {
 }
 
 impl Args for ReplayReader<'_> {
-    fn alike(&self) -> Option<&Interner> {
+    fn interner(&self) -> Option<&Interner> {
         Some(self.alike)
     }
 
@@ -280,7 +280,7 @@ impl Args for ReplayReader<'_> {
         give_up()
     }
 
-    fn sampled(&mut self) -> Parse<Option<crate::base::args::Sampled>> {
+    fn sampled_function(&mut self) -> Parse<Option<crate::base::args::SampledFunction>> {
         give_up()
     }
 

@@ -122,7 +122,7 @@ impl<'a> AreaLight<'a> {
             at_u += scratch.random.lights.next_number() - 0.5;
             at_v += scratch.random.lights.next_number() - 0.5;
         }
-        self.area.lamp(&self.axes, at_u, at_v)
+        self.area.grid_light_offset(&self.axes, at_u, at_v)
     }
 }
 
@@ -141,7 +141,7 @@ impl Tracer<'_> {
             .resize(columns as usize * rows as usize, None);
         area_light.hits = self.packet_for(area_light);
         if area_light.hits.is_some() {
-            let first = area_light.area.first_lamps();
+            let first = area_light.area.initial_grid_lights();
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
@@ -229,9 +229,10 @@ impl Tracer<'_> {
         let mut offset = [[0.0; 4]; 3];
         for lane in 0..4 {
             let [u, v] = requested[lane.min(requested.len() - 1)];
-            let from_centre = area_light
-                .area
-                .lamp(&area_light.axes, f64::from(u), f64::from(v));
+            let from_centre =
+                area_light
+                    .area
+                    .grid_light_offset(&area_light.axes, f64::from(u), f64::from(v));
             (offset[0][lane], offset[1][lane], offset[2][lane]) = from_centre.into();
         }
         let normal = area_light
@@ -259,7 +260,7 @@ impl Tracer<'_> {
         let mut packet = ShadowPacket4::NOTHING;
         for lane in 0..4 {
             let [u, v] = requested[lane.min(requested.len() - 1)];
-            let arrival = area_light.arrival(area_light.area.lamp(
+            let arrival = area_light.arrival(area_light.area.grid_light_offset(
                 &area_light.axes,
                 f64::from(u),
                 f64::from(v),
@@ -351,9 +352,9 @@ impl Tracer<'_> {
         let mut sum = Rgb::BLACK;
         for v in 0..rows {
             for u in 0..columns {
-                let grid_light = light.lamp(area_light.offset(u, v, scratch));
+                let grid_light = light.grid_light(area_light.offset(u, v, scratch));
                 let arrival = grid_light.arrival(lit.at.point);
-                let left = each * grid_light.share(lit.at.point, &arrival);
+                let left = each * grid_light.attenuation(lit.at.point, &arrival);
                 if is_negligible(left) {
                     continue;
                 }

@@ -269,7 +269,7 @@ impl Tracer<'_> {
         if self.features.light_varies_by_surface || !self.world.lights.shines_on_all(number) {
             active = self.receiving_lanes(number, hits, &arrived);
         }
-        let mut left = if light.has_even_share() {
+        let mut left = if light.is_unattenuated() {
             active & !arrived.is_finite
         } else {
             active
@@ -282,7 +282,7 @@ impl Tracer<'_> {
                 distance: shadow_rays.distance[lane],
             };
             let point = hits.point(lane);
-            shadow_rays.share[lane] = light.share(point, &arrival);
+            shadow_rays.share[lane] = light.attenuation(point, &arrival);
             let end = point + arrival.distance * arrival.to_light;
             shadow_rays.t_max[lane] = self.world.shadow_t_max(end, arrival.distance);
             if shadow_rays.share[lane] == 0.0 {

@@ -54,7 +54,7 @@ impl Tracer<'_> {
         LightSample {
             arrival,
             cosine,
-            share: light.share(hit.point, &arrival),
+            share: light.attenuation(hit.point, &arrival),
             occlusion: None,
         }
     }
@@ -73,7 +73,7 @@ impl Tracer<'_> {
         let known = known.filter(|known| is_point && known.occlusion.is_some());
         let arrival = known.map_or_else(|| light.arrival(lit.at.point), |known| known.arrival);
         if let Some(area) = &light.area
-            && area.is_full
+            && area.has_area_illumination
             && self.samples_areas(lit.path)
         {
             let area_light = AreaLight::new(number, light, area, lit, light.color);
@@ -83,7 +83,10 @@ impl Tracer<'_> {
         let Some(side) = bsdf.side(cosine, lit.is_double_illuminated) else {
             return Rgb::BLACK;
         };
-        let share = known.map_or_else(|| light.share(lit.at.point, &arrival), |known| known.share);
+        let share = known.map_or_else(
+            || light.attenuation(lit.at.point, &arrival),
+            |known| known.share,
+        );
         let mut arriving = light.color * share;
         if is_negligible(arriving) {
             return Rgb::BLACK;

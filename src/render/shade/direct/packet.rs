@@ -226,7 +226,7 @@ impl<'w> Tracer<'w> {
     ) {
         let ShadeBuffers { scratch, cache } = buffers;
         (seen.known, seen.has_own_light) = (0, 0);
-        if !self.fast_paths.packets || self.stop.is_asked() {
+        if !self.fast_paths.packets || self.stop.is_cancelled() {
             return;
         }
         let hits = &all.hits[packet];
@@ -443,7 +443,7 @@ impl ArrivingLight {
     fn set_unoccluded(&mut self, light: &Light, shadow_rays: &ShadowPacket4, free: u32) {
         self.rgb = all_of(light.color);
         self.lit = if is_negligible(light.color) { 0 } else { free };
-        if !light.has_even_share() {
+        if !light.is_unattenuated() {
             each_lane(free, |lane| {
                 self.set_lane(lane, light.color * shadow_rays.share[lane])
             });

@@ -194,7 +194,7 @@ impl Tracer<'_> {
     /// The attenuation of a segment of this length that ends at a surface of an interior; updates the interior stack.
     fn fade(&self, inside: &mut InteriorStack, interior: InteriorId, length: f64) -> Rgb {
         if interior_stack::cross(inside, interior) {
-            self.world.interiors.get(interior).fade_on_light(length)
+            self.world.interiors.get(interior).shadow_ray_fade(length)
         } else {
             Rgb::WHITE
         }

@@ -11,7 +11,7 @@ use crate::render::shade::Scratch;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
 use crate::world::RayKind;
-use crate::world::{PhotonTarget, Photons};
+use crate::world::{PhotonMapping, PhotonTarget};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -67,7 +67,7 @@ impl PhotonAim {
             DVec3::Z
         };
         let along = if light.is_parallel {
-            light.rays()
+            light.parallel_dir()
         } else {
             forward
         };
@@ -84,7 +84,7 @@ impl PhotonAim {
         let &PhotonAim { from, middle, .. } = self;
         let RingPosition { off, around } = at;
         if light.is_parallel {
-            let dir = light.rays();
+            let dir = light.parallel_dir();
             let start = middle - (middle - from).dot(dir) * dir;
             let turn = DMat3::from_axis_angle(dir, around);
             return Ray::new(start + turn * (self.left * off), dir);
@@ -146,7 +146,7 @@ impl<'w> Tracer<'w> {
         let mut tally = PhotonTally::new(photons);
         let mut scratch = Scratch::default();
         for (number, target) in self.pairs(photons) {
-            if self.stop.is_asked() {
+            if self.stop.is_cancelled() {
                 break;
             }
             self.emit_at(number, target, spacing, &mut tally, &mut scratch);
@@ -156,7 +156,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The pairs of lights and targets with photons between them, by index.
-    fn pairs(&self, photons: &Photons) -> Vec<(u32, u32)> {
+    fn pairs(&self, photons: &PhotonMapping) -> Vec<(u32, u32)> {
         let lights = (0u32..).take(self.world.lights.len());
         let lights = lights.filter(|&number| {
             let is_global = self.world.lights.is_outside_groups(number);
@@ -173,7 +173,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The estimated number of stored photons for a spacing.
-    fn expected(&self, photons: &Photons, spacing: f64) -> f64 {
+    fn expected(&self, photons: &PhotonMapping, spacing: f64) -> f64 {
         let of_pair = |(light, target): (u32, u32)| {
             let target = &photons.targets[target as usize];
             let own = &self.world.lights.get(light).photons;
@@ -184,7 +184,7 @@ impl<'w> Tracer<'w> {
             if refracts && reflects {
                 count *= 1.5;
             }
-            if !target.role.keeps_none && refracts {
+            if !target.role.collects_none && refracts {
                 count *= if reflects { 3.0 } else { 2.0 };
             }
             count
@@ -244,7 +244,8 @@ impl<'w> Tracer<'w> {
                 around += turn;
             }
             has_ever_hit |= tally.has_hit;
-            if has_ever_hit && !tally.has_hit && off > autostop * rings.end || self.stop.is_asked()
+            if has_ever_hit && !tally.has_hit && off > autostop * rings.end
+                || self.stop.is_cancelled()
             {
                 break;
             }
@@ -264,18 +265,18 @@ impl<'w> Tracer<'w> {
     ) {
         let (Some([columns, rows]), Some(area)) = (emitting_grid(light), &light.area) else {
             let ray = aim.ray(light, at);
-            let share = light.share_of_ray(&ray, aim.distance);
+            let share = light.attenuation_along_ray(&ray, aim.distance);
             self.trace_from(light, ray, share, inside, tally, scratch);
             return;
         };
         let share = 1.0 / (f64::from(columns) * f64::from(rows));
         for u in 0..columns {
             for v in 0..rows {
-                let offset = area.lamp(&area.axes, f64::from(u), f64::from(v));
+                let offset = area.grid_light_offset(&area.axes, f64::from(u), f64::from(v));
                 let from = light.centre + offset;
                 let aim = PhotonAim::new(light, from, aim.middle);
                 let ray = aim.ray(light, at);
-                let share = share * light.share_of_ray(&ray, aim.distance);
+                let share = share * light.attenuation_along_ray(&ray, aim.distance);
                 self.trace_from(light, ray, share, inside, tally, scratch);
             }
         }
@@ -324,7 +325,7 @@ impl<'w> Tracer<'w> {
 }
 
 impl<'p> PhotonTally<'p> {
-    fn new(photons: &'p Photons) -> Self {
+    fn new(photons: &'p PhotonMapping) -> Self {
         PhotonTally {
             photons,
             light: None,

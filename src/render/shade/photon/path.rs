@@ -13,15 +13,15 @@ use crate::render::shade::shading_point::{LightSamples, ShadingPoint};
 use crate::render::shade::surface::{Mirror, TextureUse, mirror, mirrored_off};
 use crate::render::shade::{InteriorStack, Path, Tracer, spectrum};
 use crate::scene::light::Light;
-use crate::scene::texture::Look;
-use crate::world::Photons;
+use crate::scene::texture::WeightedTexture;
+use crate::world::PhotonMapping;
 use crate::world::{Hit, Query, SpawnSurface};
 use glam::DVec3;
 use smallvec::SmallVec;
 
 /// The photons of a scene, and the state of their emission.
 pub(in crate::render::shade) struct PhotonTally<'p> {
-    pub(in crate::render::shade) photons: &'p Photons,
+    pub(in crate::render::shade) photons: &'p PhotonMapping,
     /// The current light and target.
     pub(in crate::render::shade) light: Option<&'p Light>,
     pub(in crate::render::shade) target: u32,
@@ -50,7 +50,7 @@ pub(in crate::render::shade) struct PhotonPath {
 /// One texture of a hit, and the photon's light on it.
 struct PhotonHit<'a> {
     hit: &'a Hit,
-    look: &'a Look<'a>,
+    look: &'a WeightedTexture<'a>,
     light: Rgb,
     refracts: bool,
     reflects: bool,
@@ -111,7 +111,7 @@ impl<'p> PhotonTally<'p> {
     fn store(&mut self, point: DVec3, light: Rgb, path_length: f64, origin: DVec3) {
         let Some(source) = self.light else { return };
         let width = self.width(path_length);
-        let light = light * (width * width) * source.fade.share(path_length);
+        let light = light * (width * width) * source.fade.attenuation(path_length);
         let [point, origin] = [point, origin].map(|x| self.photons.scene_point(x));
         self.on_surfaces.push(Photon::new(point, light, origin));
     }
@@ -148,10 +148,10 @@ impl<'w> Tracer<'w> {
             photon.path_length += hit.t;
             let had_hit_target = photon.has_hit_target;
             if !had_hit_target {
-                if role.target == Some(tally.target) && !role.is_passed {
+                if role.target == Some(tally.target) && !role.passes_through {
                     photon.has_hit_target = true;
                     tally.has_hit = true;
-                } else if role.is_passed {
+                } else if role.passes_through {
                     photon.light *= self.transmission(&hit, &photon.path.ray);
                     let interior = surface.interior;
                     crate::render::shade::interior_stack::cross(&mut photon.path.inside, interior);
@@ -168,7 +168,7 @@ impl<'w> Tracer<'w> {
             let textures = self.textures_at(surface, &hit, photon.path.ray.dir, TextureUse::Passed);
             for look in &textures {
                 let of_look = photon.light * f64::from(look.weight);
-                if had_hit_target && !role.keeps_none {
+                if had_hit_target && !role.collects_none {
                     tally.store(
                         hit.point,
                         of_look,

@@ -6,7 +6,7 @@ use crate::render::photons::Photon;
 use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::render::shade::media::{common_sampling, parts_of, subdivided, transmittance_of};
-use crate::scene::interior::{Effect, PreparedMedia};
+use crate::scene::interior::{MediumCoefficients, PreparedMedia};
 use crate::world::LightList;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -26,7 +26,7 @@ impl Tracer<'_> {
         media: &[&PreparedMedia],
         point: DVec3,
         dir: DVec3,
-        effect: &Effect,
+        effect: &MediumCoefficients,
         scratch: &mut Scratch,
     ) -> Rgb {
         let Some(photon_maps) = self.photon_maps.as_deref() else {
@@ -70,7 +70,7 @@ impl Tracer<'_> {
             return;
         }
         let beams = self.beams(lights, &photon.path.ray, length);
-        let is_stored = photon.has_hit_target && media.iter().any(|media| media.collects);
+        let is_stored = photon.has_hit_target && media.iter().any(|media| media.stores_photons);
         let ray = photon.path.ray;
         let (most, factor) = tally.photons.settings.media;
         let jitter = tally.photons.settings.jitter;
@@ -94,9 +94,9 @@ impl Tracer<'_> {
                 let at = (number + 0.5 + jitter * random) / count;
                 let along = interval.from + at * long;
                 let point = ray.at(along);
-                let mut effect = Effect::NONE;
+                let mut effect = MediumCoefficients::NONE;
                 for media in &media {
-                    media.add_effect(point, &mut effect);
+                    media.add_coefficients(point, &mut effect);
                 }
                 sum += effect.extinction;
                 if is_stored && effect.scattering != Rgb::BLACK {
@@ -104,7 +104,7 @@ impl Tracer<'_> {
                     let size = factor * tally.width(path_length).powi(3);
                     let fading = tally
                         .light
-                        .map_or(1.0, |light| light.fade.share(path_length));
+                        .map_or(1.0, |light| light.fade.attenuation(path_length));
                     let light = photon.light * (size * fading);
                     let [point, origin] = [point, ray.origin].map(|x| tally.photons.scene_point(x));
                     tally.in_media.push(Photon::new(point, light, origin));

@@ -208,7 +208,7 @@ mod tests {
         let mut rng = Random::new(3);
         for (number, tiling) in all() {
             for _ in 0..500 {
-                let at = tiling.plane_from_cell * DVec2::new(rng.share(), rng.share());
+                let at = tiling.plane_from_cell * DVec2::new(rng.uniform(), rng.uniform());
                 let inside = |slack: f64| {
                     let tiles = tiling.tiles.iter();
                     tiles.filter(|tile| tile.depth_at(at) > slack).count()

@@ -1,13 +1,13 @@
 //! `image_pattern`: the grey value of an image, or with `use_alpha` its transparency.
 
 use crate::base::args::{Args, Parse};
-use crate::base::bitmap::{self, Alpha, Purpose, Source};
+use crate::base::bitmap::{self, Alpha, MappedBitmap, Purpose};
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint, Wave};
 use glam::DVec3;
 
 #[derive(Clone, Debug)]
 struct ImagePattern {
-    source: Source,
+    source: MappedBitmap,
 }
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
@@ -27,7 +27,7 @@ impl Pattern for ImagePattern {
 
 impl PatternEval for ImagePattern {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
-        let Source {
+        let MappedBitmap {
             bitmap, mapping, ..
         } = &self.source;
         let Some(color) = mapping.color(bitmap, point) else {

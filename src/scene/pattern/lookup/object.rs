@@ -27,7 +27,7 @@ struct Prepared(Option<Arc<dyn Solid>>);
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     args.open()?;
-    let object = args.moved_object_any()?;
+    let object = args.transformed_object_any()?;
     Ok(Box::new(ObjectPattern {
         object,
         solid: Arc::default(),

@@ -397,7 +397,7 @@ pub fn nearest_feature(point: DVec3, metric: f64) -> DVec3 {
 #[inline]
 fn point_of(cell: [i64; 3]) -> DVec3 {
     let corner = DVec3::from(cell.map(|c| c as f64));
-    corner + DVec3::from(mersenne::three(hashed_cell(cell)))
+    corner + DVec3::from(mersenne::random_triple(hashed_cell(cell)))
 }
 
 #[cfg(test)]

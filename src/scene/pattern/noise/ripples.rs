@@ -4,7 +4,7 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::noise::vector_noise;
-use crate::base::math::rounding::floor_of;
+use crate::base::math::rounding::floor_lanes;
 use crate::base::math::sampling::hash::{bits, next};
 use crate::base::math::simd::vec3::Vec3Lanes;
 use crate::base::math::simd::{F64x4, SimdKernel, vec3, with_widest};
@@ -115,7 +115,7 @@ impl Prepared {
         let index = index + F::splat(self.phase);
         // As `cycloidal`, lane by lane.
         let size = index.abs();
-        let angles = ((size - floor_of(size)) * F::splat(TAU)).to_array();
+        let angles = ((size - floor_lanes(size)) * F::splat(TAU)).to_array();
         let is_positive = F::bitmask(F::splat(0.0).le(index));
         let mut heights = [0.0; 4];
         for (lane, (height, angle)) in heights.iter_mut().zip(angles).enumerate() {

@@ -80,7 +80,7 @@ impl HeightField {
     /// # Errors
     /// An image that is missing, damaged, too large or of an unknown kind; a malformed or non-finite parameter.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
-        let heights = match args.sampled()? {
+        let heights = match args.sampled_function()? {
             Some(sampled) => image::Heights::from_function(&sampled),
             None => read_picture(args)?,
         };
@@ -165,7 +165,7 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     let error = |error| Box::new(Diagnostic::error(at, error));
     let unreadable = |why| error(format!("cannot read the picture `{name}`: {why}"));
     let needed = image::bytes_to_read(kind.decoder, &bytes).map_err(unreadable)?;
-    args.make_room("this picture", needed, at)?;
+    args.reserve_memory("this picture", needed, at)?;
     let heights = image::heights(kind.decoder, &bytes).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {
         let max = MAX_CELLS;

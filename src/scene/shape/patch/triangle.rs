@@ -145,7 +145,7 @@ mod tests {
             let rim: Vec<DVec3> = (0..7)
                 .map(|i| {
                     let (s, c) = (f64::from(i) * std::f64::consts::TAU / 7.0).sin_cos();
-                    hub + DVec3::new(c, s, 0.3 * c) * (0.5 + rng.share())
+                    hub + DVec3::new(c, s, 0.3 * c) * (0.5 + rng.uniform())
                 })
                 .collect();
             let origin = rng.vector(1.0) + DVec3::new(0.0, 0.0, -6.0);
@@ -154,7 +154,7 @@ mod tests {
                 let target = if aim == 7 {
                     hub
                 } else {
-                    hub.lerp(rim[aim], rng.share())
+                    hub.lerp(rim[aim], rng.uniform())
                 };
                 let ray = Ray::new(origin, target - origin);
                 let hits = (0..7).filter(|&i| {

@@ -304,7 +304,7 @@ mod tests {
             let away = 2.0_f64.powi(number % 20 - 2);
             let origin = away * rng.vector(1.0);
             let aim = corner + rng.vector(0.5);
-            let mut dir = (0.1 + rng.share()) * (aim - origin);
+            let mut dir = (0.1 + rng.uniform()) * (aim - origin);
             if number % 7 == 0 {
                 dir.x = 0.0;
             }

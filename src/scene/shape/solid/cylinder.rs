@@ -1,7 +1,7 @@
 //! `cylinder { <base>, <apex>, radius [open] }`.
 //!
 //! The infinite cylinder is the quadratic of a sphere for the components of the ray perpendicular to the axis
-//! ([`ball_chord`]); the slab between the caps clips it. An open cylinder is the same solid with caps that are not
+//! ([`sphere_span`]); the slab between the caps clips it. An open cylinder is the same solid with caps that are not
 //! visible, as in POV-Ray's inside test. A negative radius works like its absolute value.
 //!
 //! Error bound: as for a sphere; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹
@@ -10,7 +10,7 @@
 use super::axial::{APEX, Axis, BASE, SIDE};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
@@ -98,7 +98,7 @@ impl Cylinder {
             }
             (f64::NEG_INFINITY, f64::INFINITY)
         } else {
-            ball_chord(p, dir, self.radius)?
+            sphere_span(p, dir, self.radius)?
         };
         slab.clip(enter, leave, self.is_open)
     }
@@ -268,14 +268,14 @@ mod tests {
         let mut known = [0; 3];
         for number in 0..30_000 {
             let base = rng.vector(1.0);
-            let radius = 0.02 + rng.share();
+            let radius = 0.02 + rng.uniform();
             let Some(cylinder) = Cylinder::new(base, base + rng.vector(1.0), radius) else {
                 continue;
             };
             let away = 2.0_f64.powi(number % 20 - 2);
             let origin = away * rng.vector(1.0);
             let aim = base + rng.vector(0.5);
-            let ray = Ray::new(origin, (0.1 + rng.share()) * (aim - origin));
+            let ray = Ray::new(origin, (0.1 + rng.uniform()) * (aim - origin));
             for root in cylinder.span(&ray).into_iter().flatten() {
                 let result = cylinder.root_at(&ray, root.t);
                 assert!(

@@ -10,7 +10,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::roots::interval_roots::first_below_zero;
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, push_span, read, span};
@@ -177,7 +177,7 @@ impl Ovus {
     /// Interval of a ray inside the egg; `about` is the ray relative to the centre of a bounding sphere of radius
     /// `size`.
     fn chord(&self, about: &Ray, centre: DVec3, size: f64) -> Option<(f64, f64)> {
-        let (from, to) = ball_chord(about.origin, about.dir, CLIP * size)?;
+        let (from, to) = sphere_span(about.origin, about.dir, CLIP * size)?;
         // Relative to the middle of that chord, so that its length loses no digits to a far origin.
         let middle = 0.5 * (from + to);
         let near = Ray::new(about.at(middle) + centre, about.dir);

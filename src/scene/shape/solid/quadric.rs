@@ -447,7 +447,7 @@ mod tests {
             for _ in 0..10_000 {
                 let ray = rng.ray_near(&bounds);
                 // The same line from farther on.
-                let later = Ray::new(ray.at(3.0 * rng.share()), ray.dir);
+                let later = Ray::new(ray.at(3.0 * rng.uniform()), ray.dir);
                 for ray in [ray, later] {
                     assert_eq!(all(&plane, &ray), (start, vec![]), "{text} {ray:?}");
                 }

@@ -282,7 +282,7 @@ mod tests {
         let bounds = Bounds::new(DVec3::NEG_ONE, DVec3::ONE);
         let (mut known, mut hits, mut open) = (0, 0, 0);
         for round in 0..20_000 {
-            let sign = |rng: &mut Random| (3.0 * rng.share()).floor() - 1.0;
+            let sign = |rng: &mut Random| (3.0 * rng.uniform()).floor() - 1.0;
             let squares = DVec3::new(1.0, sign(&mut rng), sign(&mut rng));
             let [mixed, linear, scale] = match round % 3 {
                 0 => [DVec3::ZERO, DVec3::ZERO, DVec3::ONE],
@@ -300,7 +300,7 @@ mod tests {
             let quadric = &quadric;
             let within = match round % 2 {
                 0 => (0.0, f64::INFINITY),
-                _ => (rng.share(), 1.0 + rng.share()),
+                _ => (rng.uniform(), 1.0 + rng.uniform()),
             };
             let kernel = SpanKernel {
                 quadric,

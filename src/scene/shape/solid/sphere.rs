@@ -1,6 +1,6 @@
 //! `sphere { <centre>, radius }`.
 //!
-//! The quadratic is solved about the point of closest approach ([`ball_chord`]): a sphere of radius 1 keeps its outline
+//! The quadratic is solved about the point of closest approach ([`sphere_span`]): a sphere of radius 1 keeps its outline
 //! from 10⁸ away, and a floor of radius 10¹² is as flat as double precision allows. A negative radius acts like its
 //! absolute value, as in POV-Ray.
 //!
@@ -9,7 +9,7 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
-use crate::base::math::roots::ray_sphere::{MARGIN, ball_chord};
+use crate::base::math::roots::ray_sphere::{MARGIN, sphere_span};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::scene::shape::packet::{
@@ -50,7 +50,7 @@ impl Sphere {
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let p = ray.origin - self.centre;
         if is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) {
-            ball_chord(p, ray.dir, self.radius)
+            sphere_span(p, ray.dir, self.radius)
         } else {
             self.far_chord(p, ray.dir)
         }
@@ -59,7 +59,7 @@ impl Sphere {
     #[cold]
     fn far_chord(&self, p: DVec3, dir: DVec3) -> Option<(f64, f64)> {
         let rescaled = RescaledRay::new(&Ray::new(p, dir), self.radius)?;
-        let (enter, leave) = ball_chord(
+        let (enter, leave) = sphere_span(
             rescaled.ray.origin,
             rescaled.ray.dir,
             self.radius / rescaled.size,

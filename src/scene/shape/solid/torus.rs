@@ -26,7 +26,7 @@ use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortabl
 use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::polynomial::is_quartic_positive;
 use crate::base::math::roots::quartic::quartic_sign_changes;
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read, uniform_scale};
@@ -151,7 +151,7 @@ impl Torus {
     fn comfortable_crossings(&self, ray: &Ray) -> Crossings {
         let mut roots = Crossings::new();
         if self.major < SPHERE_RATIO * self.minor {
-            if let Some((enter, leave)) = ball_chord(ray.origin, ray.dir, self.minor) {
+            if let Some((enter, leave)) = sphere_span(ray.origin, ray.dir, self.minor) {
                 roots.push(root(enter, Crossing::Enter, TUBE));
                 roots.push(root(leave, Crossing::Leave, TUBE));
             }
@@ -186,7 +186,7 @@ impl Torus {
         let (p, dir) = (flat(ray.origin), flat(ray.dir));
         let rim = self.major + height;
         if dir.dot(dir) > 0.0 {
-            let (enter, leave) = ball_chord(p, dir, rim)?;
+            let (enter, leave) = sphere_span(p, dir, rim)?;
             (from, to) = (from.max(enter), to.min(leave));
         } else if p.dot(p) > rim * rim {
             return None;
@@ -204,7 +204,7 @@ impl Torus {
         if dir.dot(dir) == 0.0 {
             return (p.dot(p) < radius * radius).then_some((from, to));
         }
-        let (enter, leave) = ball_chord(p, dir, radius)?;
+        let (enter, leave) = sphere_span(p, dir, radius)?;
         Some((enter.min(to), leave.max(from)))
     }
 

@@ -12,7 +12,7 @@ use super::spline;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between};
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::{APEX, BASE, SIDE, Slab};
@@ -136,7 +136,7 @@ impl Profile {
         if dir == DVec3::ZERO {
             return (origin.dot(origin) < rim * rim).then_some((f64::NEG_INFINITY, f64::INFINITY));
         }
-        ball_chord(origin, dir, rim)
+        sphere_span(origin, dir, rim)
     }
 
     /// Appends the roots of all rings in the order in which the line passes them.

@@ -6,7 +6,7 @@
 //! size, and the number of roots must be one that such a change can cause.
 
 use crate::base::math::Ray;
-use crate::base::math::exact::{Exact, shift, whole};
+use crate::base::math::exact::{Exact, shift, to_integer};
 use crate::base::math::sampling::random::Random;
 use crate::scene::shape::{Geometry, Root, Sphere, Torus};
 use dashu_int::IBig;
@@ -24,9 +24,13 @@ fn parts_of(ray: &Ray, lengths: &[f64]) -> (Vec<IBig>, Vec<IBig>, Vec<IBig>, i32
     let mut all = ray.origin.to_array().to_vec();
     all.extend(lengths);
     let (length, dir) = (shift(&all), shift(&ray.dir.to_array()));
-    let lengths = lengths.iter().map(|x| whole(*x, length)).collect();
-    let origin = ray.origin.to_array().map(|x| whole(x, length)).to_vec();
-    let direction = ray.dir.to_array().map(|x| whole(x, dir)).to_vec();
+    let lengths = lengths.iter().map(|x| to_integer(*x, length)).collect();
+    let origin = ray
+        .origin
+        .to_array()
+        .map(|x| to_integer(x, length))
+        .to_vec();
+    let direction = ray.dir.to_array().map(|x| to_integer(x, dir)).to_vec();
     (origin, direction, lengths, length - dir)
 }
 
@@ -96,7 +100,7 @@ fn through(rng: &mut Random, point: DVec3, distance: f64) -> Ray {
 }
 
 fn on_torus(rng: &mut Random, major: f64, minor: f64) -> (DVec3, DVec3) {
-    let (around, tube) = (TAU * rng.share(), TAU * rng.share());
+    let (around, tube) = (TAU * rng.uniform(), TAU * rng.uniform());
     let outward = DVec3::new(around.cos(), 0.0, around.sin());
     let normal = outward * tube.cos() + DVec3::Y * tube.sin();
     (outward * major + normal * minor, normal)
@@ -126,7 +130,7 @@ fn try_torus(major: f64, minor: f64, mut ray: impl FnMut(&mut Random) -> Ray) {
 fn try_near(major: f64, minor: f64, distance: f64) {
     try_torus(major, minor, |rng| {
         let (point, normal) = on_torus(rng, major, minor);
-        let point = point + normal * minor * (rng.share() - 0.8);
+        let point = point + normal * minor * (rng.uniform() - 0.8);
         through(rng, point, distance)
     });
 }
@@ -168,7 +172,7 @@ fn rays_in_the_plane_of_the_ring_lose_no_root() {
     for minor in [0.3, 1e-2, 1e-4] {
         try_torus(1.0, minor, |rng| {
             let aim = rng.vector(1.0 + minor) * DVec3::new(1.0, 0.0, 1.0);
-            let turn = TAU * rng.share();
+            let turn = TAU * rng.uniform();
             let dir = DVec3::new(turn.cos(), 0.0, turn.sin());
             Ray::new(aim - 5.0 * dir, dir)
         });
@@ -192,7 +196,7 @@ fn grazing_rays_lose_no_root_deeper_than_rounding() {
     for minor in [0.3, 1e-2, 1e-4] {
         try_torus(1.0, minor, |rng| {
             let (point, normal) = on_torus(rng, 1.0, minor);
-            let depth = 10.0_f64.powf(-15.0 + 12.0 * rng.share());
+            let depth = 10.0_f64.powf(-15.0 + 12.0 * rng.uniform());
             let tangent = normal.cross(rng.vector(1.0)).normalize();
             Ray::new(point - normal * (minor * depth) - 4.0 * tangent, tangent)
         });
@@ -203,7 +207,7 @@ fn grazing_rays_lose_no_root_deeper_than_rounding() {
 fn rays_from_the_surface_lose_no_root() {
     try_torus(1.0, 0.3, |rng| {
         let (point, normal) = on_torus(rng, 1.0, 0.3);
-        let lift = 10.0_f64.powf(-6.0 * rng.share());
+        let lift = 10.0_f64.powf(-6.0 * rng.uniform());
         let dir = normal.cross(rng.vector(1.0)).normalize() + lift * normal;
         Ray::new(point, dir.normalize())
     });
@@ -218,7 +222,7 @@ fn tangents_of_the_top_circle_leave_pairs_or_nothing() {
     };
     let mut rng = Random::new(22);
     for _ in 0..RAYS {
-        let turn = TAU * rng.share();
+        let turn = TAU * rng.uniform();
         let dir = DVec3::new(turn.cos(), 0.0, turn.sin());
         let origin = rng.vector(0.9) * DVec3::new(1.0, 0.0, 1.0) + DVec3::Y * 0.25 - 4.0 * dir;
         let mut roots = Vec::new();
@@ -256,7 +260,7 @@ fn spheres_from_near_and_far_lose_no_root() {
     }
     // A floor: the eye just above a sphere of radius ten million.
     try_sphere(1e7, |rng| {
-        let down = DVec3::new(rng.share() - 0.5, -0.2 * rng.share(), 1.0);
+        let down = DVec3::new(rng.uniform() - 0.5, -0.2 * rng.uniform(), 1.0);
         Ray::new(DVec3::new(0.0, 1e7 + 1.6, 0.0), down.normalize())
     });
 }
@@ -266,7 +270,7 @@ fn rays_that_graze_a_sphere_lose_no_root_deeper_than_rounding() {
     try_sphere(1.0, |rng| {
         let normal = rng.vector(1.0).normalize();
         let tangent = normal.cross(rng.vector(1.0)).normalize();
-        let depth = 10.0_f64.powf(-15.0 + 12.0 * rng.share());
+        let depth = 10.0_f64.powf(-15.0 + 12.0 * rng.uniform());
         Ray::new(normal * (1.0 - depth) - tangent * 4.0, tangent)
     });
 }

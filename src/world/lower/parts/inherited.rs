@@ -81,7 +81,7 @@ impl Inherited {
         ) {
             (None, None) => true,
             (Some(one), Some(other)) => {
-                Arc::ptr_eq(&one.texture, &other.texture) && !one.texture.depends_on_place()
+                Arc::ptr_eq(&one.texture, &other.texture) && !one.texture.depends_on_position()
             }
             _ => false,
         };

@@ -59,7 +59,7 @@ impl PlainShapes {
 
     /// The object at an index, if it is a sphere.
     pub(crate) fn sphere(&self, at: usize) -> Option<Sphere> {
-        self.entry(at).ball()
+        self.entry(at).sphere()
     }
 
     /// Prefetches the object at an index.
@@ -69,7 +69,7 @@ impl PlainShapes {
     }
 
     pub(crate) fn has_only_spheres(&self) -> bool {
-        let is_sphere = |entry: &Entry| entry.ball().is_some();
+        let is_sphere = |entry: &Entry| entry.sphere().is_some();
         let pieces = self.pieces.par_iter();
         pieces.all(|piece| piece.iter().all(is_sphere))
     }
@@ -89,7 +89,7 @@ impl SurfaceTemplate {
         at: usize,
         interior: InteriorId,
     ) -> Surface {
-        let attributes = shapes.entry(at).looks();
+        let attributes = shapes.entry(at).color_and_finish();
         let (color, finish) = attributes.expect("it was found to be of one colour");
         self.surface(color, finish, interior)
     }

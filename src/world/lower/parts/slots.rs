@@ -91,7 +91,7 @@ impl SlotTable {
         // Inherited visibility switches may take effect for it alone.
         let is_in_sum = matches!(above.role, CsgRole::Union | CsgRole::Merge);
         let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
-        if object.says_no_looks() && !is_hidden_there {
+        if object.has_no_attributes() && !is_hidden_there {
             return above.slot;
         }
         self.push(MaterialSlot::Object {
@@ -162,7 +162,7 @@ impl MaterialSlot {
     pub(crate) fn is_reusable(&self) -> bool {
         let is_fixed = |texture: &Texture| {
             let mut layers = texture.layers().iter();
-            !texture.depends_on_place()
+            !texture.depends_on_position()
                 && layers.all(|layer| {
                     let finish = &layer.finish;
                     finish.ior.is_none() && finish.refraction.is_none() && finish.caustics.is_none()

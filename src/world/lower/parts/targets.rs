@@ -38,7 +38,7 @@ impl Targets {
             transformed.steps.extend_from_slice(&above.steps);
             role.target = u32::try_from(self.0.len()).ok();
             self.0.push(PhotonTarget {
-                bounds: transformed.stored_box(),
+                bounds: transformed.extent_box(),
                 density: f64::from(single(density)),
                 role,
             });

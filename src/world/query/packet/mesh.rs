@@ -432,7 +432,7 @@ impl MeshQuery<'_> {
                     .mesh
                     .intersect_triangle_packet(lanes, packet, rays.face);
                 scalar &= hits.unknown;
-                each_bit(hits.met & some, |lane| {
+                each_bit(hits.hit_mask & some, |lane| {
                     let (ray, t) = (start + lane, hits.t[lane % 4]);
                     if stream.t_min(ray) < t && t <= stream.t_max(ray) {
                         take(stream, ray, t, speed[lane % 4]);

@@ -53,7 +53,7 @@ fn product(roots: &[f64]) -> Vec<f64> {
 }
 
 fn signed(rng: &mut Random) -> f64 {
-    2.0 * rng.share() - 1.0
+    2.0 * rng.uniform() - 1.0
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn close_double_and_triple_roots_come_as_rounding_allows() {
         for _ in 0..8 {
             let a = 0.9 * signed(&mut rng);
             let b = 2.0 * signed(&mut rng);
-            let c = 3.0 + rng.share();
+            let c = 3.0 + rng.uniform();
             check(&product(&[a, a + gap, b, c]));
             check(&product(&[a, a + gap, b, c, -c]));
             check(&product(&[a, a + gap, a + 3.0 * gap, b, c, -c]));

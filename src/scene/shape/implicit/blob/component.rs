@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, unit};
-use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step, Transform};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{FaceTexture, TextureWeight, read};
@@ -291,10 +291,10 @@ fn unit_chord(about: &Ray, start: f64, end: f64) -> Option<(f64, f64)> {
         return (origin_sq < 1.0).then_some((start, end));
     }
     if is_comfortable(1.0, dir_sq, origin_sq) {
-        return ball_chord(about.origin, about.dir, 1.0);
+        return sphere_span(about.origin, about.dir, 1.0);
     }
     let rescaled = RescaledRay::new(about, 1.0)?;
-    let (enter, leave) = ball_chord(rescaled.ray.origin, rescaled.ray.dir, 1.0 / rescaled.size)?;
+    let (enter, leave) = sphere_span(rescaled.ray.origin, rescaled.ray.dir, 1.0 / rescaled.size)?;
     Some((rescaled.t(enter), rescaled.t(leave)))
 }
 

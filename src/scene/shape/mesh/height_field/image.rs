@@ -6,7 +6,7 @@
 //! * palette: the index times 256;
 //! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value.
 
-use crate::base::args::{Sampled, Word};
+use crate::base::args::{SampledFunction, Word};
 use crate::base::bitmap::{self, BmpContent, Format};
 use crate::base::color::Color;
 use image::DynamicImage;
@@ -80,7 +80,7 @@ pub(super) struct Heights {
 impl Heights {
     /// The heights of an image computed from a function: its grey values in 16 bits. The grey of colours is truncated,
     /// so that white with n steps is n or n - 1 steps high; plain numbers are rounded.
-    pub(super) fn from_function(sampled: &Sampled) -> Self {
+    pub(super) fn from_function(sampled: &SampledFunction) -> Self {
         let grey_weights = [0.297, 0.589, 0.114];
         let height = |color: &Color| {
             let channels = [color.rgb.r, color.rgb.g, color.rgb.b].map(f64::from);
@@ -319,7 +319,7 @@ fn tga(bytes: &[u8]) -> Result<Heights, Fault> {
 }
 
 fn other(format: Format, bytes: &[u8]) -> Result<Heights, Fault> {
-    Ok(decoded(bitmap::picture(bytes, format)?))
+    Ok(decoded(bitmap::decode_samples(bytes, format)?))
 }
 
 fn decoded(image: DynamicImage) -> Heights {

@@ -10,7 +10,7 @@ use crate::base::math::Ray;
 use crate::base::math::powers::POWER_ERROR;
 use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{
-    Interval, IntervalFunction, exact_change, sign_changes,
+    Interval, IntervalFunction, monotone_root, sign_changes,
 };
 use crate::base::math::simd::vec3::{abs, add, dot, scale};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
@@ -154,7 +154,7 @@ impl<'s> Rough<'s> {
             }
             t = if is_between { next } else { 0.5 * (low + high) };
         }
-        exact_change(along, ends, is_rising)
+        monotone_root(along, ends, is_rising)
     }
 }
 

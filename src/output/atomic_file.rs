@@ -29,18 +29,18 @@ pub(super) fn replace_by<E: From<io::Error>>(
             return buffered(&mut File::options().write(true).open(path)?);
         }
     }
-    let mut file = Pending::new(path)?;
+    let mut file = PendingFile::new(path)?;
     buffered(&mut file)?;
-    file.take_name()?;
+    file.persist()?;
     Ok(())
 }
 
 /// Replaces a file that a scene names. Devices and pipes are an error.
 pub(crate) fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
     only_regular(path)?;
-    let mut file = Pending::new(path)?;
+    let mut file = PendingFile::new(path)?;
     file.write_all(bytes)?;
-    file.take_name().map(drop)
+    file.persist().map(drop)
 }
 
 /// Checks that a file can be created or replaced.
@@ -74,14 +74,14 @@ fn check_writable(path: &Path) -> io::Result<()> {
     fs::metadata(path).map(drop)
 }
 
-/// A temporary file that replaces its destination in [`Pending::take_name`]. Dropping it deletes the temporary file.
+/// A temporary file that replaces its destination in [`PendingFile::persist`]. Dropping it deletes the temporary file.
 #[derive(Debug)]
-pub(crate) struct Pending {
+pub(crate) struct PendingFile {
     file: tempfile::NamedTempFile,
     destination: PathBuf,
 }
 
-impl Pending {
+impl PendingFile {
     /// Creates an empty temporary file that will replace the file at `path`, or the target of a link there, with the
     /// same mode.
     pub(crate) fn new(path: &Path) -> io::Result<Self> {
@@ -96,18 +96,18 @@ impl Pending {
         if let Ok(metadata) = fs::metadata(&destination) {
             file.as_file().set_permissions(metadata.permissions())?;
         }
-        Ok(Pending { file, destination })
+        Ok(PendingFile { file, destination })
     }
 
     /// Renames the temporary file to its destination and returns it for further writing.
-    pub(crate) fn take_name(self) -> io::Result<File> {
+    pub(crate) fn persist(self) -> io::Result<File> {
         self.file
             .persist(&self.destination)
             .map_err(|persist_error| persist_error.error)
     }
 }
 
-impl Write for Pending {
+impl Write for PendingFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.file.write(bytes)
     }

@@ -26,7 +26,7 @@ pub(crate) struct TriangleHits4 {
     /// The `t` of each hit.
     pub(crate) t: [f64; 4],
     /// Bitmask of the rays that hit the triangle.
-    pub(crate) met: u32,
+    pub(crate) hit_mask: u32,
     /// Bitmask of the rays that need the scalar test [`RayFrame::hit`].
     pub(crate) unknown: u32,
 }
@@ -107,7 +107,7 @@ impl SimdKernel for RaysAndTriangle<'_> {
         if inside == 0 {
             return TriangleHits4 {
                 t: [0.0; 4],
-                met: 0,
+                hit_mask: 0,
                 unknown: 0,
             };
         }
@@ -128,7 +128,7 @@ impl SimdKernel for RaysAndTriangle<'_> {
         let is_finite = F::bitmask(t.abs().lt(infinity));
         TriangleHits4 {
             t: t.to_array(),
-            met: inside & is_known & is_finite,
+            hit_mask: inside & is_known & is_finite,
             unknown: inside & !is_known,
         }
     }
@@ -174,7 +174,7 @@ mod tests {
                 unknown += hits.unknown.count_ones();
                 for lane in (0..4).filter(|lane| hits.unknown >> lane & 1 == 0) {
                     let scalar = frames[lane].hit(&corners).map(|hit| hit.t);
-                    let is_hit = hits.met >> lane & 1 == 1;
+                    let is_hit = hits.hit_mask >> lane & 1 == 1;
                     assert_eq!(is_hit.then_some(hits.t[lane]), scalar);
                     hit_count += u32::from(is_hit);
                 }
