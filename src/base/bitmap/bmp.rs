@@ -5,8 +5,8 @@
 //! skipped by run-length data get the last palette entry, and so do all pixels of 1-bit images. Bit fields and 16-bit
 //! pixels, which POV-Ray rejects, are decoded by the `image` crate.
 
-use super::decode::{Fault, Handling, bitmap_from_image, decode_by_crate};
 use super::format::Format;
+use super::handling::{Fault, Handling, bitmap_from_image, decode_by_crate};
 use super::png::palette_color;
 use super::{Bitmap, Samples};
 use image::{DynamicImage, RgbImage, RgbaImage};

@@ -1,49 +1,9 @@
 //! Decoding image files into [`Bitmap`]s.
 
 use super::format::Format;
-use super::{Bitmap, Pixels, Samples, Transfer, bmp, gif, jpeg, png};
-use crate::base::color::Gamma;
-use image::{DynamicImage, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
-
-/// Pixel limit of an image: above any real scene's images, and low enough to fit in memory.
-pub(super) const MAX_PIXELS: u64 = 1 << 28;
-/// Memory limit for the `image` crate. The scene's own memory limit has been checked before decoding starts.
-const MAX_BYTES: u64 = 1 << 34;
-
-/// The scene's settings for decoding a file.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Handling {
-    /// The file gamma, if the scene specifies one.
-    pub(super) gamma: Option<Gamma>,
-    /// The working gamma; `None` without gamma handling.
-    pub(super) working: Option<Gamma>,
-    /// True if files without gamma information are sRGB, as from version 3.7 on.
-    pub(super) assumes_srgb: bool,
-    /// True if colours are premultiplied with alpha.
-    pub(super) is_premultiplied: bool,
-}
-
-impl Handling {
-    /// The transfer from stored values to the working space. `declared` is the gamma that the file declares; the
-    /// scene's setting overrides it.
-    pub(super) fn transfer(&self, format: Format, declared: Option<Gamma>) -> Transfer {
-        let default = if format.is_linear() {
-            Some(Gamma::LINEAR)
-        } else if format.is_srgb() && self.assumes_srgb {
-            Some(Gamma::Srgb)
-        } else {
-            None
-        };
-        Transfer {
-            file: self.gamma.or(declared).or(default),
-            working: self.working,
-        }
-    }
-}
-
-/// The reason why a file cannot be decoded.
-pub(super) type Fault = String;
+use super::handling::{Fault, Handling, bitmap_from_image, decode_by_crate};
+use super::{Bitmap, bmp, gif, jpeg, png};
+use image::DynamicImage;
 
 /// Decodes a file of the given format.
 pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
@@ -65,79 +25,4 @@ pub(crate) fn decode_samples(bytes: &[u8], format: Format) -> Result<DynamicImag
         Format::Jpeg => jpeg::decode(bytes),
         _ => decode_by_crate(bytes, format),
     }
-}
-
-/// Rejects empty images and images above [`MAX_PIXELS`].
-pub(super) fn check_size(width: u64, height: u64) -> Result<(), Fault> {
-    match width.checked_mul(height) {
-        Some(0) => Err("it has no pixels".to_owned()),
-        Some(pixels) if pixels <= MAX_PIXELS => Ok(()),
-        _ => Err(format!("it has more than {MAX_PIXELS} pixels")),
-    }
-}
-
-/// The `image` crate's name for a format.
-pub(super) fn image_format(format: Format) -> ImageFormat {
-    match format {
-        Format::Bmp => ImageFormat::Bmp,
-        Format::Exr => ImageFormat::OpenExr,
-        Format::Gif => ImageFormat::Gif,
-        Format::Hdr => ImageFormat::Hdr,
-        Format::Jpeg => ImageFormat::Jpeg,
-        Format::Pgm | Format::Ppm => ImageFormat::Pnm,
-        Format::Png => ImageFormat::Png,
-        Format::Tga => ImageFormat::Tga,
-        Format::Tiff => ImageFormat::Tiff,
-    }
-}
-
-pub(super) fn decode_by_crate(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), image_format(format));
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(MAX_BYTES);
-    reader.limits(limits);
-    reader.decode().map_err(|error| error.to_string())
-}
-
-/// Builds a bitmap from a decoded image. Float samples are converted to the working space here, integer samples on
-/// lookup.
-pub(super) fn bitmap_from_image(
-    image: DynamicImage,
-    transfer: Transfer,
-    handling: &Handling,
-) -> Result<Bitmap, Fault> {
-    check_size(u64::from(image.width()), u64::from(image.height()))?;
-    let (width, height) = (image.width() as usize, image.height() as usize);
-    let has_alpha = image.color().has_alpha();
-    let channels = usize::from(image.color().channel_count());
-    let bytes = |samples| Samples::Bytes(Pixels { samples, channels }, transfer.table());
-    let words = |samples| Samples::Words(Pixels { samples, channels }, transfer);
-    let samples = match image {
-        DynamicImage::ImageLuma8(it) => bytes(it.into_raw()),
-        DynamicImage::ImageLumaA8(it) => bytes(it.into_raw()),
-        DynamicImage::ImageRgb8(it) => bytes(it.into_raw()),
-        DynamicImage::ImageRgba8(it) => bytes(it.into_raw()),
-        DynamicImage::ImageLuma16(it) => words(it.into_raw()),
-        DynamicImage::ImageLumaA16(it) => words(it.into_raw()),
-        DynamicImage::ImageRgb16(it) => words(it.into_raw()),
-        DynamicImage::ImageRgba16(it) => words(it.into_raw()),
-        other => {
-            let mut samples = match other {
-                DynamicImage::ImageRgb32F(it) => it.into_raw(),
-                other => other.into_rgba32f().into_raw(),
-            };
-            for pixel in samples.chunks_exact_mut(channels) {
-                let colors = pixel.iter_mut().take(3);
-                colors.for_each(|value| *value = transfer.apply(*value));
-            }
-            Samples::Floats(Pixels { samples, channels })
-        }
-    };
-    Ok(Bitmap {
-        width,
-        height,
-        samples,
-        has_alpha,
-        is_premultiplied: handling.is_premultiplied,
-    })
 }

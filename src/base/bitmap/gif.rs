@@ -1,7 +1,7 @@
 //! GIF decoding: the first frame and its palette. Interlaced rows stay in file order, as in POV-Ray.
 
-use super::decode::{Fault, Handling};
 use super::format::Format;
+use super::handling::{Fault, Handling};
 use super::png::palette_color;
 use super::{Bitmap, Samples};
 use crate::base::color::Color;

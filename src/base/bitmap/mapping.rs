@@ -1,6 +1,6 @@
 //! Image mapping (`map_type`, `interpolate`, `once`): from points in space to pixels of a bitmap.
 
-use super::{Bitmap, Purpose};
+use super::Bitmap;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::source::Diagnostic;
@@ -353,6 +353,19 @@ impl Sum {
     fn color(&self) -> Color {
         Color::from_components(self.0)
     }
+}
+
+/// The use of an image, which decides its gamma handling and parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Colours: stored values are decoded, and `filter` and `transmit` are accepted.
+    Colors,
+    /// Values as stored, without gamma decoding.
+    Values,
+    /// Values for a `bump_map`: also accepts `bump_size`.
+    Bumps,
+    /// Values for a `material_map`: reading stops at the first `texture` of the block and leaves the block open.
+    Textures,
 }
 
 #[cfg(test)]

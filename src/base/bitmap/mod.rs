@@ -7,6 +7,7 @@ mod bmp;
 mod decode;
 mod format;
 mod gif;
+mod handling;
 mod jpeg;
 mod mapping;
 mod png;
@@ -16,8 +17,9 @@ mod size;
 pub(crate) use bmp::{Content as BmpContent, content as bmp_content};
 pub(crate) use decode::decode_samples;
 pub(crate) use format::Format;
+pub use mapping::Purpose;
 pub use mapping::{Interpolation, MapType, Mapping};
-pub use read::{AddedTransparency, Alpha, MappedBitmap, Purpose, read};
+pub use read::{AddedTransparency, Alpha, MappedBitmap, read};
 pub(crate) use size::bytes_to_decode;
 
 use crate::base::color::{Color, Gamma, Rgb};

@@ -1,8 +1,9 @@
 //! PNG decoding. Palette images keep their indices, gamma chunks (`gAMA`, `sRGB`) are applied, and 8-bit grey is
 //! rounded as POV-Ray rounds it.
 
-use super::decode::{self, Fault, Handling, bitmap_from_image};
 use super::format::Format;
+use super::handling;
+use super::handling::{Fault, Handling, bitmap_from_image};
 use super::{Bitmap, Samples, Transfer};
 use crate::base::color::{Color, Gamma, Rgb};
 use image::DynamicImage;
@@ -41,7 +42,7 @@ const IDENTITY: Transfer = Transfer {
 };
 
 fn decode_by_crate(bytes: &[u8]) -> Result<DynamicImage, Fault> {
-    decode::decode_by_crate(bytes, Format::Png)
+    handling::decode_by_crate(bytes, Format::Png)
 }
 
 /// Width and height of the image, and the bytes that decoding needs.

@@ -1,27 +1,16 @@
 //! Parser of `{ [format] "file" [gamma g] [premultiplied] ... }`, the block of `image_map` and its relatives.
 
-use super::decode::{Handling, decode};
+use super::decode::decode;
 use super::format::Format;
+use super::handling::Handling;
+use super::mapping::{NO_INDEX, Purpose};
 use super::size::bytes_to_decode;
-use super::{Bitmap, Mapping, Samples, mapping::NO_INDEX};
+use super::{Bitmap, Mapping, Samples};
 use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::{Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
-
-/// The use of an image, which decides its gamma handling and parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// Colours: stored values are decoded, and `filter` and `transmit` are accepted.
-    Colors,
-    /// Values as stored, without gamma decoding.
-    Values,
-    /// Values for a `bump_map`: also accepts `bump_size`.
-    Bumps,
-    /// Values for a `material_map`: reading stops at the first `texture` of the block and leaves the block open.
-    Textures,
-}
 
 /// The channel that `image_pattern` takes for its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The memory that an image needs, estimated from its file header before anything is allocated.
 
-use super::decode::{Fault, check_size, image_format};
 use super::format::Format;
+use super::handling::{Fault, check_size, image_format};
 use super::{bmp, gif, jpeg, png};
 use image::{ImageDecoder, ImageReader};
 use std::io::Cursor;

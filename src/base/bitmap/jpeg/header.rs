@@ -1,6 +1,6 @@
 //! Marker segments: frame and scan headers, and the dispatch to tables.
 
-use super::super::decode::Fault;
+use super::super::handling::Fault;
 use super::bits::{ByteReader, UnexpectedEnd};
 use super::tables::Tables;
 

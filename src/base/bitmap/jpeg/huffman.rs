@@ -1,6 +1,6 @@
 //! Decoding of Huffman codes.
 
-use super::super::decode::Fault;
+use super::super::handling::Fault;
 use super::bits::BitReader;
 use super::tables::HuffmanTable;
 

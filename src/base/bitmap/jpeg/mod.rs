@@ -20,7 +20,7 @@ mod tables;
 mod transform;
 mod upsample;
 
-use super::decode::Fault;
+use super::handling::Fault;
 use header::{ColorModel, Reader, Segment};
 use image::{DynamicImage, GrayImage, RgbImage};
 use scan::Decoder;

@@ -3,7 +3,7 @@
 //! A sequential scan holds all coefficients of a block, and each block is transformed as it is decoded. Progressive
 //! scans deliver coefficients in bands and bit planes, so they are stored until all scans are read.
 
-use super::super::decode::Fault;
+use super::super::handling::Fault;
 use super::bits::{BitReader, ByteReader};
 use super::block::{self, Block};
 use super::header::{Component, Frame, Scan, ScanComponent};

@@ -1,6 +1,6 @@
 //! Quantisation tables and Huffman tables.
 
-use super::super::decode::Fault;
+use super::super::handling::Fault;
 use super::bits::{ByteReader, UnexpectedEnd};
 
 /// Zigzag order: the row-major index of each stored coefficient. A damaged file may run up to 15 entries past the end.

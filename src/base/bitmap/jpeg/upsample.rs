@@ -4,7 +4,7 @@
 //! quarters of the sample that covers it plus one quarter of the nearest neighbour. Rounding alternates between up and
 //! down to avoid a bias. Other ratios, and components one or two samples wide, replicate samples.
 
-use super::super::decode::Fault;
+use super::super::handling::Fault;
 use super::header::{Component, Frame};
 use super::scan::Plane;
 
