@@ -113,7 +113,7 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
     };
     let Compared {
         limits,
-        comparison: found,
+        comparison,
         explanation,
         ..
     } = compared;
@@ -124,12 +124,12 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
         Verdict::ChannelOff => Some("a channel is off by too much"),
     };
     if let Some(broken) = broken {
-        return Err(format!("{broken} for `{limits}`\n{found}{}", save()).into());
+        return Err(format!("{broken} for `{limits}`\n{comparison}{}", save()).into());
     }
     // An old sheet would show a failure that is fixed.
     let _ = fs::remove_file(&sheet);
-    let is_idle = case.limits.is_some() && Limits::DEFAULT.verdict(&found) == Verdict::Within;
-    Ok(is_idle.then(|| format!("no longer needs its limits `{limits}`; {found}")))
+    let is_idle = case.limits.is_some() && Limits::DEFAULT.verdict(&comparison) == Verdict::Within;
+    Ok(is_idle.then(|| format!("no longer needs its limits `{limits}`; {comparison}")))
 }
 
 /// The two renderers, or the reason why there is none to compare with.

@@ -9,14 +9,14 @@ pub mod function;
 mod globals;
 pub mod interior;
 pub mod light;
-mod moved;
 mod object;
 mod objects;
 pub mod pattern;
 mod scaled;
-mod seen_in;
 pub mod shape;
 pub mod texture;
+mod translation;
+mod visibility_box;
 
 pub use extent::ExtentBox;
 pub use globals::{Charset, PhotonDensity, Photons, RadiositySettings, Subsurface};

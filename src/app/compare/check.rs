@@ -152,12 +152,12 @@ impl Bench {
         expected: &DynamicImage,
         actual: &DynamicImage,
     ) -> Result<Result<Compared, Mismatch>, CheckError> {
-        let found = match compare(expected, actual) {
-            Ok(found) => found,
+        let comparison = match compare(expected, actual) {
+            Ok(comparison) => comparison,
             Err(mismatch) => return Ok(Err(mismatch)),
         };
         let limits = case.limits.unwrap_or(Limits::DEFAULT);
-        let verdict = limits.verdict(&found);
+        let verdict = limits.verdict(&comparison);
         let grade = match &self.thresholds {
             Some(thresholds) => match thresholds.grade(expected, actual) {
                 Ok(grade) => grade,
@@ -168,12 +168,12 @@ impl Bench {
         };
         let mut compared = Compared {
             grade,
-            flip: if found.is_equal() {
+            flip: if comparison.is_equal() {
                 0.0
             } else {
                 super::flip(expected, actual)
             },
-            comparison: found,
+            comparison,
             limits,
             verdict,
             explanation: None,
@@ -194,11 +194,11 @@ impl Bench {
         expected: &DynamicImage,
         actual: &DynamicImage,
     ) -> Result<Option<Explanation>, CheckError> {
-        let found = &compared.comparison;
-        if case.limits.is_none() && found.differing_percent() <= Limits::DEFAULT.pixels {
+        let comparison = &compared.comparison;
+        if case.limits.is_none() && comparison.differing_percent() <= Limits::DEFAULT.pixels {
             let (near, _) = self.own(case, &[AS_POVRAY])?;
             let is_near = compare(expected, &near)
-                .is_ok_and(|found| Limits::DEFAULT.verdict(&found) == Verdict::Within);
+                .is_ok_and(|comparison| Limits::DEFAULT.verdict(&comparison) == Verdict::Within);
             if is_near {
                 return Ok(Some(Explanation::Distances));
             }
@@ -217,7 +217,7 @@ impl Bench {
                 .without(expected, actual)
                 .and_then(|left| compare(expected, &left).ok())
                 .is_some_and(|left| compared.limits.verdict(&left) == Verdict::Within);
-            if is_quiet && noise.covers(found.rms) {
+            if is_quiet && noise.covers(comparison.rms) {
                 return Ok(Some(Explanation::Noise(noise)));
             }
         }
@@ -235,12 +235,12 @@ pub fn pictures(
     thresholds: &Thresholds,
 ) -> Result<(DynamicImage, DynamicImage, Compared), Mismatch> {
     let (expected, actual) = alike(expected, actual)?;
-    let found = compare(&expected, &actual)?;
+    let comparison = compare(&expected, &actual)?;
     let compared = Compared {
         grade: thresholds.grade(&expected, &actual)?,
         flip: super::flip(&expected, &actual),
-        verdict: Limits::DEFAULT.verdict(&found),
-        comparison: found,
+        verdict: Limits::DEFAULT.verdict(&comparison),
+        comparison,
         limits: Limits::DEFAULT,
         explanation: None,
     };

@@ -16,7 +16,7 @@ mod span;
 #[cfg(test)]
 mod tests;
 mod text;
-mod written;
+mod written_files;
 
 pub use dependency::Dependency;
 pub use diagnostic::{Code, Diagnostic, Label, Severity};

@@ -232,9 +232,9 @@ mod tests {
     use crate::base::options::ReadOptions;
     use crate::base::source::{FileId, Sources};
     use crate::lang::evaluate;
+    use crate::lang::fast_path::common_object::literal_object;
     use crate::lang::fast_path::literal::{LiteralContext, Memory};
     use crate::lang::fast_path::part_cache::Parts;
-    use crate::lang::fast_path::plain::literal_object;
     use crate::scene::Kind;
     use crate::scene::texture::Layer;
 

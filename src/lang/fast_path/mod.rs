@@ -1,5 +1,6 @@
 //! Long literal data, repeated statements and plain objects, read without an evaluation of tokens.
 
+pub(super) mod common_object;
 pub(super) mod data_segment;
 pub(super) mod known;
 pub(super) mod literal;
@@ -7,5 +8,4 @@ mod literal_numbers;
 pub(super) mod numbers;
 pub(super) mod parallel;
 pub(super) mod part_cache;
-pub(super) mod plain;
 pub(super) mod replay;

@@ -3,10 +3,10 @@
 //! A piece counts only if the one before it ends where it begins. Where a piece holds more than literals, the text
 //! after that position is read again.
 
+use super::common_object::{Read, literal_object};
 use super::known::{Known, NotedValues};
 use super::literal::{Literal, LiteralContext, Memory};
 use super::part_cache::Parts;
-use super::plain::{Read, literal_object};
 use crate::base::args::Parse;
 use crate::base::source::FileId;
 use crate::lang::reader::Reader;

@@ -9,13 +9,13 @@ mod layers;
 mod material;
 mod normal;
 mod numbers;
-mod old;
 mod patterned;
 mod pigment;
 mod pigment_pattern;
 mod prepared;
 mod reflection;
 mod select;
+mod version_2;
 
 pub use boxed_default::BoxedDefault;
 pub use bump::PreparedNormal;

@@ -1,7 +1,7 @@
 //! Textures that are selected by a pattern: `texture_map`, lists after `checker` and similar patterns, `tiles`,
 //! `material_map`.
 
-use super::old::begins_part;
+use super::version_2::begins_part;
 use super::{Layer, Texture, read_pattern};
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::bitmap;

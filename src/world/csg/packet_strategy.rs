@@ -29,12 +29,12 @@ impl CsgProgram {
         let count = self.order.others.len();
         // Operands in the BVH need no packet code: few rays come near them.
         let mut always_tested = self.order.required.iter().chain(&self.order.others);
-        let has_four = |&number: &u32| {
+        let has_spans = |&number: &u32| {
             leaves[(self.first + number) as usize]
                 .shape
                 .has_span_packet()
         };
-        if count > MOST_OPERANDS || !always_tested.all(has_four) {
+        if count > MOST_OPERANDS || !always_tested.all(has_spans) {
             return PacketStrategy::Scalar;
         }
         match self.nodes.as_slice() {

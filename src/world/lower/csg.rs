@@ -3,7 +3,7 @@
 use super::lowering::Lowering;
 use super::parts::inherited::{CsgRole, Inherited, joined};
 use super::parts::model::PendingItem;
-use super::seen_in::{holds, seen_in};
+use super::visibility_box::{holds, seen_in};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
 use crate::scene::{Kind, Object, Operation};

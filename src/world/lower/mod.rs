@@ -10,6 +10,6 @@ pub(crate) mod lowering;
 pub(super) mod parallel;
 pub(crate) mod parts;
 pub(super) mod probe;
-pub(super) mod seen_in;
 pub(super) mod uses_random;
+pub(super) mod visibility_box;
 mod world;

@@ -1,13 +1,13 @@
 //! The catalogue: 54 items, each with its scenes or families of rays.
 
 mod csg;
+mod degenerate;
 mod extreme;
 pub(crate) mod far;
-mod found;
-mod odd;
 mod plates;
 mod shapes;
 mod torus;
+mod trace;
 
 use crate::case::{Asks, Case};
 use crate::rays;
@@ -19,10 +19,10 @@ pub(crate) fn all() -> Vec<Case> {
     far::add(&mut all);
     csg::add(&mut all);
     plates::add(&mut all);
-    odd::add(&mut all);
+    degenerate::add(&mut all);
     shapes::add(&mut all);
     extreme::add(&mut all);
-    found::add(&mut all);
+    trace::add(&mut all);
     for (item, name, family) in [
         (
             5,

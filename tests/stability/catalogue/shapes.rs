@@ -1,6 +1,6 @@
 //! Polynomials, superellipsoid, blob, lathe, and patches at their limits (items 50 to 52).
 
-use super::odd::{CAMERA, HEAD, NOTHING, same};
+use super::degenerate::{CAMERA, HEAD, NOTHING, same};
 use crate::case::{Asks, Case};
 use crate::model::{Camera, Kind, Model, Object, n};
 use std::fmt::Write as _;

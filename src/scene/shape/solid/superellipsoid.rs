@@ -17,7 +17,7 @@
 //! precision.
 
 mod exact;
-mod floors;
+mod lower_bounds;
 mod norms;
 mod packet;
 mod rough;

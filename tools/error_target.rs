@@ -1,9 +1,9 @@
 //! True errors of adaptive sampling to an error target, on generated scenes.
 //!
-//! `honesty FIRST..END [TARGET...]` draws the hard scenes of these numbers (see `tests/support/riddles.rs`) for each
+//! `error_target FIRST..END [TARGET...]` draws the hard scenes of these numbers (see `tests/support/hard_scenes.rs`) for each
 //! target, in steps of 1/255, and prints the true error, the estimated one, and the samples a pixel. The reference is
 //! the mean of two regular grids in each pixel, independent of estimates; their difference is printed as well.
-//! References are cached in `target/honesty`.
+//! References are cached in `target/error_target`.
 
 #![allow(
     clippy::print_stdout,
@@ -13,12 +13,12 @@
     reason = "a tool that prints; means have few digits"
 )]
 
-#[path = "../tests/support/riddles.rs"]
-mod riddles;
+#[path = "../tests/support/hard_scenes.rs"]
+mod hard_scenes;
 
+use hard_scenes::{HardScene, ROWS, hard_scenes};
 use povr::app::curve::Linear;
 use povr::base::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
-use riddles::{ROWS, Riddle, riddles};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (ROWS * 4 / 3, ROWS);
@@ -33,7 +33,7 @@ fn main() {
         Some(first.parse::<u32>().ok()?..end.parse::<u32>().ok()?)
     });
     let Some(numbers) = numbers else {
-        eprintln!("usage: honesty FIRST..END [TARGET...]");
+        eprintln!("usage: error_target FIRST..END [TARGET...]");
         std::process::exit(2);
     };
     let mut targets: Vec<f64> = arguments.filter_map(|text| text.parse().ok()).collect();
@@ -43,18 +43,18 @@ fn main() {
     let mut missed = vec![0u32; targets.len()];
     let mut samples = vec![0.0; targets.len()];
     let mut count = 0u32;
-    for riddle in numbers.flat_map(riddles) {
+    for scene in numbers.flat_map(hard_scenes) {
         // Scenes with unsupported features are left out.
-        if drawn(&riddle, (4, 3), Sampling::Centres).is_none() {
-            println!("{:14} cannot be drawn", riddle.name);
+        if drawn(&scene, (4, 3), Sampling::Centres).is_none() {
+            println!("{:14} cannot be drawn", scene.name);
             continue;
         }
-        let (truth, apart) = truth(&riddle);
+        let (truth, apart) = truth(&scene);
         count += 1;
-        let mut line = format!("{:14} {apart:.3} |", riddle.name);
+        let mut line = format!("{:14} {apart:.3} |", scene.name);
         for (number, &error) in targets.iter().enumerate() {
             let sampling = Sampling::Adaptive(Adaptive { error, time: None });
-            let picture = drawn(&riddle, SIZE, sampling).expect("it was drawn before");
+            let picture = drawn(&scene, SIZE, sampling).expect("it was drawn before");
             let errors = truth.errors(&Linear::of_film(&picture.film, picture.working));
             let rmse = errors.rmse * STEPS;
             missed[number] += u32::from(rmse > error);
@@ -81,7 +81,7 @@ fn main() {
 }
 
 /// The picture of a scene, if it can be drawn.
-fn drawn(riddle: &Riddle, (width, height): (u32, u32), sampling: Sampling) -> Option<Picture> {
+fn drawn(scene: &HardScene, (width, height): (u32, u32), sampling: Sampling) -> Option<Picture> {
     let read = ReadOptions {
         width,
         height,
@@ -97,21 +97,21 @@ fn drawn(riddle: &Riddle, (width, height): (u32, u32), sampling: Sampling) -> Op
         ..RenderOptions::default()
     };
     let input = Input::Text {
-        name: riddle.name.clone(),
-        text: riddle.text.clone().into_bytes(),
+        name: scene.name.clone(),
+        text: scene.text.clone().into_bytes(),
     };
     povr::draw(&input, &read, &render, &|_| {}).ok()
 }
 
 /// The reference, and the root mean square difference of both grids.
-fn truth(riddle: &Riddle) -> (Linear, f64) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/honesty");
+fn truth(scene: &HardScene) -> (Linear, f64) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/error_target");
     std::fs::create_dir_all(&folder).expect("a folder");
     let [fine, coarse] = GRIDS.map(|grid| {
-        let file = folder.join(format!("{}-{ROWS}-{grid}.f32", riddle.name));
+        let file = folder.join(format!("{}-{ROWS}-{grid}.f32", scene.name));
         let cached = std::fs::read(&file).unwrap_or_default();
-        let (text, pixels) = cached.split_at(riddle.text.len().min(cached.len()));
-        if text == riddle.text.as_bytes() {
+        let (text, pixels) = cached.split_at(scene.text.len().min(cached.len()));
+        if text == scene.text.as_bytes() {
             let values: Vec<f32> = pixels
                 .chunks_exact(4)
                 .map(|at| f32::from_le_bytes([at[0], at[1], at[2], at[3]]))
@@ -123,8 +123,8 @@ fn truth(riddle: &Riddle) -> (Linear, f64) {
                 pixels,
             };
         }
-        let means = on_a_grid(riddle, grid);
-        let mut bytes = riddle.text.clone().into_bytes();
+        let means = on_a_grid(scene, grid);
+        let mut bytes = scene.text.clone().into_bytes();
         bytes.extend(means.pixels.iter().flatten().flat_map(|c| c.to_le_bytes()));
         std::fs::write(&file, bytes).expect("a file");
         means
@@ -142,9 +142,9 @@ fn truth(riddle: &Riddle) -> (Linear, f64) {
 
 /// The means of the samples on a regular grid in each pixel. Values above white count in full, and the mean is clamped
 /// to white.
-fn on_a_grid(riddle: &Riddle, grid: u32) -> Linear {
+fn on_a_grid(scene: &HardScene, grid: u32) -> Linear {
     let size = (SIZE.0 * grid, SIZE.1 * grid);
-    let large = drawn(riddle, size, Sampling::Centres).expect("it was drawn before");
+    let large = drawn(scene, size, Sampling::Centres).expect("it was drawn before");
     let mean = |x: u32, y: u32| {
         let mut sum = [0f64; 3];
         for row in y * grid..(y + 1) * grid {

@@ -34,14 +34,14 @@ const KINDS: &[Kind] = &[
 ];
 
 /// A hard scene.
-pub(crate) struct Riddle {
+pub(crate) struct HardScene {
     /// The kind and the number.
     pub(crate) name: String,
     pub(crate) text: String,
 }
 
 /// The scene of each kind with this number.
-pub(crate) fn riddles(number: u32) -> impl Iterator<Item = Riddle> {
+pub(crate) fn hard_scenes(number: u32) -> impl Iterator<Item = HardScene> {
     (0u64..).zip(KINDS).map(move |(which, (kind, write))| {
         let mut chance = Chance::of(which << 32 | u64::from(number));
         let mut text = String::from(
@@ -49,7 +49,7 @@ pub(crate) fn riddles(number: u32) -> impl Iterator<Item = Riddle> {
              camera { location -6*z right 4/3*x look_at 0 angle 47.925 }\n",
         );
         write(&mut chance, &mut text);
-        Riddle {
+        HardScene {
             name: format!("{kind}-{number}"),
             text,
         }

@@ -10,9 +10,9 @@
     reason = "what a test finds is read on the terminal; means have few digits"
 )]
 
-#[allow(dead_code, reason = "the tool that measures honesty uses all of it")]
-#[path = "support/riddles.rs"]
-mod riddles;
+#[allow(dead_code, reason = "the tool `error_target` uses all of it")]
+#[path = "support/hard_scenes.rs"]
+mod hard_scenes;
 mod support;
 
 use povr::app::curve::Linear;
@@ -29,13 +29,13 @@ const TARGETS: [f64; 2] = [3.0, 1.0];
 /// Fraction of the pictures that may miss the target.
 const MAY_MISS: f64 = 0.05;
 
-/// Hard scenes by their numbers (see `support/riddles.rs`), on which nothing was tuned; the slowest kinds are left to
-/// `examples/honesty`.
-const RIDDLES: std::ops::Range<u32> = 40..42;
+/// Hard scenes by their numbers (see `support/hard_scenes.rs`), on which nothing was tuned; the slowest kinds are left to
+/// `tools/error_target.rs`.
+const HARD_SCENES: std::ops::Range<u32> = 40..42;
 const DEAR: [&str; 6] = ["glass", "mirrors", "panes", "soft", "fine", "ripples"];
 /// Requested errors for these.
-const RIDDLE_TARGETS: [f64; 2] = [2.0, 1.0];
-const RIDDLE_SIZE: (u32, u32) = (riddles::ROWS * 4 / 3, riddles::ROWS);
+const HARD_SCENE_TARGETS: [f64; 2] = [2.0, 1.0];
+const HARD_SCENE_SIZE: (u32, u32) = (hard_scenes::ROWS * 4 / 3, hard_scenes::ROWS);
 
 fn drawn(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Picture {
     let read = ReadOptions {
@@ -117,26 +117,26 @@ fn the_true_error_is_the_requested_one_or_less() {
 fn hard_scenes_are_no_worse_than_requested() {
     let mut misses = Vec::new();
     let mut pictures = 0u32;
-    for riddle in RIDDLES.flat_map(riddles::riddles) {
-        if DEAR.iter().any(|kind| riddle.name.starts_with(kind)) {
+    for scene in HARD_SCENES.flat_map(hard_scenes::hard_scenes) {
+        if DEAR.iter().any(|kind| scene.name.starts_with(kind)) {
             continue;
         }
         let input = Input::Text {
-            name: riddle.name.clone(),
-            text: riddle.text.clone().into_bytes(),
+            name: scene.name.clone(),
+            text: scene.text.clone().into_bytes(),
         };
-        let truth = truth(&input, RIDDLE_SIZE);
-        for error in RIDDLE_TARGETS {
-            let errors = truth.errors(&converged(&input, RIDDLE_SIZE, error));
+        let truth = truth(&input, HARD_SCENE_SIZE);
+        for error in HARD_SCENE_TARGETS {
+            let errors = truth.errors(&converged(&input, HARD_SCENE_SIZE, error));
             pictures += 1;
-            let line = format!("{} at {error}: {:.3}", riddle.name, errors.rmse * 255.0);
+            let line = format!("{} at {error}: {:.3}", scene.name, errors.rmse * 255.0);
             println!("{line}");
             if errors.rmse * 255.0 > error {
                 misses.push(line);
             }
         }
     }
-    assert!(pictures >= 40, "too few riddles: {pictures}");
+    assert!(pictures >= 40, "too few hard_scenes: {pictures}");
     assert!(
         misses.len() as f64 <= MAY_MISS * f64::from(pictures),
         "{misses:#?}"
