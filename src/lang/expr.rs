@@ -14,6 +14,7 @@ pub(super) mod declared_value;
 pub(super) mod function;
 pub(super) mod function_picture;
 pub(super) mod functions;
+pub(super) mod probe_calls;
 pub(super) mod streams;
 pub(super) mod strings;
 pub(super) mod value;

@@ -14,7 +14,6 @@ mod frame;
 mod fuzz;
 mod limits;
 mod probe;
-mod probe_calls;
 mod reader;
 mod report;
 mod scope;

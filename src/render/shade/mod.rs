@@ -7,25 +7,21 @@
 mod atmosphere;
 mod block;
 mod bsdf;
-mod caustics;
 mod direct;
 mod features;
-mod interior_stack;
-mod irradiance;
+mod indirect;
 mod lens;
 mod media;
 mod photon;
 mod quality;
-mod radiosity;
-mod refraction;
 mod scratch;
 mod shade_cache;
 mod shading_point;
-mod spectrum;
 mod surface;
 #[cfg(test)]
 mod tests;
 mod thin_film;
+mod transmission;
 mod wavefront;
 
 use crate::base::color::Rgb;

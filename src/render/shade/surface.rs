@@ -2,7 +2,7 @@
 
 use super::bsdf::{LayerBsdf, ViewPoint, facing_normal, metallic, mirrored};
 use super::direct::shadow_cache::ShadowCache;
-use super::radiosity::{Irradiance, IrradiancePoint};
+use super::indirect::radiosity::{Irradiance, IrradiancePoint};
 use super::shading_point::{LightSamples, ShadingPoint};
 use super::{InteriorStack, Path, Sample, Scratch, Tracer};
 use crate::base::color::{Color, Rgb};

@@ -4,7 +4,8 @@ use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::render::shade::bsdf::is_negligible;
 use crate::render::shade::shading_point::{ShadingPoint, shadow_query};
-use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Scratch, Tracer, interior_stack};
+use crate::render::shade::transmission::interior_stack;
+use crate::render::shade::{InteriorStack, MAX_STRAIGHT, Scratch, Tracer};
 use crate::scene::light::{Arrival, Light};
 use crate::world::{InteriorId, Occlusion, Query, TransmissiveHit, TransmissiveHits};
 

@@ -8,10 +8,11 @@ use crate::render::photons::Photon;
 use crate::render::shade::Scratch;
 use crate::render::shade::bsdf::ViewPoint;
 use crate::render::shade::bsdf::facing_normal;
-use crate::render::shade::interior_stack::{Refraction, bend};
 use crate::render::shade::shading_point::{LightSamples, ShadingPoint};
 use crate::render::shade::surface::{Mirror, TextureUse, mirror, mirrored_off};
-use crate::render::shade::{InteriorStack, Path, Tracer, spectrum};
+use crate::render::shade::transmission::interior_stack::{Refraction, bend};
+use crate::render::shade::transmission::spectrum;
+use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
 use crate::scene::texture::WeightedTexture;
 use crate::world::PhotonMapping;
@@ -154,7 +155,10 @@ impl<'w> Tracer<'w> {
                 } else if role.passes_through {
                     photon.light *= self.transmission(&hit, &photon.path.ray);
                     let interior = surface.interior;
-                    crate::render::shade::interior_stack::cross(&mut photon.path.inside, interior);
+                    crate::render::shade::transmission::interior_stack::cross(
+                        &mut photon.path.inside,
+                        interior,
+                    );
                     photon.path.ray = Ray::new(hit.point, photon.path.ray.dir);
                     photon.path.from = Some(hit.spawn_surface);
                     continue;

@@ -1,11 +1,11 @@
 //! Photon radiance at surfaces, and the direct light that it replaces.
 
-use super::Tracer;
-use super::bsdf::{LayerBsdf, LightContribution};
-use super::shading_point::ShadingPoint;
 use crate::base::color::Rgb;
 use crate::render::photons::Near;
 use crate::render::shade::Scratch;
+use crate::render::shade::Tracer;
+use crate::render::shade::bsdf::{LayerBsdf, LightContribution};
+use crate::render::shade::shading_point::ShadingPoint;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ const LEAST_COSINE: f64 = 0.1;
 impl Tracer<'_> {
     /// Reports if photons are stored on surfaces: then they replace the light that passes through their targets.
     #[inline]
-    pub(super) fn has_caustics(&self) -> bool {
+    pub(in crate::render::shade) fn has_caustics(&self) -> bool {
         self.photon_maps
             .as_ref()
             .is_some_and(|photon_maps| !photon_maps.surface.is_empty())
@@ -23,7 +23,7 @@ impl Tracer<'_> {
 
     /// The radiance estimate of a layer from photons. The photons around the point are gathered once for all layers,
     /// with the normal of the first.
-    pub(super) fn caustics(
+    pub(in crate::render::shade) fn caustics(
         &self,
         lit: &ShadingPoint,
         bsdf: &LayerBsdf,
@@ -72,13 +72,13 @@ impl Tracer<'_> {
     }
 
     /// A point in the scene's own coordinates, in which photons are stored.
-    pub(super) fn scene_point(&self, point: DVec3) -> DVec3 {
+    pub(in crate::render::shade) fn scene_point(&self, point: DVec3) -> DVec3 {
         let globals = &self.world.globals;
         (point - globals.origin) / globals.unit
     }
 
     /// Reports if photons replace the light from a light source that a surface transmits.
-    pub(super) fn replaces(&self, surface: u32, light: u32) -> bool {
+    pub(in crate::render::shade) fn replaces(&self, surface: u32, light: u32) -> bool {
         let role = self.world.surfaces[surface as usize].photons();
         role.target.is_some() && role.refracts(&self.world.lights.get(light).photons)
     }

@@ -36,15 +36,15 @@ const BELOW: [[u16; 3]; 71] = [
 
 /// A spectral band of dispersed white light.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SpectralBand {
+pub(in crate::render::shade) struct SpectralBand {
     /// Its wavelength in nanometres.
-    pub(super) wavelength: f64,
+    pub(in crate::render::shade) wavelength: f64,
     /// Its colour; the mean of all bands is nearly white.
-    pub(super) hue: Rgb,
+    pub(in crate::render::shade) hue: Rgb,
 }
 
 /// The band with this index when light is split into `count`.
-pub(super) fn band(number: u32, count: u32) -> SpectralBand {
+pub(in crate::render::shade) fn band(number: u32, count: u32) -> SpectralBand {
     let width = (LAST_NM - FIRST_NM) / f64::from(count);
     let wavelength = FIRST_NM + width * (f64::from(number) + 0.5);
     let (low, high) = (
@@ -58,7 +58,7 @@ pub(super) fn band(number: u32, count: u32) -> SpectralBand {
 }
 
 /// The factor on the index of refraction at a wavelength, for a `dispersion`.
-pub(super) fn bending(dispersion: f64, wavelength: f64) -> f64 {
+pub(in crate::render::shade) fn bending(dispersion: f64, wavelength: f64) -> f64 {
     dispersion.powf((MIDDLE_NM - wavelength) / (LAST_NM - FIRST_NM))
 }
 

@@ -1,6 +1,7 @@
 //! The interior stack of a ray, and refraction at surfaces.
 
-use super::{InteriorStack, Tracer, spectrum};
+use super::spectrum;
+use crate::render::shade::{InteriorStack, Tracer};
 use crate::world::InteriorId;
 use glam::DVec3;
 
@@ -12,20 +13,20 @@ const ATMOSPHERE: [f64; 2] = [ATMOSPHERE_IOR, 1.0];
 const NO_BEND: f64 = 1e-10;
 
 /// The crossing of a surface.
-pub(super) struct SurfaceCrossing {
+pub(in crate::render::shade) struct SurfaceCrossing {
     /// The interior stack after the crossing.
-    pub(super) inside: InteriorStack,
+    pub(in crate::render::shade) inside: InteriorStack,
     /// The segment before the surface lay in its interior.
-    pub(super) was_inside: bool,
+    pub(in crate::render::shade) was_inside: bool,
     /// The index of refraction before, divided by that behind.
-    pub(super) ratio: f64,
+    pub(in crate::render::shade) ratio: f64,
     /// The dispersion before, divided by that behind.
-    pub(super) dispersion: f64,
+    pub(in crate::render::shade) dispersion: f64,
 }
 
 /// The direction of light behind a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Refraction {
+pub(in crate::render::shade) enum Refraction {
     /// Unchanged.
     None,
     /// Refracted, a unit direction.
@@ -38,7 +39,7 @@ pub(super) enum Refraction {
 /// Returns true if the ray was inside.
 ///
 /// A surface does not know from which side it is hit. So a lone triangle is entered and never left, as in POV-Ray.
-pub(super) fn cross(inside: &mut InteriorStack, interior: InteriorId) -> bool {
+pub(in crate::render::shade) fn cross(inside: &mut InteriorStack, interior: InteriorId) -> bool {
     match inside.iter().position(|&id| id == interior) {
         Some(at) => {
             inside.remove(at);
@@ -57,7 +58,11 @@ impl Tracer<'_> {
     /// POV-Ray 3.7 takes the interior entered last for the one behind, even if that is the one being left: inside a
     /// glass sphere, with the camera in the half-space of some plane, nothing is reflected. Measured in both orders of
     /// two nested spheres around the camera.
-    pub(super) fn relative_ior(&self, inside: &InteriorStack, id: InteriorId) -> f64 {
+    pub(in crate::render::shade) fn relative_ior(
+        &self,
+        inside: &InteriorStack,
+        id: InteriorId,
+    ) -> f64 {
         let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
         let last = inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
         if !inside.contains(&id) {
@@ -70,7 +75,11 @@ impl Tracer<'_> {
     }
 
     /// The crossing of a surface of an interior by a ray with this interior stack.
-    pub(super) fn crossing(&self, inside: &InteriorStack, id: InteriorId) -> SurfaceCrossing {
+    pub(in crate::render::shade) fn crossing(
+        &self,
+        inside: &InteriorStack,
+        id: InteriorId,
+    ) -> SurfaceCrossing {
         // Index of refraction and dispersion.
         let of = |id: InteriorId| {
             let interior = self.world.interiors.get(id);
@@ -97,12 +106,12 @@ impl Tracer<'_> {
 
 impl SurfaceCrossing {
     /// Reports if it disperses white light, even light that is not refracted.
-    pub(super) fn splits(&self) -> bool {
+    pub(in crate::render::shade) fn splits(&self) -> bool {
         (self.dispersion - 1.0).abs() >= NO_BEND
     }
 
     /// The ratio of the indices for light of a wavelength, or for white light.
-    pub(super) fn ratio_at(&self, wavelength: Option<f64>) -> f64 {
+    pub(in crate::render::shade) fn ratio_at(&self, wavelength: Option<f64>) -> f64 {
         match wavelength {
             Some(wavelength) if self.splits() => {
                 self.ratio * spectrum::bending(self.dispersion, wavelength)
@@ -118,7 +127,7 @@ fn divided(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// The direction behind a surface with a unit `normal` (Snell's law as a vector). Bump mapping may have turned the
 /// normal away from the viewer.
-pub(super) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
+pub(in crate::render::shade) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
     if (ratio - 1.0).abs() < NO_BEND {
         return Refraction::None;
     }

@@ -2,38 +2,42 @@
 //!
 //! The numbers are those of [`crate::render::radiosity`].
 
-use super::shading_point::ShadingPoint;
-use super::{Path, Sample, Tracer, begin_sample};
 use crate::base::color::{Color, Rgb};
 use crate::render::radiosity::{CachedLight, Mode, Radiosity};
 use crate::render::shade::Scratch;
+use crate::render::shade::shading_point::ShadingPoint;
+use crate::render::shade::{Path, Sample, Tracer, begin_sample};
 use crate::scene::texture::PreparedLayer;
 use crate::world::SpawnSurface;
 use glam::DVec3;
 
 /// Irradiance on the front and the back of a surface, where computed.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Irradiance {
+pub(in crate::render::shade) struct Irradiance {
     front: Option<Rgb>,
     back: Option<Rgb>,
 }
 
 /// A point that receives irradiance.
-pub(super) struct IrradiancePoint<'r> {
-    pub(super) radiosity: &'r Radiosity,
+pub(in crate::render::shade) struct IrradiancePoint<'r> {
+    pub(in crate::render::shade) radiosity: &'r Radiosity,
     point: DVec3,
-    pub(super) spawn_surface: Option<SpawnSurface>,
+    pub(in crate::render::shade) spawn_surface: Option<SpawnSurface>,
     /// The unit normals on the viewer's side: with bump mapping, if the scene uses it, and without.
     normal: DVec3,
-    pub(super) flat: DVec3,
-    pub(super) depth: usize,
+    pub(in crate::render::shade) flat: DVec3,
+    pub(in crate::render::shade) depth: usize,
     /// The weight of the ray that hit the point.
     weight: f64,
 }
 
 impl<'r> IrradiancePoint<'r> {
     /// The shading point of a ray on a surface with this normal before bump mapping.
-    pub(super) fn new(radiosity: &'r Radiosity, lit: &ShadingPoint, flat: DVec3) -> Self {
+    pub(in crate::render::shade) fn new(
+        radiosity: &'r Radiosity,
+        lit: &ShadingPoint,
+        flat: DVec3,
+    ) -> Self {
         let has_normals = radiosity.settings.has_normals;
         IrradiancePoint {
             radiosity,
@@ -49,7 +53,7 @@ impl<'r> IrradiancePoint<'r> {
 
 impl Tracer<'_> {
     /// The weight below which a ray behind this many nested irradiance samples is not traced.
-    pub(super) fn bailout(&self, depth: usize) -> f64 {
+    pub(in crate::render::shade) fn bailout(&self, depth: usize) -> f64 {
         match &self.radiosity {
             Some(radiosity) if depth > 0 => radiosity.settings.adc_bailout,
             _ => self.world.globals.adc_bailout,
@@ -57,14 +61,14 @@ impl Tracer<'_> {
     }
 
     /// Reports if a ray ignores fog and media.
-    pub(super) fn is_airless(&self, path: &Path) -> bool {
+    pub(in crate::render::shade) fn is_airless(&self, path: &Path) -> bool {
         let radiosity = self.radiosity.as_ref();
         path.irradiance_depth > 0
             && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
     }
 
     /// Traces a point of the picture with `trace`, unless a recorded sample of it is still valid.
-    pub(super) fn recall_or_trace(
+    pub(in crate::render::shade) fn recall_or_trace(
         &self,
         x: f64,
         y: f64,
@@ -95,7 +99,7 @@ impl Tracer<'_> {
     }
 
     /// The light that a layer scatters of the irradiance of its surface.
-    pub(super) fn irradiance_radiance(
+    pub(in crate::render::shade) fn irradiance_radiance(
         &self,
         irradiance_point: &IrradiancePoint,
         layer: &PreparedLayer,

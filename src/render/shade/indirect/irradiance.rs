@@ -6,8 +6,6 @@
 //! or for which a newer sample counts, are traced again in order.
 
 use super::radiosity::IrradiancePoint;
-use super::shading_point::LightSamples;
-use super::{InteriorStack, Path, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::{Stream, seed_of_sample};
@@ -15,6 +13,8 @@ use crate::render::radiosity::{
     CacheQuery, Frame, IrradianceSample, LightRequest, Mode, Radiosity,
 };
 use crate::render::shade::Scratch;
+use crate::render::shade::shading_point::LightSamples;
+use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::Importance;
 use crate::scene::atmosphere::MISS_DISTANCE;
 use crate::world::{Hit, Query, RayCounts, RayKind};
@@ -75,7 +75,7 @@ impl IrradianceSum {
 
 impl Tracer<'_> {
     /// Makes a sample for a query at the front (1) or the back (-1) of a surface. The flag tells if it is to be stored.
-    pub(super) fn gather(
+    pub(in crate::render::shade) fn gather(
         &self,
         irradiance_point: &IrradiancePoint,
         cache_query: &CacheQuery,

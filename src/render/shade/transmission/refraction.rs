@@ -1,12 +1,13 @@
 //! Transmission through a surface: straight, refracted, totally reflected, or dispersed.
 
-use super::bsdf::facing_normal;
 use super::interior_stack::{Refraction, SurfaceCrossing, bend};
-use super::shading_point::ShadingPoint;
-use super::surface::{StraightTransmission, SurfaceRadiance, mirrored_off, single};
-use super::{InteriorStack, Path, Sample, Scratch, Tracer, spectrum};
+use super::spectrum;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
+use crate::render::shade::bsdf::facing_normal;
+use crate::render::shade::shading_point::ShadingPoint;
+use crate::render::shade::surface::{StraightTransmission, SurfaceRadiance, mirrored_off, single};
+use crate::render::shade::{InteriorStack, Path, Sample, Scratch, Tracer};
 use crate::scene::texture::Irid;
 use crate::world::{Hit, InteriorId};
 use glam::DVec3;
@@ -15,24 +16,24 @@ use glam::DVec3;
 const MAX_NESTED: u32 = 100;
 
 /// The transmission of a surface.
-pub(super) struct LayerTransmission<'f> {
+pub(in crate::render::shade) struct LayerTransmission<'f> {
     /// The film on the top layer.
     film: Option<&'f Irid>,
     /// The factor on light.
-    pub(super) factor: Rgb,
+    pub(in crate::render::shade) factor: Rgb,
     /// The same for total internal reflection, without the filter of the layers.
-    pub(super) total_reflection: Rgb,
+    pub(in crate::render::shade) total_reflection: Rgb,
     /// The factor on the transparency behind.
-    pub(super) transmit: f32,
+    pub(in crate::render::shade) transmit: f32,
     /// The factor on the weight of the ray.
-    pub(super) weight: f64,
-    pub(super) crossing: SurfaceCrossing,
+    pub(in crate::render::shade) weight: f64,
+    pub(in crate::render::shade) crossing: SurfaceCrossing,
 }
 
 impl Tracer<'_> {
     /// The transmission of a surface with this filter and film, for a ray with an interior stack and the length of its
     /// segment.
-    pub(super) fn layer_transmission<'f>(
+    pub(in crate::render::shade) fn layer_transmission<'f>(
         &self,
         inside: &InteriorStack,
         length: f64,
@@ -59,7 +60,7 @@ impl Tracer<'_> {
 
     /// Adds the light transmitted through a surface. Returns true for total internal reflection, which allows no other
     /// reflection.
-    pub(super) fn pass(
+    pub(in crate::render::shade) fn pass(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,
@@ -103,7 +104,7 @@ impl Tracer<'_> {
 
     /// Traces the light behind a surface without refraction at once, for the rays that follow in POV-Ray's order.
     /// Beyond the nesting limit the caller has to do it.
-    pub(super) fn trace_unrefracted(
+    pub(in crate::render::shade) fn trace_unrefracted(
         &self,
         lit: &ShadingPoint,
         hit: &Hit,

@@ -1,9 +1,9 @@
 //! `trace` and `inside` in expressions.
 
-use super::expr::value::{Number, Value};
-use super::reader::Reader;
+use super::value::{Number, Value};
 use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
+use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
 use crate::scene::Object;
 use glam::DVec3;
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 impl Reader<'_> {
     /// `object, from, direction [, variable for the normal]` after `trace(`. A miss gives zeros.
-    pub(super) fn trace(&mut self) -> Parse<Number> {
+    pub(crate) fn trace(&mut self) -> Parse<Number> {
         let object = self.probed_object("trace")?;
         self.take_mark(',')?;
         let from = self.vector3()?;
@@ -31,7 +31,7 @@ impl Reader<'_> {
     }
 
     /// `object, point` after `inside(`.
-    pub(super) fn inside(&mut self) -> Parse<Number> {
+    pub(crate) fn inside(&mut self) -> Parse<Number> {
         let object = self.probed_object("inside")?;
         if !object.is_solid() {
             let error = Diagnostic::error(self.taken_span(), "this object has no inside");
