@@ -32,7 +32,7 @@ const PATIENCE: u64 = 100_000;
 /// Findings of each scene that are formatted as messages.
 const MESSAGES: usize = 3;
 /// Larger scenes are not lowered: that is not what is tested.
-const MOST_OBJECTS: usize = 1_000;
+const MAX_OBJECTS: usize = 1_000;
 const TIME_LIMIT: Duration = Duration::from_secs(10);
 const MEMORY_LIMIT: u64 = 1 << 30;
 /// The stack on which `povr` reads.
@@ -153,7 +153,7 @@ fn read(text: &[u8], draws: bool) -> bool {
     let Some(scene) = reading.scene else {
         return false;
     };
-    if scene.objects.len() <= MOST_OBJECTS {
+    if scene.objects.len() <= MAX_OBJECTS {
         let options = RenderOptions {
             width: 8,
             height: 6,

@@ -21,7 +21,7 @@ mod statement_state;
 pub mod syntax;
 mod token_cache;
 
-pub use probe::{Blind, Probe};
+pub use probe::{NoProbe, Probe};
 pub use reader::Reading;
 pub use token_cache::TokenCache;
 
@@ -49,7 +49,7 @@ pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> R
         sources,
         token_cache: None,
     };
-    evaluate_with(texts, options, &mut Blind, &mut |_| {})
+    evaluate_with(texts, options, &mut NoProbe, &mut |_| {})
 }
 
 /// A scene to read, with the sources it belongs to.
@@ -102,7 +102,7 @@ pub fn evaluate_with(
 /// As [`evaluate`], but nothing is replayed: each token is read every time.
 #[cfg(test)]
 fn evaluate_token_by_token(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    let (mut probe, mut listener) = (Blind, |_: ReadEvent<'_>| {});
+    let (mut probe, mut listener) = (NoProbe, |_: ReadEvent<'_>| {});
     match Reader::new(file, sources, None, options, &mut probe, &mut listener) {
         Ok(mut reader) => {
             reader.replays.disable();

@@ -23,9 +23,9 @@ pub trait Probe {
 
 /// A [`Probe`] that hits nothing, for reading without a renderer.
 #[derive(Clone, Copy, Debug)]
-pub struct Blind;
+pub struct NoProbe;
 
-impl Probe for Blind {
+impl Probe for NoProbe {
     fn trace(&mut self, _: &Arc<Object>, _: DVec3, _: DVec3) -> Option<(DVec3, DVec3)> {
         None
     }

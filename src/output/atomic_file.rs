@@ -47,7 +47,7 @@ pub(crate) fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
 ///
 /// # Errors
 /// The reason why it cannot.
-pub(crate) fn try_to_write(path: &Path) -> io::Result<()> {
+pub(crate) fn check_replaceable(path: &Path) -> io::Result<()> {
     only_regular(path)?;
     check_writable(&folder_of(path).join("."))
 }
@@ -56,9 +56,9 @@ pub(crate) fn try_to_write(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// The reason why it cannot.
-pub(crate) fn try_to_append(path: &Path) -> io::Result<()> {
+pub(crate) fn check_appendable(path: &Path) -> io::Result<()> {
     if !path.exists() {
-        return try_to_write(path);
+        return check_replaceable(path);
     }
     only_regular(path)?;
     check_writable(path)

@@ -15,7 +15,7 @@ mod ppm;
 mod tga;
 
 pub use crate::base::encoding::{EncodeOptions, Format, FormatProperties};
-pub(crate) use atomic_file::{PendingFile, save, try_to_append, try_to_write};
+pub(crate) use atomic_file::{PendingFile, check_appendable, check_replaceable, save};
 
 use std::fmt;
 use std::io::{self, Write};

@@ -25,7 +25,7 @@ use shade::{BLOCK, BlockScratch, Sample, Tracer};
 use std::ops::Range;
 pub use tiles::Drawn;
 use tiles::{
-    Canvas, DrawnTile, LEAST_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, draws_in_order, tiles_of,
+    Canvas, DrawnTile, MIN_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, draws_in_order, tiles_of,
 };
 
 /// Pixels of a tile, row by row, and the rays traced for them.
@@ -95,7 +95,7 @@ pub fn render(
             drawn.for_each(|drawn| canvas.take(drawn));
         }
         (Some(radiosity_pass), _) => {
-            let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
+            let at_once = MIN_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
             for some in tiles.chunks(at_once) {
                 let drawn = radiosity_pass.draw(some, &draw, progress);
                 drawn.into_iter().for_each(|drawn| canvas.take(drawn));

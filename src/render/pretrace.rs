@@ -18,7 +18,7 @@ const OF_BLOCK: u32 = 13;
 /// The number of random numbers for jittering.
 const NUMBERS: u32 = 2047;
 /// Upper limit of the passes, however small the last spacing.
-const MOST_PASSES: u32 = 64;
+const MAX_PASSES: u32 = 64;
 
 /// The spacings of the rays of each pass, in pixels. None if the last would be much larger than the first; POV-Ray then
 /// counts below zero and makes a great many passes.
@@ -31,7 +31,7 @@ fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item
         reason = "saturates, and is not negative"
     )]
     let steps = ((start / end).log2() + 2.0 - SLACK).floor().max(0.0) as u32;
-    (0..steps.min(MOST_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
+    (0..steps.min(MAX_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
 }
 
 /// Random numbers from -1 to 1 that jitter rays.

@@ -131,7 +131,7 @@ impl RadiosityPass {
         tracer: Tracer<'_>,
     ) -> (Tracer<'_>, Option<RadiosityStatistics>) {
         let tracer = match &self.scratch.single().radiosity {
-            Some(session) => tracer.with_samples(session),
+            Some(session) => tracer.with_irradiance_cache(session),
             None => tracer,
         };
         (tracer, Some(self.taken()))

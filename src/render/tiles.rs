@@ -99,7 +99,7 @@ fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pi
 pub(super) const TILE: u32 = 32;
 
 /// With radiosity, the least number of tiles rendered before they are put into the film.
-pub(super) const LEAST_AT_ONCE: usize = 128;
+pub(super) const MIN_AT_ONCE: usize = 128;
 
 /// The same for each thread: threads wait for the last one at the end of each turn.
 pub(super) const TILES_OF_THREAD: usize = 32;

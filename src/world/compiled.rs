@@ -230,10 +230,10 @@ impl World {
     #[must_use]
     pub fn texture_weights(&self, hit: &Hit) -> TextureWeights {
         if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {
-            return cutaway.shares(hit.point);
+            return cutaway.texture_weights(hit.point);
         }
         let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
-        self.model.shares(leaf, hit.point, face)
+        self.model.texture_weights(leaf, hit.point, face)
     }
 
     /// Returns true if a hit looks the same from both sides, regardless of `interior_texture`: that holds for blobs

@@ -87,7 +87,7 @@ impl Interiors {
     }
 
     /// Copies the media of the interior from which another one is derived.
-    pub(super) fn hand_down(&mut self, from: Option<InteriorId>, to: InteriorId) {
+    pub(super) fn inherit_media(&mut self, from: Option<InteriorId>, to: InteriorId) {
         let known = from.and_then(|from| self.media.get(from.0 as usize));
         if let Some(media) = known.filter(|media| !media.is_empty() && from != Some(to)) {
             let media = Arc::clone(media);
@@ -108,19 +108,19 @@ impl Interiors {
 
     /// Returns true if some interior has media.
     #[must_use]
-    pub fn have_media(&self) -> bool {
+    pub fn any_has_media(&self) -> bool {
         !self.media.is_empty()
     }
 
     /// Returns true if some of them attenuate light.
     #[must_use]
-    pub fn fade_light(&self) -> bool {
+    pub fn any_attenuates(&self) -> bool {
         self.written.iter().any(Interior::fades)
     }
 
     /// Returns true if some of them have dispersion.
     #[must_use]
-    pub fn split_light(&self) -> bool {
+    pub fn any_disperses(&self) -> bool {
         let mut written = self.written.iter();
         written.any(|interior| interior.effective_dispersion() != 1.0)
     }

@@ -89,13 +89,15 @@ impl Model {
     }
 
     /// The weights of the shape's own textures at a point of a leaf.
-    pub(super) fn shares(&self, leaf: u32, point: DVec3, face: u32) -> TextureWeights {
+    pub(super) fn texture_weights(&self, leaf: u32, point: DVec3, face: u32) -> TextureWeights {
         match self.instance_of(leaf) {
             Some(instance) => {
                 let point = instance.object_from_world.transform_point3(point);
-                instance.model.shares(leaf - instance.first, point, face)
+                instance
+                    .model
+                    .texture_weights(leaf - instance.first, point, face)
             }
-            None => self.leaves[leaf as usize].shares(point, face),
+            None => self.leaves[leaf as usize].texture_weights(point, face),
         }
     }
 

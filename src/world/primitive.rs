@@ -239,7 +239,7 @@ impl Leaf {
     }
 
     /// The weights of the shape's own textures at a world point of a face.
-    pub(super) fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
+    pub(super) fn texture_weights(&self, point: DVec3, face: u32) -> TextureWeights {
         self.shape
             .texture_weights(self.point_to_object(point), face)
     }

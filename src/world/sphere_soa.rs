@@ -10,7 +10,7 @@ use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
 /// Larger sets are better stored in a BVH.
-pub(super) const MOST: usize = 32;
+pub(super) const MAX_SPHERES: usize = 32;
 /// SIMD width.
 const LANES: usize = 8;
 /// Upper bound on the error of distances here, relative to the radius of the whole.
@@ -77,7 +77,7 @@ impl SphereSoa {
         count: usize,
         sphere: impl Fn(usize) -> Option<(DVec3, f64)>,
     ) -> Option<Self> {
-        if !(1..=MOST).contains(&count) {
+        if !(1..=MAX_SPHERES).contains(&count) {
             return None;
         }
         let spheres: Vec<(DVec3, f64)> = (0..count).map(sphere).collect::<Option<_>>()?;
@@ -226,7 +226,7 @@ mod tests {
         let cluster = SphereSoa::new(1, sphere).unwrap();
         let ray = Ray::new(DVec3::X, DVec3::ZERO);
         assert!(!cluster.each(SimdLevel::NARROW, &ray, 1.0, |_| false));
-        assert!(SphereSoa::new(MOST + 1, sphere).is_none());
+        assert!(SphereSoa::new(MAX_SPHERES + 1, sphere).is_none());
         assert!(SphereSoa::new(0, sphere).is_none());
         assert!(SphereSoa::new(2, |_| None).is_none());
     }

@@ -14,7 +14,7 @@ const LINE: u32 = 18;
 /// Height of the column titles.
 const HEAD: u32 = 44;
 /// Characters that fit into a line of text.
-const MOST_LETTERS: usize = 84;
+const MAX_LETTERS: usize = 84;
 
 /// The sheet.
 ///
@@ -51,7 +51,7 @@ pub(crate) fn of(rows: &[(String, RgbImage)]) -> Result<RgbImage, Error> {
     };
     for (number, (caption, _)) in rows.iter().enumerate() {
         let (left, top) = corner(number);
-        let short: String = caption.chars().take(MOST_LETTERS).collect();
+        let short: String = caption.chars().take(MAX_LETTERS).collect();
         let safe = short.replace('&', "&amp;").replace('<', "&lt;");
         let _ = write!(text, "<text x=\"{left}\" y=\"{}\">{safe}</text>", top + 12);
     }

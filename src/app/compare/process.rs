@@ -6,7 +6,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// Number of bytes stored from the start and from the end of standard error: a scene in a loop may write much.
-const MOST_SAID: usize = 1 << 20;
+const MAX_SAID: usize = 1 << 20;
 
 /// The end of a process.
 #[derive(Debug)]
@@ -48,8 +48,8 @@ fn read_output(mut pipe: impl Read) -> String {
     let mut part = vec![0; 1 << 16];
     while let Ok(read @ 1..) = pipe.read(&mut part) {
         bytes.extend_from_slice(&part[..read]);
-        if bytes.len() > 3 * MOST_SAID {
-            bytes.drain(MOST_SAID..2 * MOST_SAID);
+        if bytes.len() > 3 * MAX_SAID {
+            bytes.drain(MAX_SAID..2 * MAX_SAID);
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()

@@ -13,8 +13,8 @@ use super::store::{Measured, Report};
 /// The size of the whole plot in pixels: three panels side by side.
 const SIZE: (u32, u32) = (1500, 560);
 /// Lower limits of the plotted error and time.
-const LEAST_ERROR: f64 = 1e-6;
-const LEAST_TIME: f64 = 1e-4;
+const MIN_ERROR: f64 = 1e-6;
+const MIN_TIME: f64 = 1e-4;
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
 /// A panel: its title, and the number of a measurement that it plots.
@@ -86,8 +86,8 @@ fn draw<'a>(
     report: &Report,
     Panel { title, value }: Panel,
 ) -> Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>> {
-    let time = |m: &Measured| m.processor.median.max(LEAST_TIME);
-    let value = |m: &Measured| value(m).max(LEAST_ERROR);
+    let time = |m: &Measured| m.processor.median.max(MIN_TIME);
+    let value = |m: &Measured| value(m).max(MIN_ERROR);
     let times = range(report.measured.iter().map(time));
     let errors = range(report.measured.iter().map(value));
     let mut chart = ChartBuilder::on(area)

@@ -159,7 +159,7 @@ impl Mapping {
             return bitmap.color(x, y);
         }
         let mut sum = Sum::default();
-        self.visit_neighbors(bitmap, at, |weight, x, y| {
+        self.visit_neighbours(bitmap, at, |weight, x, y| {
             sum.add(weight, bitmap.color(x, y));
         });
         sum.color()
@@ -175,14 +175,14 @@ impl Mapping {
             return index(x, y);
         }
         let mut sum = 0.0;
-        self.visit_neighbors(bitmap, at, |weight, x, y| {
+        self.visit_neighbours(bitmap, at, |weight, x, y| {
             sum += weight * index(x, y) as f64;
         });
         trunc(sum)
     }
 
     /// Visits the pixels around an image position, with their interpolation weights.
-    fn visit_neighbors(&self, bitmap: &Bitmap, at: DVec2, visit: impl FnMut(f64, usize, usize)) {
+    fn visit_neighbours(&self, bitmap: &Bitmap, at: DVec2, visit: impl FnMut(f64, usize, usize)) {
         match self.interpolation {
             Interpolation::None | Interpolation::Bilinear => {
                 self.visit_2x2(bitmap, at, bilinear, visit);

@@ -3,7 +3,7 @@
 use super::data_file::DataFile;
 use crate::base::args::Word;
 use crate::base::source::{HeldFile, Sources, only_regular, open_regular};
-use crate::output::{PendingFile, try_to_append, try_to_write};
+use crate::output::{PendingFile, check_appendable, check_replaceable};
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::io::{BufWriter, Write};
@@ -67,10 +67,10 @@ impl Output {
     ) -> io::Result<Self> {
         let path = PathBuf::from(&name);
         let held = if mode == Word::Append {
-            try_to_append(&path)?;
+            check_appendable(&path)?;
             sources.held_to_append(&path)
         } else {
-            try_to_write(&path)?;
+            check_replaceable(&path)?;
             HeldFile::default()
         };
         let to = To::Memory(held);

@@ -198,7 +198,7 @@ impl<'a> Lexer<'a> {
             let slice = Slice::new(self.text, at, size);
             at = self.read_rule(slice, Rule::piece);
             if at == slice.base {
-                at = self.read_hard(at);
+                at = self.read_nested(at);
             }
             if at > slice.base {
                 size = 0;
@@ -218,7 +218,7 @@ impl<'a> Lexer<'a> {
     }
 
     /// Reads a comment within which another begins, or a directive with a comment before its word.
-    fn read_hard(&mut self, at: usize) -> usize {
+    fn read_nested(&mut self, at: usize) -> usize {
         let rest = Slice::new(self.text, at, usize::MAX);
         match rest.text.as_bytes() {
             [b'/', b'*', ..] => self.read_rule(rest, Rule::nested),

@@ -13,7 +13,7 @@
 
 use super::estimate::ChannelRange;
 use super::finish::{Finisher, HIDDEN, Outcome, Task, is_calm};
-use super::neighbors::doubts;
+use super::neighbours::doubts;
 use super::pixels::{Band, ErrorTarget, FINER, FinishedPixel, SampleFilter};
 use super::sample::{AdaptiveSample, PixelSampler, SamplerScratch, TOGETHER};
 use crate::world::RayCounts;

@@ -26,7 +26,7 @@ impl PixelParts {
         let middle_of_last = second.map_or([0.5; 2], |second| second.centroids()[1]);
         let middle = match second {
             None => of_first[1],
-            Some(_) if between < LEAST_PART => [0.5; 2],
+            Some(_) if between < MIN_PART => [0.5; 2],
             Some(_) => [0, 1]
                 .map(|i| (0.5 - first.dark * of_first[0][i] - last * middle_of_last[i]) / between),
         };
@@ -73,4 +73,4 @@ impl PixelParts {
 }
 
 /// Parts with less area have no centroid.
-const LEAST_PART: f64 = 1e-3;
+const MIN_PART: f64 = 1e-3;

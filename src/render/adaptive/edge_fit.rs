@@ -11,7 +11,7 @@ use super::triple_edge::Sides;
 use super::two_class::SampleClasses;
 
 /// Samples on an edge: the limit, and the number added at once.
-const MOST_ON_AN_EDGE: u32 = 18;
+const MAX_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
 /// Variance over the target above which twice as many are added at once.
 const FAR: f64 = 64.0;
@@ -216,7 +216,7 @@ impl EdgeFit {
         }
         // Lines need not be known much better than colours.
         let aimed = best.max(2.0 * rest).min(most);
-        let is_last = self.taken >= MOST_ON_AN_EDGE << (lines - 1);
+        let is_last = self.taken >= MAX_ON_AN_EDGE << (lines - 1);
         let is_enough = whole <= if is_last { most } else { aimed };
         if (is_enough || rest > best) && std::mem::take(&mut self.needs_test) {
             return NextStep::Test;

@@ -15,7 +15,7 @@ use super::slope::Slopes;
 pub(super) const SHARE_OF_VARIANCE: f64 = 1.0 / 6.0;
 /// Least share of the error with half the samples that is assumed to remain with all of them: an estimate that drops by
 /// more than can be expected is luck.
-const LEAST_LEFT: f64 = 0.5;
+const MIN_LEFT: f64 = 0.5;
 /// Share of the change since half the samples that is assumed to be still to come.
 pub(super) const STILL_TO_COME: f64 = 0.33;
 
@@ -47,7 +47,7 @@ impl Estimate {
     }
 
     /// The largest difference of two means in a channel; values above full white are clipped.
-    pub(super) fn apart(&self, other: &Estimate, channels: usize) -> f64 {
+    pub(super) fn max_difference(&self, other: &Estimate, channels: usize) -> f64 {
         (0..channels)
             .map(|c| (self.mean[c].min(1.0) - other.mean[c].min(1.0)).abs())
             .fold(0.0, f64::max)
@@ -97,19 +97,19 @@ impl ChannelRange {
 }
 
 /// The estimate from all samples, made cautious by the estimate from the first half.
-pub(super) fn after_half(whole: Estimate, half: &Estimate, channels: usize) -> Estimate {
+pub(super) fn limited_by_half(whole: Estimate, half: &Estimate, channels: usize) -> Estimate {
     Estimate {
         error: whole
             .error
-            .max(half.error * LEAST_LEFT)
-            .max(whole.apart(half, channels) * STILL_TO_COME),
+            .max(half.error * MIN_LEFT)
+            .max(whole.max_difference(half, channels) * STILL_TO_COME),
         ..whole
     }
 }
 
 /// The estimate from the first samples of a pixel, a power of two of them, on a surface with these slopes. `grid` is a
 /// buffer.
-pub(super) fn of_all(
+pub(super) fn estimate(
     samples: &[AdaptiveSample],
     channels: usize,
     slopes: &Slopes,

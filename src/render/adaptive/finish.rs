@@ -5,8 +5,8 @@
 //! a fraction of single rays.
 
 use super::edge_fit::{Buffers, EdgeFit, ErrorGoal, NextStep};
-use super::estimate::{Estimate, after_half, of_all};
-use super::neighbors::first_estimate;
+use super::estimate::{Estimate, estimate, limited_by_half};
+use super::neighbours::first_estimate;
 use super::pixels::{Band, FinishedPixel};
 use super::rectangles::TinyObjects;
 use super::sample::PointSample;
@@ -21,7 +21,7 @@ const UNSEEN: f64 = 0.25;
 /// The same where the samples around a pixel agree with its own.
 pub(super) const HIDDEN: f64 = 0.0625;
 /// Upper limit of the samples of a pixel.
-const MOST_SAMPLES: usize = 1 << 14;
+const MAX_SAMPLES: usize = 1 << 14;
 /// The side of a pixel in the units of sample positions.
 const SIDE: i32 = 1 << 16;
 /// Distance around a pixel within which first samples show how an edge continues and how colours slope. With half a
@@ -195,7 +195,8 @@ impl PixelJob {
                 if is_calm {
                     // The comparison with its neighbours has shown that it is calm.
                     let (samples, channels) = (band.first_of(at), band.sampler.channels);
-                    let estimate = of_all(samples, channels, &Slopes::default(), &mut buffers.grid);
+                    let estimate =
+                        estimate(samples, channels, &Slopes::default(), &mut buffers.grid);
                     let error = estimate.error.min(band.target.error);
                     return self.outcome(Some(done(&estimate, error)));
                 }
@@ -313,7 +314,7 @@ impl PixelJob {
     /// The next step with all samples so far.
     fn refine(&mut self, band: &Band<'_>, buffers: &mut JobBuffers) -> Option<Outcome> {
         let error = self.estimate.error.max(self.hidden(UNSEEN));
-        let is_last = self.samples.len() >= MOST_SAMPLES || band.target.is_over();
+        let is_last = self.samples.len() >= MAX_SAMPLES || band.target.is_over();
         if error <= band.target.error * EVEN || is_last {
             return self.outcome(Some(done(&self.estimate, error)));
         }
@@ -398,8 +399,8 @@ impl PixelJob {
     fn estimate(&mut self, band: &Band<'_>, slopes: &Slopes, buffers: &mut JobBuffers) {
         let channels = band.sampler.channels;
         let half = self.whole;
-        self.whole = of_all(&self.samples, channels, slopes, &mut buffers.grid);
-        let estimate = after_half(self.whole, &half, channels);
+        self.whole = estimate(&self.samples, channels, slopes, &mut buffers.grid);
+        let estimate = limited_by_half(self.whole, &half, channels);
         let times = count_of(&self.samples) / band.target.first;
         self.estimate = Estimate {
             error: estimate.error * caution(times),
@@ -410,7 +411,7 @@ impl PixelJob {
     /// The estimate from the first half of the samples.
     fn of_half(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut JobBuffers) -> Estimate {
         let half = &self.samples[..self.samples.len() / 2];
-        of_all(half, band.sampler.channels, slopes, &mut buffers.grid)
+        estimate(half, band.sampler.channels, slopes, &mut buffers.grid)
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]

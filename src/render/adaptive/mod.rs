@@ -14,7 +14,7 @@ mod edge;
 mod edge_fit;
 mod estimate;
 mod finish;
-mod neighbors;
+mod neighbours;
 mod pixels;
 mod rectangles;
 mod sample;
@@ -47,10 +47,10 @@ const ROWS_WITH_CHECKPOINT: u32 = 64;
 const ROWS_IN_TIME: u32 = 32;
 /// Error of the first pass with a time limit, and the factor from one pass to the next.
 const FIRST_ERROR: f64 = 16.0;
-const FALL: f64 = 0.25;
+const ERROR_FACTOR: f64 = 0.25;
 /// Smallest error aimed for: single precision of colours ends here.
-const LEAST_ERROR: f64 = 1e-4;
-const STEPS: f64 = 255.0;
+const MIN_ERROR: f64 = 1e-4;
+const LEVELS: f64 = 255.0;
 
 /// Renders the requested pixels.
 pub(super) fn draw(
@@ -63,11 +63,11 @@ pub(super) fn draw(
     let deadline = settings
         .time
         .and_then(|time| Instant::now().checked_add(time));
-    let error = settings.error.max(LEAST_ERROR);
+    let error = settings.error.max(MIN_ERROR);
     let tiny_objects = TinyObjects::of(
         tracer.world(),
         (options.width, options.height),
-        error / STEPS,
+        error / LEVELS,
     );
     let sampler = PixelSampler {
         tracer,
@@ -91,7 +91,7 @@ pub(super) fn draw(
     };
     match deadline {
         None => {
-            let target = ErrorTarget::new(error / STEPS, None);
+            let target = ErrorTarget::new(error / LEVELS, None);
             let mut missing = vec![drawing.rows.clone()];
             for tile in checkpoint.map_or(&[][..], Checkpoint::tiles) {
                 if drawing.take(tile) {
@@ -186,11 +186,11 @@ impl Drawing<'_> {
         let mut goal = FIRST_ERROR.max(error);
         // The first pass is finished regardless of the time: there must be a picture.
         for rows in bands(&self.rows, self.rows_together()) {
-            self.draw(&rows, ErrorTarget::new(goal / STEPS, None), progress);
+            self.draw(&rows, ErrorTarget::new(goal / LEVELS, None), progress);
         }
         while goal > error && Instant::now() < deadline {
-            goal = (goal * FALL).max(error);
-            let target = ErrorTarget::new(goal / STEPS, Some(deadline));
+            goal = (goal * ERROR_FACTOR).max(error);
+            let target = ErrorTarget::new(goal / LEVELS, Some(deadline));
             let mut bands = bands(&self.rows, ROWS_IN_TIME);
             bands.sort_by(|a, b| self.error_of(b).total_cmp(&self.error_of(a)));
             for rows in bands {
@@ -243,8 +243,8 @@ impl Drawing<'_> {
         let pixels = self.errors.len().max(1) as f64;
         AdaptiveOutcome {
             target,
-            largest: largest * STEPS,
-            rms: (squares / pixels).sqrt() * STEPS,
+            largest: largest * LEVELS,
+            rms: (squares / pixels).sqrt() * LEVELS,
             samples: self.samples,
         }
     }

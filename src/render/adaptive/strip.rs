@@ -9,7 +9,7 @@ const DIRECTIONS: usize = 16;
 /// Rounds of the search; later rounds search around the direction with the fewest mixed samples.
 const ROUNDS: u32 = 3;
 /// Share of mixed samples up to which a strip may lie in a nearby direction.
-const MOST_MIXED: f32 = 1.0 / 6.0;
+const MAX_MIXED: f32 = 1.0 / 6.0;
 
 /// A strip of one class between samples of the other.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +25,7 @@ impl Strip {
     /// several strips in one round the widest gap to the others wins.
     pub(super) fn between(dark: &[[f64; 2]], bright: &[[f64; 2]]) -> Option<Strip> {
         #[allow(clippy::cast_precision_loss, reason = "samples of a pixel are few")]
-        let most = MOST_MIXED * (dark.len() + bright.len()) as f32;
+        let most = MAX_MIXED * (dark.len() + bright.len()) as f32;
         let mut fan = Fan::HALF_TURN;
         for _ in 0..ROUNDS {
             let directions = fan.directions();

@@ -5,7 +5,7 @@
     reason = "colours are single precision"
 )]
 
-use super::estimate::{ChannelRange, after_half, of_all};
+use super::estimate::{ChannelRange, estimate, limited_by_half};
 use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use crate::base::math::sampling::sobol::Sobol;
@@ -25,8 +25,8 @@ fn errors(n: u32, value: impl Fn(u32, [f64; 2]) -> f64, mean: impl Fn(u32) -> f6
             })
             .collect();
         let estimate_of =
-            |samples: &[AdaptiveSample]| of_all(samples, 3, &Slopes::default(), &mut Vec::new());
-        let estimate = after_half(
+            |samples: &[AdaptiveSample]| estimate(samples, 3, &Slopes::default(), &mut Vec::new());
+        let estimate = limited_by_half(
             estimate_of(&samples),
             &estimate_of(&samples[..samples.len() / 2]),
             3,

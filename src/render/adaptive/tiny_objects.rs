@@ -5,7 +5,7 @@
 //! show the pixel without it, and the samples in the rectangle show what it adds. This is exact rather than a guess at
 //! hidden features: the mean is the same however the samples are moved.
 
-use super::estimate::{Estimate, of_all};
+use super::estimate::{Estimate, estimate};
 use super::pixels::{Band, FinishedPixel};
 use super::rectangles::{Rectangle, TinyObjects, TinyObjectsOfPixel};
 use super::sample::{AdaptiveSample, PixelSampler, SamplerScratch, pixel};
@@ -19,17 +19,17 @@ use rayon::prelude::*;
 /// Larger boxes, in pixels, are hit by regular samples.
 const WIDEST: f64 = 2.0;
 /// Regular samples see enough of objects that cover more of a pixel together.
-const MOST_COVERED: f64 = 0.6;
+const MAX_COVERED: f64 = 0.6;
 /// Most rectangles in a pixel; the largest are retained.
 const MOST: usize = 16;
 /// Brightness, in multiples of white, up to which an object is still looked for if it could count.
 const BRIGHTEST: f64 = 8.0;
 /// Margin around a box, as a share of its size and in pixels: boxes are rounded.
 const MARGIN: f64 = 0.01;
-const LEAST_MARGIN: f64 = 1e-6;
+const MIN_MARGIN: f64 = 1e-6;
 /// Samples in a rectangle: the first batch, and the limit.
 const FIRST: u32 = 16;
-const MOST_SAMPLES: u32 = 1 << 10;
+const MAX_SAMPLES: u32 = 1 << 10;
 /// Share of the requested error that a rectangle may have.
 const SHARE: f64 = 0.25;
 
@@ -57,7 +57,7 @@ impl TinyObjects {
             rectangles.sort_by(|a, b| b.area().total_cmp(&a.area()));
             rectangles.truncate(MOST);
             let covered: f64 = rectangles.iter().map(Rectangle::area).sum();
-            covered <= MOST_COVERED
+            covered <= MAX_COVERED
         });
         tiny_objects
     }
@@ -164,14 +164,14 @@ impl TinyObjects {
                 let numbers = taken..(2 * taken).max(FIRST);
                 taken = numbers.end;
                 self.differences(band.sampler, at, numbered, numbers, scratch, samples);
-                let estimate = of_all(
+                let estimate = estimate(
                     samples,
                     band.sampler.channels,
                     &Slopes::default(),
                     &mut grid,
                 );
                 let is_enough = estimate.error <= band.target.error * SHARE;
-                if is_enough || taken >= MOST_SAMPLES || band.target.is_over() {
+                if is_enough || taken >= MAX_SAMPLES || band.target.is_over() {
                     break estimate;
                 }
             };
@@ -258,7 +258,7 @@ fn projection(camera: &Camera, bounds: &Bounds, (width, height): (u32, u32)) -> 
             return None;
         }
     }
-    let margin = [0, 1].map(|i| (all.to[i] - all.from[i]) * MARGIN + LEAST_MARGIN);
+    let margin = [0, 1].map(|i| (all.to[i] - all.from[i]) * MARGIN + MIN_MARGIN);
     Some(Rectangle {
         from: [0, 1].map(|i| all.from[i] - margin[i]),
         to: [0, 1].map(|i| all.to[i] + margin[i]),

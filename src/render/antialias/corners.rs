@@ -7,7 +7,7 @@ use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 
 /// Samples inside pixels that are stored at a time: as many as a tile divided five times has.
-const MOST_INNER: usize = 1 << 20;
+const MAX_INNER: usize = 1 << 20;
 
 /// A point on the finest grid of a pixel: the pixel's index, then column and row.
 type Point = (usize, u32, u32);
@@ -66,7 +66,7 @@ impl<'s, 'a> Corners<'s, 'a> {
         let mut pixels = vec![Pixel::default(); self.width * self.height];
         let numbers: Vec<usize> = (0..pixels.len()).collect();
         // Each division quadruples the samples of a pixel.
-        let together = (MOST_INNER >> (2 * self.sampler.settings.depth)).max(1);
+        let together = (MAX_INNER >> (2 * self.sampler.settings.depth)).max(1);
         for numbers in numbers.chunks(together) {
             let mut open = numbers.to_vec();
             while !open.is_empty() {

@@ -15,7 +15,7 @@ const SAME: f64 = 1e-6;
 /// The largest distance of a point behind a sample's plane, as a sine.
 const BEHIND: f64 = 0.05;
 /// Samples of less weight are ignored.
-const LEAST_WEIGHT: f64 = 0.001;
+const MIN_WEIGHT: f64 = 0.001;
 /// Roundings, more than those by which two squares with equal roots differ.
 const ROUNDINGS: f64 = 8.0;
 /// Samples farther from the origin are not stored.
@@ -158,7 +158,7 @@ impl IrradianceSample {
         if front <= 0.0 {
             weight *= 1.0 + front / BEHIND;
         }
-        if weight > LEAST_WEIGHT {
+        if weight > MIN_WEIGHT {
             weight * self.quality
         } else {
             0.0

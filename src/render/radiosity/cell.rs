@@ -5,7 +5,7 @@ use glam::DVec3;
 /// The coordinate offset of the cells, so that their indices are positive.
 const FIRST: f64 = 1e7;
 /// The level of the smallest cells: below the rounding error of coordinates with that offset.
-const LEAST_LEVEL: i32 = -38;
+const MIN_LEVEL: i32 = -38;
 /// The level of the single cell that holds everything.
 const WHOLE_LEVEL: i32 = 41;
 
@@ -54,7 +54,7 @@ impl Cell {
     pub(super) fn around(point: DVec3, reach: f64) -> Cell {
         #[allow(clippy::cast_possible_truncation, reason = "an exponent of a double")]
         let level = (2.0 * reach).log2().floor() as i32;
-        let level = level.clamp(LEAST_LEVEL, WHOLE_LEVEL);
+        let level = level.clamp(MIN_LEVEL, WHOLE_LEVEL);
         let mut cell = Cell::at(point, level);
         let holds = |cell: Cell| {
             let cube = cell.cube();

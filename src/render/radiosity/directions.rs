@@ -5,7 +5,7 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// The default number of directions.
-pub(super) const USUAL: u32 = 1600;
+pub(super) const DEFAULT_COUNT: u32 = 1600;
 
 /// The cosine to y from which a normal uses the axes of the world.
 const UPRIGHT: f64 = 0.999;
@@ -67,12 +67,12 @@ mod tests {
 
     #[test]
     fn directions_are_cosine_weighted() {
-        let pool = pool(USUAL);
+        let pool = pool(DEFAULT_COUNT);
         assert!(
             pool.iter()
                 .all(|dir| dir.y >= 0.0 && (dir.length() - 1.0).abs() < 1e-12)
         );
-        let mean: f64 = pool.iter().map(|dir| dir.y).sum::<f64>() / f64::from(USUAL);
+        let mean: f64 = pool.iter().map(|dir| dir.y).sum::<f64>() / f64::from(DEFAULT_COUNT);
         // The mean cosine of cosine-weighted directions is two thirds.
         assert!((mean - 2.0 / 3.0).abs() < 1e-3, "{mean}");
         // h2(1) = 1/2, h3(1) = 1/3.

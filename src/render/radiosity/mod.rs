@@ -43,8 +43,8 @@ impl Radiosity {
     /// The radiosity of a scene; `importance` is the default of objects.
     #[must_use]
     pub fn new(settings: scene::RadiositySettings, importance: f64) -> Self {
-        let count = settings.directions.unwrap_or(directions::USUAL);
-        let count = count.max(settings.count).clamp(1, MOST_DIRECTIONS);
+        let count = settings.directions.unwrap_or(directions::DEFAULT_COUNT);
+        let count = count.max(settings.count).clamp(1, MAX_DIRECTIONS);
         Radiosity {
             settings,
             importance,
@@ -55,7 +55,7 @@ impl Radiosity {
     /// The number of rays of a sample at a depth.
     #[must_use]
     pub fn rays(&self, depth: usize) -> u32 {
-        (self.settings.count.min(MOST_DIRECTIONS) >> depth).max(LEAST_RAYS)
+        (self.settings.count.min(MAX_DIRECTIONS) >> depth).max(MIN_RAYS)
     }
 
     /// The weight of these rays.
@@ -108,9 +108,9 @@ impl Radiosity {
 }
 
 /// The least number of rays of a sample.
-const LEAST_RAYS: u32 = 5;
+const MIN_RAYS: u32 = 5;
 /// The largest number of distinct directions.
-const MOST_DIRECTIONS: u32 = 1 << 20;
+const MAX_DIRECTIONS: u32 = 1 << 20;
 
 /// Two to the power of the depth.
 fn power(depth: usize) -> f64 {

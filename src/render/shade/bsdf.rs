@@ -90,7 +90,7 @@ impl LayerBsdf<'_> {
 }
 
 /// Lights farther behind a surface are hardly ever faced after bump mapping.
-pub(in crate::render::shade) const MOST_TILTED: f64 = -0.5;
+pub(in crate::render::shade) const MAX_TILTED: f64 = -0.5;
 
 #[inline]
 pub(in crate::render::shade) fn is_negligible(light: Rgb) -> bool {

@@ -22,7 +22,8 @@ pub(super) struct Features {
 impl Features {
     /// The features of `world` at a quality (`+Q`).
     pub(super) fn new(world: &World, quality: u8) -> Features {
-        let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
+        let has_media =
+            quality >= 9 && (!world.media.is_empty() || world.interiors.any_has_media());
         let needs_backface_light = world.needs_backface_light();
         Features {
             needs_interiors: !world.is_opaque()
@@ -30,7 +31,7 @@ impl Features {
                 || has_media
                 || !world.has_clear_air(),
             has_media,
-            light_fades: world.interiors.fade_light(),
+            light_fades: world.interiors.any_attenuates(),
             needs_backface_light,
             light_varies_by_surface: needs_backface_light || world.has_unlit(),
         }
@@ -52,7 +53,7 @@ pub(super) struct FastPaths {
 impl FastPaths {
     /// The fast paths of `world`.
     pub(super) fn new(world: &World, quality: Quality, features: Features) -> FastPaths {
-        let wavefront = !world.interiors.split_light() && !world.uses_random();
+        let wavefront = !world.interiors.any_disperses() && !world.uses_random();
         let has_radiosity = world.radiosity.is_some();
         FastPaths {
             wavefront,

@@ -167,7 +167,7 @@ impl<'w> Tracer<'w> {
 
     /// The same tracer with irradiance samples. It adds none, so points of the picture may be traced in any order.
     #[must_use]
-    pub fn with_samples(self, session: &Session) -> Self {
+    pub fn with_irradiance_cache(self, session: &Session) -> Self {
         let session = Some(Box::new(session.in_mode(Mode::Lone)));
         Tracer { session, ..self }
     }
@@ -285,7 +285,7 @@ impl<'w> Tracer<'w> {
             let air = (!is_last).then(|| self.air(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
             let air = air.unwrap_or_else(|| self.air(&path, end, scratch));
-            let Some(transmission) = view.unrefracted else {
+            let Some(transmission) = view.straight else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
                     transmit: view.transmit,

@@ -28,7 +28,7 @@ pub(super) struct SurfaceRadiance {
     /// Reflected light, added last.
     pub(super) reflected: Rgb,
     /// Transmission without refraction, still to be added.
-    pub(super) unrefracted: Option<StraightTransmission>,
+    pub(super) straight: Option<StraightTransmission>,
 }
 
 /// The light of a texture's layers at a hit, before its secondary rays are traced.
@@ -36,7 +36,7 @@ pub(super) struct ShadedLayers<'t> {
     /// Its own light.
     pub(super) rgb: Rgb,
     /// The transmittance of all layers.
-    pub(super) filter: Rgb,
+    pub(super) transmittance: Rgb,
     /// It is worth tracing the transmitted light.
     pub(super) passes: bool,
     /// The film on the top layer.
@@ -51,7 +51,7 @@ impl SurfaceRadiance {
         rgb: Rgb::BLACK,
         transmit: 0.0,
         reflected: Rgb::BLACK,
-        unrefracted: None,
+        straight: None,
     };
 
     /// Adds a weighted texture of the same hit.
@@ -59,12 +59,12 @@ impl SurfaceRadiance {
         self.rgb += other.rgb * f64::from(weight);
         self.transmit += other.transmit * weight;
         self.reflected += other.reflected * f64::from(weight);
-        let Some(mut other) = other.unrefracted else {
+        let Some(mut other) = other.straight else {
             return;
         };
         other.factor *= Rgb::splat(weight);
         other.transmit *= weight;
-        self.unrefracted = Some(match self.unrefracted.take() {
+        self.straight = Some(match self.straight.take() {
             None => other,
             Some(sum) => StraightTransmission {
                 factor: sum.factor + other.factor,
@@ -95,7 +95,7 @@ pub(super) enum TextureUse {
 
 /// A texture of a hit to be shaded.
 pub(super) struct TextureShading<'a, 't> {
-    pub(super) look: &'a WeightedTexture<'t>,
+    pub(super) texture: &'a WeightedTexture<'t>,
     /// The last bumped normal at the hit.
     pub(super) tilted: &'a mut Option<DVec3>,
     /// The shadowed light of earlier textures.
@@ -128,7 +128,7 @@ impl<'w> Tracer<'w> {
             [only] if only.weight == 1.0 => {
                 let shadow_cache = (only.texture.layers().len() > 1).then(ShadowCache::default);
                 let one = TextureShading {
-                    look: only,
+                    texture: only,
                     tilted: &mut None,
                     shadow_cache: shadow_cache.as_ref(),
                 };
@@ -140,7 +140,7 @@ impl<'w> Tracer<'w> {
                 let shadow_cache = ShadowCache::default();
                 for look in several {
                     let one = TextureShading {
-                        look,
+                        texture: look,
                         tilted: &mut tilted,
                         shadow_cache: Some(&shadow_cache),
                     };
@@ -271,7 +271,14 @@ impl<'w> Tracer<'w> {
         view.rgb = shaded.rgb;
         let mut is_total = false;
         if shaded.passes {
-            is_total = self.pass(&lit, hit, shaded.filter, shaded.film, &mut view, scratch);
+            is_total = self.pass(
+                &lit,
+                hit,
+                shaded.transmittance,
+                shaded.film,
+                &mut view,
+                scratch,
+            );
         }
         if scratch.order_dependent() && (self.has_air() || !shaded.mirrors.is_empty()) {
             self.trace_unrefracted(&lit, hit, &mut view, scratch);
@@ -297,7 +304,7 @@ impl<'w> Tracer<'w> {
         'w: 'p,
     {
         let TextureShading {
-            look,
+            texture: look,
             tilted,
             shadow_cache,
         } = of;
@@ -315,7 +322,7 @@ impl<'w> Tracer<'w> {
         };
         let mut shaded = ShadedLayers {
             rgb: Rgb::BLACK,
-            filter: Rgb::WHITE,
+            transmittance: Rgb::WHITE,
             passes: false,
             film: None,
             mirrors: SmallVec::new(),
@@ -383,7 +390,7 @@ impl<'w> Tracer<'w> {
             scratch.photons = photons;
         }
         lit.at.normal = top.unwrap_or(flat);
-        shaded.filter = filter;
+        shaded.transmittance = filter;
         shaded.passes =
             self.quality.has_transparency && !self.is_opaque(path.irradiance_depth, filter);
         shaded.film = texture.layers().first().map(|top| &top.finish.irid);

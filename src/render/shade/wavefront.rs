@@ -569,7 +569,7 @@ impl Tracer<'_> {
         };
         let shadow_cache = (only.texture.layers().len() > 1).then(ShadowCache::default);
         let of = TextureShading {
-            look: only,
+            texture: only,
             tilted: &mut None,
             shadow_cache: shadow_cache.as_ref(),
         };
@@ -595,7 +595,7 @@ impl Tracer<'_> {
         };
         let light = SurfaceLight {
             own: shaded.rgb,
-            passing: shaded.passes.then_some(shaded.filter),
+            passing: shaded.passes.then_some(shaded.transmittance),
             mirror: shaded.mirrors.first(),
             film: shaded.film,
             air,

@@ -52,7 +52,7 @@ pub struct Light {
     /// Unit direction from `centre` to `points_at`; zero where they are the same.
     axis: DVec3,
     /// Unit direction in which parallel rays travel.
-    rays: DVec3,
+    parallel_dir: DVec3,
     /// The apex of the cone or a point on the axis of the cylinder: for a grid light the centre of the whole area
     /// light.
     beam_origin: DVec3,
@@ -99,7 +99,7 @@ impl Light {
             photons: PhotonSettings::default(),
             points_at: DVec3::Z,
             axis: DVec3::ZERO,
-            rays: DVec3::ZERO,
+            parallel_dir: DVec3::ZERO,
             beam_origin: centre,
         };
         light.aim();
@@ -221,14 +221,14 @@ impl Light {
         Light {
             centre,
             area: None,
-            rays: (self.points_at - centre).normalize_or_zero(),
+            parallel_dir: (self.points_at - centre).normalize_or_zero(),
             ..*self
         }
     }
 
     fn aim(&mut self) {
         self.axis = (self.points_at - self.centre).normalize_or_zero();
-        self.rays = self.axis;
+        self.parallel_dir = self.axis;
         self.beam_origin = self.centre;
     }
 
@@ -257,8 +257,8 @@ impl Light {
         let offset = self.centre - point;
         if self.is_parallel {
             return Arrival {
-                to_light: -self.rays,
-                distance: -offset.dot(self.rays),
+                to_light: -self.parallel_dir,
+                distance: -offset.dot(self.parallel_dir),
             };
         }
         let distance = offset.length();
@@ -302,7 +302,7 @@ impl Light {
     /// The unit direction in which parallel rays travel.
     #[must_use]
     pub fn parallel_dir(&self) -> DVec3 {
-        self.rays
+        self.parallel_dir
     }
 }
 

@@ -245,7 +245,7 @@ pub type SolidOf = fn(&Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>>;
 /// An object with an inside test.
 pub trait Solid: Debug + Send + Sync {
     /// Inside test for a point in the object's space.
-    fn holds(&self, point: DVec3) -> bool;
+    fn contains(&self, point: DVec3) -> bool;
 }
 
 impl Default for Settings {

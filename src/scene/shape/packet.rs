@@ -53,7 +53,7 @@ impl<F: F64Lanes> SpanPacket<F> {
         let enters_bits = F::bitmask(enters);
         NearestPacket {
             t: F::select(enters, self.enter, self.leave),
-            leaves: F::bitmask(leaves) & !enters_bits,
+            exit_mask: F::bitmask(leaves) & !enters_bits,
             hit_mask: enters_bits | F::bitmask(leaves),
             unknown: self.unknown,
         }
@@ -74,7 +74,7 @@ pub(crate) struct RootPacket<F: F64Lanes> {
 pub(crate) struct NearestPacket<F: F64Lanes> {
     pub(crate) t: F,
     /// Bit mask of the lanes whose root leaves the solid; the others enter.
-    pub(crate) leaves: u32,
+    pub(crate) exit_mask: u32,
     /// Bit mask of the lanes that have a root.
     pub(crate) hit_mask: u32,
     /// Bit mask of the lanes that take the scalar path.
@@ -86,7 +86,7 @@ impl<F: F64Lanes> NearestPacket<F> {
     fn load(result: &NearestResult4) -> Self {
         NearestPacket {
             t: F::from_array(&result.t),
-            leaves: 0,
+            exit_mask: 0,
             hit_mask: result.hit_mask,
             unknown: result.unknown,
         }
@@ -110,7 +110,7 @@ impl<F: F64Lanes> RootPacket<F> {
     pub(crate) fn nearest(&self, from: F, far: F, left: [u32; 2]) -> NearestPacket<F> {
         let mut nearest = NearestPacket {
             t: F::splat(f64::INFINITY),
-            leaves: 0,
+            exit_mask: 0,
             hit_mask: 0,
             unknown: self.unknown,
         };
@@ -136,7 +136,7 @@ impl<F: F64Lanes> RootPacket<F> {
             let new = F::bitmask(is_within) & self.hit_masks[slot] & !is_hidden & !nearest.hit_mask;
             nearest.t = F::select(F::mask_from_bits(new), self.t[slot], nearest.t);
             if slot % 2 == 1 {
-                nearest.leaves |= new;
+                nearest.exit_mask |= new;
             }
             nearest.hit_mask |= new;
         }

@@ -18,7 +18,7 @@ const ROUNDS: u32 = 3;
 pub(crate) type Factors = SmallVec<[(u32, bool); 8]>;
 
 /// Bounds of the intersection of all factors within a box.
-pub(crate) fn limited(leaves: &[Leaf], factors: &Factors, around: Bounds) -> Bounds {
+pub(crate) fn clip_to_planes(leaves: &[Leaf], factors: &Factors, around: Bounds) -> Bounds {
     let mut limited = around;
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
@@ -132,7 +132,7 @@ mod tests {
                     quadric(squares, linear, constant, steps),
                 ];
                 let factors = Factors::from_slice(&[(0, false), (1, true), (2, false)]);
-                let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+                let around = clip_to_planes(&leaves, &factors, Bounds::EVERYTHING);
                 assert!(around.is_finite(), "{squares}");
                 let to_world = Transform::from_steps(steps).world_from_object;
                 let mut inside = 0;
@@ -154,7 +154,7 @@ mod tests {
         let cylinder = quadric(DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO, -1.0, &[]);
         let leaves = [plane(DVec3::Y, 2.0, &[]), cylinder];
         let factors = Factors::from_slice(&[(0, false), (1, false)]);
-        let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+        let around = clip_to_planes(&leaves, &factors, Bounds::EVERYTHING);
         assert!(!around.is_finite());
         // The outside of a cylinder between planes is unbounded too.
         let leaves = [
@@ -163,7 +163,7 @@ mod tests {
             quadric(DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO, -1.0, &[]),
         ];
         let factors = Factors::from_slice(&[(0, false), (1, true), (2, true)]);
-        let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+        let around = clip_to_planes(&leaves, &factors, Bounds::EVERYTHING);
         assert!(!around.is_finite() && !leaves[2].shape.bounds().is_finite());
     }
 }

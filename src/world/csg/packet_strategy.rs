@@ -5,12 +5,12 @@ use crate::world::primitive::Leaf;
 use smallvec::SmallVec;
 
 /// Most operands tested end by end, besides the required ones; the work grows with the square.
-pub(in crate::world) const MOST_OPERANDS: usize = 16;
+pub(in crate::world) const MAX_OPERANDS: usize = 16;
 /// Most nodes of a program that packets support.
-pub(in crate::world) const MOST_NODES: usize = 8;
+pub(in crate::world) const MAX_NODES: usize = 8;
 
 /// Indices of operands.
-pub(in crate::world) type Numbers = SmallVec<[u32; MOST_OPERANDS]>;
+pub(in crate::world) type Numbers = SmallVec<[u32; MAX_OPERANDS]>;
 
 /// The packet algorithm for a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl CsgProgram {
                 .shape
                 .has_span_packet()
         };
-        if count > MOST_OPERANDS || !always_tested.all(has_spans) {
+        if count > MAX_OPERANDS || !always_tested.all(has_spans) {
             return PacketStrategy::Scalar;
         }
         match self.nodes.as_slice() {
@@ -42,8 +42,8 @@ impl CsgProgram {
             [node] if node.combine == Combine::Intersection && !node.is_inverse => {
                 PacketStrategy::Intersection
             }
-            nodes if nodes.len() <= MOST_NODES => {
-                if count + self.order.required.len() <= MOST_OPERANDS {
+            nodes if nodes.len() <= MAX_NODES => {
+                if count + self.order.required.len() <= MAX_OPERANDS {
                     PacketStrategy::Tree
                 } else {
                     PacketStrategy::Scalar

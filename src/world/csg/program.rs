@@ -596,7 +596,7 @@ pub(crate) fn hide_departure(
 }
 
 /// Most parts whose boxes are tested.
-pub(crate) const MOST_PARTS: usize = 64;
+pub(crate) const MAX_PARTS: usize = 64;
 
 /// The order in which a program intersects its operands.
 #[derive(Clone, Debug, Default)]
@@ -616,7 +616,7 @@ pub(crate) struct OperandBvh {
     pub(crate) tree: Bvh,
     /// The bounded operands of a large program.
     pub(crate) bounded: Vec<u32>,
-    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MOST_PARTS`].
+    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MAX_PARTS`].
     pub(crate) parts: Vec<Range<u32>>,
     /// For each node, the numbers of its operands that are not required, plain and inverse.
     pub(crate) resting: Vec<[u32; 2]>,

@@ -4,7 +4,7 @@
 //! intersection, and the inverse of a merge within one, are one intersection of all their operands.
 
 use super::inside::InsideInit;
-use super::program::{Combine, CsgProgram, MOST_PARTS, NONE, Node, OperandBvh, OperandOrder};
+use super::program::{Combine, CsgProgram, MAX_PARTS, NONE, Node, OperandBvh, OperandOrder};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
@@ -58,7 +58,7 @@ impl CsgProgram {
             let own = &is_in_tree[operands.start as usize..operands.end as usize];
             !is_needed && own.len() < self.operands.len() && own.contains(&false)
         });
-        parts.truncate(MOST_PARTS);
+        parts.truncate(MAX_PARTS);
         let (parts, of_parts): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
         let mut boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
         boxes.extend(of_parts);

@@ -7,7 +7,7 @@ use super::visibility_box::{holds, seen_in};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
 use crate::scene::{Kind, Object, Operation};
-use crate::world::csg::bounds::{Factors, limited};
+use crate::world::csg::bounds::{Factors, clip_to_planes};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
 use crate::world::index::index;
 use crate::world::primitive::{Extent, Leaf};
@@ -15,7 +15,7 @@ use smallvec::smallvec;
 use std::sync::Arc;
 
 /// Most operands of an intersection whose nested intersections are searched for bounding primitives.
-const MOST_FACTORS: usize = 64;
+const MAX_FACTORS: usize = 64;
 
 /// Bounds of a part of a CSG object.
 #[derive(Clone, Copy)]
@@ -180,7 +180,7 @@ impl Lowering {
             bounds.solid = bounds.solid.intersection(&held.solid);
         }
         let factors = factors(program, node, first);
-        bounds.solid = limited(&self.parts.leaves, &factors, bounds.solid);
+        bounds.solid = clip_to_planes(&self.parts.leaves, &factors, bounds.solid);
         bounds.shown = bounds.shown.intersection(&bounds.solid);
         bounds
     }
@@ -338,7 +338,7 @@ impl Lowering {
         }
         if is_product {
             let factors = factors(program, node, first);
-            sum.solid = limited(&self.parts.leaves, &factors, sum.solid);
+            sum.solid = clip_to_planes(&self.parts.leaves, &factors, sum.solid);
             sum.shown = sum.solid;
         }
         sum
@@ -354,7 +354,7 @@ pub(crate) fn is_gated(object: &Object) -> bool {
 /// The primitives whose intersection a node is, with those of nested intersections; its operands start at `first`.
 fn factors(program: &CsgProgram, node: u32, first: usize) -> Factors {
     let added = program.operands[first..].iter();
-    let is_small = added.len() <= MOST_FACTORS;
+    let is_small = added.len() <= MAX_FACTORS;
     let is_factor = |mut parent: u32| {
         while is_small && parent > node && parent != NONE {
             let between = &program.nodes[parent as usize];

@@ -106,7 +106,7 @@ impl Lowering {
                 self.interiors.fill(interior, media.collect());
             }
             Some(_) => {}
-            None => self.interiors.hand_down(above.interior, interior),
+            None => self.interiors.inherit_media(above.interior, interior),
         }
     }
 

@@ -83,7 +83,7 @@ impl ProbeModel {
 struct ProbedObject(World);
 
 impl Solid for ProbedObject {
-    fn holds(&self, point: DVec3) -> bool {
+    fn contains(&self, point: DVec3) -> bool {
         point.is_finite() && self.0.holds(point)
     }
 }

@@ -20,7 +20,7 @@ use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;
 /// POV-Ray's minimum hit distances, in scene units: for shadow rays and for all other rays.
 pub(in crate::world) const POV_RAY_SHADOW: f64 = 1e-3;
-const POV_RAY_LEAST: f64 = 1e-4;
+const POV_RAY_T_MIN: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
@@ -316,10 +316,10 @@ impl World {
         match (self.least_distance, kind) {
             // POV-Ray's in any case: nearest hits decide how far a radiosity sample reaches, and the reach shows in the
             // picture.
-            (_, RayKind::Radiosity) => POV_RAY_LEAST,
+            (_, RayKind::Radiosity) => POV_RAY_T_MIN,
             (TMinRule::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
             (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW,
-            (TMinRule::PovRay, _) => POV_RAY_LEAST,
+            (TMinRule::PovRay, _) => POV_RAY_T_MIN,
         }
     }
 

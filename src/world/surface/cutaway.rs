@@ -31,11 +31,11 @@ impl Cutaway {
     }
 
     /// The weights of the textures at a world point.
-    pub(crate) fn shares(&self, point: DVec3) -> TextureWeights {
+    pub(crate) fn texture_weights(&self, point: DVec3) -> TextureWeights {
         let mut shares = TextureWeights::new();
         let mut at = 0;
         while let Some(part) = self.parts.get(at) {
-            if !part.solid.holds(point) {
+            if !part.solid.contains(point) {
                 at = part.end;
                 continue;
             }

@@ -29,7 +29,7 @@ use crate::base::source::Code;
 use crate::output::{self, EncodeOptions, OutputError, Target};
 
 /// Frames are rendered in parallel only up to this total number of pixels: 2 GiB of films.
-const MOST_PIXELS: u64 = 1 << 27;
+const MAX_PIXELS: u64 = 1 << 27;
 
 /// Renders the frames.
 pub(crate) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliError> {
@@ -234,7 +234,7 @@ impl Run<'_> {
             Some(threads) => threads,
             None => thread::available_parallelism().map_or(1, usize::from),
         };
-        let limit = MOST_PIXELS / pixels(render).max(1);
+        let limit = MAX_PIXELS / pixels(render).max(1);
         threads
             .min(usize::try_from(limit).unwrap_or(usize::MAX))
             .max(1)

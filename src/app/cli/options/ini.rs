@@ -16,7 +16,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders with more entries are not fully searched for a file with a similar name.
-const MOST_NEIGHBOURS: usize = 10_000;
+const MAX_NEIGHBOURS: usize = 10_000;
 
 /// Maximum depth of nested files.
 const DEEPEST: usize = 16;
@@ -140,7 +140,7 @@ pub(crate) fn neighbour(missing: &Path) -> Option<String> {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    let files = fs::read_dir(folder).ok()?.take(MOST_NEIGHBOURS).flatten();
+    let files = fs::read_dir(folder).ok()?.take(MAX_NEIGHBOURS).flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
     let names = names.filter(|name| {
         [".pov", ".ini"]

@@ -48,7 +48,7 @@ const KEYS: &[(&str, Set)] = &[
     ("All_Console", |t, v, s| { t.has_console = true; t.quiet = !flag(t, v, s); Ok(()) }),
     ("All_File", |t, v, _| { t.stream(Stream::All, v); Ok(()) }),
     ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
-    ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
+    ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MAX_DEPTH, v, s)?.max(1)); Ok(()) }),
     ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
     ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
     ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.max(0.0); Ok(()) }),
@@ -154,7 +154,7 @@ const KEYS: &[(&str, Set)] = &[
 ];
 
 /// POV-Ray's largest `+R`; larger values count as this.
-const MOST_DEPTH: u8 = 9;
+const MAX_DEPTH: u8 = 9;
 
 fn above_zero(value: &str, word: &str) -> Result<f64, CliError> {
     match number(value, word)? {

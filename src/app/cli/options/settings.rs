@@ -18,7 +18,7 @@ use crate::base::options::{
 use crate::output::{EncodeOptions, Format, Target};
 
 /// Upper limit of the pixels of a picture: a film of 8 GiB.
-const MOST_PIXELS: u64 = 1 << 29;
+const MAX_PIXELS: u64 = 1 << 29;
 
 /// The settings of a whole run.
 #[derive(Clone, Debug, PartialEq)]
@@ -182,9 +182,9 @@ pub(crate) fn read_options(raw_args: &RawArgs, library_paths: Vec<PathBuf>) -> R
 
 fn render_options(raw_args: &RawArgs) -> Result<RenderOptions, CliError> {
     let (width, height) = (raw_args.width, raw_args.height);
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
         return Err(CliError::new(format!(
-            "a picture of {width} by {height} pixels is too large: the most is {MOST_PIXELS} pixels"
+            "a picture of {width} by {height} pixels is too large: the most is {MAX_PIXELS} pixels"
         )));
     }
     Ok(RenderOptions {

@@ -28,13 +28,15 @@ pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
     }
     let others = every_command().filter(|(_, options)| options.get_name() != own.get_name());
     let others = others.flat_map(|(command, options)| {
-        long_options(&options).into_iter().map(move |option| Of {
-            option,
-            command: command.clone(),
-        })
+        long_options(&options)
+            .into_iter()
+            .map(move |option| CommandOption {
+                option,
+                command: command.clone(),
+            })
     });
     match nearest(name, others) {
-        Some(Of { option, command }) => refusal.with_hint(format!(
+        Some(CommandOption { option, command }) => refusal.with_hint(format!(
             "did you mean `--{option}`, an option of `{command}`?"
         )),
         None => refusal.with_hint(listed),
@@ -42,12 +44,12 @@ pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
 }
 
 /// An option of a command.
-struct Of {
+struct CommandOption {
     option: String,
     command: String,
 }
 
-impl AsRef<str> for Of {
+impl AsRef<str> for CommandOption {
     fn as_ref(&self) -> &str {
         &self.option
     }

@@ -12,7 +12,7 @@ use crate::app::batch::{escaped, page, pasted};
 use crate::app::cli::options::error::CliError;
 
 /// Maximum width of each picture on the sheet.
-const MOST_WIDTH: u32 = 160;
+const MAX_WIDTH: u32 = 160;
 /// Writes `sheet.png` and `sheet.html` into the folder of a shape.
 pub(super) fn write(
     folder: &Path,
@@ -48,7 +48,7 @@ pub(super) fn write(
             pictures.push((picture.into_rgb8(), entry.verdict.is_wrong()));
         }
     }
-    let sheet = pasted(&pictures, width.min(MOST_WIDTH));
+    let sheet = pasted(&pictures, width.min(MAX_WIDTH));
     let path = folder.join("sheet.png");
     sheet
         .save(&path)

@@ -118,7 +118,7 @@ fn upsample_row(
     while let Some(sample) = row.next() {
         let following = row.peek().copied();
         // At the ends the sample is its own neighbour.
-        let weighted = |neighbor: Option<u16>| 3 * sample + neighbor.unwrap_or(sample);
+        let weighted = |neighbour: Option<u16>| 3 * sample + neighbour.unwrap_or(sample);
         out.push(divide_to_byte(weighted(previous) + left_bias, 4 * scale));
         out.push(divide_to_byte(weighted(following) + right_bias, 4 * scale));
         previous = Some(sample);

@@ -29,7 +29,7 @@ use std::sync::Arc;
 const MAX_READINGS: u8 = 20;
 
 /// Limit on recorded spheres; a scene may have them recorded again and again.
-const MOST_SPHERES: usize = 1 << 16;
+const MAX_SPHERES: usize = 1 << 16;
 
 /// A cursor over the tokens of one file that runs no directives.
 struct ReplayReader<'a> {
@@ -118,7 +118,7 @@ impl ReplayCache {
     fn record_sphere(&mut self, tokens: &Tokens, start: usize, end: usize) -> Known {
         let sphere = RecordedSphere::at(tokens, start, self).filter(|sphere| sphere.after == end);
         match (sphere, u32::try_from(self.spheres.len())) {
-            (Some(sphere), Ok(index)) if self.spheres.len() < MOST_SPHERES => {
+            (Some(sphere), Ok(index)) if self.spheres.len() < MAX_SPHERES => {
                 self.spheres.push(Rc::new(sphere));
                 Known::RecordedSphere(index)
             }

@@ -7,7 +7,7 @@ use crate::base::math::simd::vec3::{
     Vec3Lanes, add, divide, dot, from_arrays, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
-use crate::render::shade::bsdf::{MOST_TILTED, NEGLIGIBLE};
+use crate::render::shade::bsdf::{MAX_TILTED, NEGLIGIBLE};
 use crate::render::shade::{Scratch, Tracer};
 use crate::scene::light::{Arrival, Light};
 use crate::world::{HitPacket4, Occlusion, ShadowPacket4, Surface};
@@ -69,7 +69,7 @@ impl SimdKernel for LightPacket<'_> {
             goes_out: F::bitmask(F::splat(0.0).lt(dot(from_arrays(&self.hits.normal), to_light))),
             is_finite: F::bitmask(finite),
             faces: F::bitmask(F::splat(NEGLIGIBLE).le(cosine)),
-            nearly_faces: F::bitmask(F::splat(MOST_TILTED).lt(cosine)),
+            nearly_faces: F::bitmask(F::splat(MAX_TILTED).lt(cosine)),
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::base::math::sampling::hash;
 use crate::render::shade::bsdf::{
-    LayerBsdf, LightContribution, MOST_TILTED, NEGLIGIBLE, ViewPoint, highlight, is_negligible,
+    LayerBsdf, LightContribution, MAX_TILTED, NEGLIGIBLE, ViewPoint, highlight, is_negligible,
     metallic,
 };
 use crate::render::shade::shading_point::{LightSample, ShadingPoint};
@@ -46,7 +46,7 @@ impl Tracer<'_> {
         let arrival = light.arrival(hit.point);
         let cosine = normal.dot(arrival.to_light);
         if !surface.takes_light()
-            || !(faces(surface, cosine) || surface.is_bumpy() && cosine > MOST_TILTED)
+            || !(faces(surface, cosine) || surface.is_bumpy() && cosine > MAX_TILTED)
             || !lights.of(surface.lights).contains(&number)
         {
             return LightSample::NOTHING;

@@ -10,7 +10,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Photons at grazing angles count as if they came at this cosine.
-const LEAST_COSINE: f64 = 0.1;
+const MIN_COSINE: f64 = 0.1;
 
 impl Tracer<'_> {
     /// Reports if photons are stored on surfaces: then they replace the light that passes through their targets.
@@ -59,7 +59,7 @@ impl Tracer<'_> {
             else {
                 continue;
             };
-            let cosine = flat.dot(to_light).max(LEAST_COSINE);
+            let cosine = flat.dot(to_light).max(MIN_COSINE);
             let contribution = LightContribution {
                 to_light,
                 side,

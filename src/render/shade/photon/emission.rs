@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 /// A ring of a smaller angle is the centre of the target.
 const MIDDLE: f64 = 1e-10;
 /// Photons with a smaller share of light are not emitted.
-const LEAST_SHARE: f64 = 1e-5;
+const MIN_SHARE: f64 = 1e-5;
 /// Within this of one, the direction to the target counts as that of an axis.
 const ALONG_AXIS: f64 = 0.1;
 
@@ -293,7 +293,7 @@ impl<'w> Tracer<'w> {
         scratch: &mut Scratch,
     ) {
         tally.count += 1;
-        if share < LEAST_SHARE {
+        if share < MIN_SHARE {
             return;
         }
         let path = Path {

@@ -51,7 +51,7 @@ pub(in crate::render::shade) struct PhotonPath {
 /// One texture of a hit, and the photon's light on it.
 struct PhotonHit<'a> {
     hit: &'a Hit,
-    look: &'a WeightedTexture<'a>,
+    texture: &'a WeightedTexture<'a>,
     light: Rgb,
     refracts: bool,
     reflects: bool,
@@ -182,7 +182,7 @@ impl<'w> Tracer<'w> {
                 }
                 let at = PhotonHit {
                     hit: &hit,
-                    look,
+                    texture: look,
                     light: of_look,
                     refracts: role.refracts(&light.photons),
                     reflects: role.reflects(&light.photons),
@@ -203,7 +203,7 @@ impl<'w> Tracer<'w> {
     ) {
         let &PhotonHit {
             hit,
-            look,
+            texture: look,
             light,
             refracts,
             reflects,

@@ -79,7 +79,7 @@ impl Tracer<'_> {
         let ratio = transmission.crossing.ratio_at(path.wavelength);
         match bend(path.ray.dir, lit.at.normal, ratio) {
             Refraction::None => {
-                view.unrefracted = Some(StraightTransmission {
+                view.straight = Some(StraightTransmission {
                     factor: transmission.factor,
                     transmit: transmission.transmit,
                     weight: transmission.weight,
@@ -115,7 +115,7 @@ impl Tracer<'_> {
         if scratch.depth >= MAX_NESTED {
             return;
         }
-        let Some(onward) = view.unrefracted.take() else {
+        let Some(onward) = view.straight.take() else {
             return;
         };
         let behind = if path.level + 1 < self.world.globals.max_trace_level {

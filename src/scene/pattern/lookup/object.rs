@@ -62,7 +62,7 @@ impl Pattern for ObjectPattern {
 
 impl PatternEval for Prepared {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
-        let is_inside = self.0.as_ref().is_some_and(|solid| solid.holds(point));
+        let is_inside = self.0.as_ref().is_some_and(|solid| solid.contains(point));
         f64::from(u8::from(is_inside))
     }
 }

@@ -119,7 +119,7 @@ impl Sphere {
         }
         NearestPacket {
             t: middle,
-            leaves: 0,
+            exit_mask: 0,
             hit_mask: F::bitmask(is_hit),
             unknown: 0,
         }

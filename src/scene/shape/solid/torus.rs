@@ -335,7 +335,8 @@ impl Geometry for Torus {
             let rays = RayPacket::<f64>::of(ray);
             let nearest = self.nearest_packet::<f64, false>(&rays, from, to, [0, 0], 0b1111);
             if nearest.unknown == 0 {
-                let crossing = [Crossing::Enter, Crossing::Leave][usize::from(nearest.leaves != 0)];
+                let crossing =
+                    [Crossing::Enter, Crossing::Leave][usize::from(nearest.exit_mask != 0)];
                 let is_hit = nearest.hit_mask != 0 && nearest.t < to;
                 return is_hit.then(|| root(nearest.t, crossing, TUBE));
             }

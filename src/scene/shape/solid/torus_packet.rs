@@ -155,7 +155,7 @@ impl Torus {
         }
         let mut nearest = NearestPacket {
             t: F::splat(f64::INFINITY),
-            leaves: 0,
+            exit_mask: 0,
             hit_mask: 0,
             unknown: clipped.unknown,
         };

@@ -129,14 +129,14 @@ pub(crate) fn obeyed(flags: &ObjectFlags, above: &Inherited) -> Option<ObjectFla
 
 /// Longer lists of inherited steps are combined into one matrix, so that deeply nested objects do not each store the
 /// steps of all ancestors. No hand-written scene comes near.
-pub(crate) const MOST_STEPS: usize = 250;
+pub(crate) const MAX_STEPS: usize = 250;
 
 /// The steps of an object, then those of its ancestors.
 pub(crate) fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
     if own.is_empty() {
         return Arc::clone(above);
     }
-    if above.len() > MOST_STEPS {
+    if above.len() > MAX_STEPS {
         let one = Step::General(Arc::new(Transform::from_steps(above)));
         return own.iter().cloned().chain([one]).collect();
     }

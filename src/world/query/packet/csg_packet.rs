@@ -3,7 +3,7 @@
 use super::rays::RayPacket4;
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, SpanPacket};
-use crate::world::csg::packet_strategy::{MOST_OPERANDS, Numbers};
+use crate::world::csg::packet_strategy::{MAX_OPERANDS, Numbers};
 use crate::world::csg::program::CsgProgram;
 use crate::world::primitive::Leaf;
 use crate::world::query::closest::SKIN;
@@ -114,13 +114,13 @@ impl SimdKernel for CsgPacket<'_> {
         }
         let endless = F::splat(f64::INFINITY);
         let mut unknown = clip.unknown;
-        let mut ends = [(endless, -endless); MOST_OPERANDS];
+        let mut ends = [(endless, -endless); MAX_OPERANDS];
         for (ends, &number) in ends.iter_mut().zip(self.others) {
             let (own, own_unknown) = self.ends(number, &rays, clip.low, clip.high);
             *ends = own;
             unknown |= own_unknown & self.active;
         }
-        let cuts = &ends[..self.others.len().min(MOST_OPERANDS)];
+        let cuts = &ends[..self.others.len().min(MAX_OPERANDS)];
         let mut best = self.nearer(&clip, cuts, clip.enter.shown(), endless);
         best = self.nearer(&clip, cuts, clip.leave.shown(), best);
         for (ends, &number) in cuts.iter().zip(self.others) {
@@ -327,8 +327,8 @@ impl CsgPacket<'_> {
         let ([low, high], left) = lanes.run(ClipKernel(*self));
         self.active = left;
         let capacity = match self.program.nodes.len() {
-            1 => MOST_OPERANDS,
-            _ => MOST_OPERANDS - order.required.len(),
+            1 => MAX_OPERANDS,
+            _ => MAX_OPERANDS - order.required.len(),
         };
         let mut hit_parts = 0u64;
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {

@@ -2,7 +2,7 @@
 
 use super::csg_packet::{CsgPacket, CsgPacketHits, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
-use crate::world::csg::packet_strategy::{MOST_NODES, MOST_OPERANDS};
+use crate::world::csg::packet_strategy::{MAX_NODES, MAX_OPERANDS};
 use crate::world::csg::program::{Combine, NONE};
 
 /// A ray packet and the CSG tree that it is intersected with.
@@ -89,7 +89,7 @@ impl SimdKernel for CsgTreePacket<'_> {
         let mut parts = [OperandInterval {
             number: 0,
             ends: (clip.low, clip.low),
-        }; MOST_OPERANDS];
+        }; MAX_OPERANDS];
         let required = &packet.program.order.required;
         let numbers = required.iter().chain(packet.others);
         let mut count = 0;
@@ -130,16 +130,16 @@ impl CsgTreePacket<'_> {
     /// For each node, the numbers of operands not among `parts`, plain and inverse. All rays are outside their leaves,
     /// so inside the inverse ones.
     #[inline(always)]
-    fn rest<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MOST_NODES] {
+    fn rest<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MAX_NODES] {
         let order = &self.0.program.order;
-        let mut rest = [[0; 2]; MOST_NODES];
+        let mut rest = [[0; 2]; MAX_NODES];
         if let Some(boxed) = &order.boxed {
             for (rest, resting) in rest.iter_mut().zip(&boxed.resting) {
                 *rest = *resting;
             }
             for part in &parts[order.required.len()..] {
                 let operand = &self.0.program.operands[part.number as usize];
-                rest[operand.parent as usize % MOST_NODES][usize::from(operand.is_inverse)] -= 1;
+                rest[operand.parent as usize % MAX_NODES][usize::from(operand.is_inverse)] -= 1;
             }
         }
         rest
@@ -154,11 +154,11 @@ impl CsgTreePacket<'_> {
         parts: &[OperandInterval<F>],
         position: usize,
         t: F,
-        rest: &[[u32; 2]; MOST_NODES],
+        rest: &[[u32; 2]; MAX_NODES],
     ) -> F::Mask {
         let program = self.0.program;
-        let nodes = program.nodes.iter().take(MOST_NODES).enumerate();
-        let mut sides = [InsideMasks::<F>::of_nothing(Combine::Union); MOST_NODES];
+        let nodes = program.nodes.iter().take(MAX_NODES).enumerate();
+        let mut sides = [InsideMasks::<F>::of_nothing(Combine::Union); MAX_NODES];
         for (at, node) in nodes.clone() {
             sides[at] = InsideMasks::of_nothing(node.combine);
             for is_inverse in [false, true] {
@@ -179,7 +179,7 @@ impl CsgTreePacket<'_> {
                 outside: t.lt(enter) | leave.lt(t),
             };
             let combine = program.nodes[operand.parent as usize].combine;
-            let parent = operand.parent as usize % MOST_NODES;
+            let parent = operand.parent as usize % MAX_NODES;
             sides[parent].add(combine, side.exchanged(operand.is_inverse));
         }
         let mut is_covered = F::mask_from_bits(0);
@@ -189,7 +189,7 @@ impl CsgTreePacket<'_> {
             if at != above as usize {
                 if node.parent != NONE {
                     let combine = program.nodes[node.parent as usize].combine;
-                    let parent = node.parent as usize % MOST_NODES;
+                    let parent = node.parent as usize % MAX_NODES;
                     sides[parent].add(combine, own.exchanged(node.is_inverse));
                 }
                 continue;

@@ -77,7 +77,7 @@ impl<const ANY: bool> SimdKernel for InstancePacket<'_, ANY> {
             t = F::select(is_new, nearest.t, t);
             far = F::select(is_new, nearest.t, far);
             leaf = F::select(is_new, F::splat(f64::from(number)), leaf);
-            leaves = leaves & !new | nearest.leaves & new;
+            leaves = leaves & !new | nearest.exit_mask & new;
             hit_mask |= new;
         }
         NearestInInstance {

@@ -18,9 +18,9 @@ use crate::world::ray::{Occlusion, Query};
 use glam::{DAffine3, DVec3};
 
 /// Smaller meshes are intersected by one ray at a time, like all other shapes.
-const LEAST_TRIANGLES: usize = 256;
+const MIN_TRIANGLES: usize = 256;
 /// With more meshes than this, all rays traverse them one by one.
-const MOST_MESHES: usize = 8;
+const MAX_MESHES: usize = 8;
 
 /// Per-thread buffers that are reused between meshes.
 #[derive(Debug, Default)]
@@ -145,7 +145,7 @@ impl World {
         let is_large = |item: &&IndexedItem| {
             let mesh_query = self.mesh_query(**item);
             mesh_query.is_some_and(|mesh_query| {
-                mesh_query.mesh.is_patch() && mesh_query.mesh.len() >= LEAST_TRIANGLES
+                mesh_query.mesh.is_patch() && mesh_query.mesh.len() >= MIN_TRIANGLES
             })
         };
         let meshes: Vec<IndexedItem> = self
@@ -155,7 +155,7 @@ impl World {
             .filter(is_large)
             .copied()
             .collect();
-        if meshes.len() <= MOST_MESHES {
+        if meshes.len() <= MAX_MESHES {
             meshes
         } else {
             Vec::new()

@@ -23,7 +23,7 @@ struct PrimitivePacket<'a, const ANY: bool> {
 /// The first roots of four rays.
 struct NearestRoots {
     t: [f64; 4],
-    leaves: u32,
+    exit_mask: u32,
     hit_mask: u32,
     unknown: u32,
 }
@@ -50,7 +50,7 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
         );
         NearestRoots {
             t: nearest.t.to_array(),
-            leaves: nearest.leaves,
+            exit_mask: nearest.exit_mask,
             hit_mask: nearest.hit_mask,
             unknown: nearest.unknown,
         }
@@ -149,7 +149,7 @@ impl World {
                 };
                 root
             } else {
-                Root::on_smooth(hits.t[lane], hits.leaves >> lane & 1 == 1)
+                Root::on_smooth(hits.t[lane], hits.exit_mask >> lane & 1 == 1)
             };
             let surface = leaf.surface;
             take(

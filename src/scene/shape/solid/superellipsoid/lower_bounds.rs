@@ -8,7 +8,7 @@ use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use smallvec::SmallVec;
 
 /// The least power for which a rounding of a coordinate, zero included, changes the norm by less than 1e-7.
-const LEAST_POWER: f64 = 0.5;
+const MIN_POWER: f64 = 0.5;
 /// A lower bound above 1 by this margin proves that the norm is above 1, whatever the roundings.
 const MARGIN: f64 = 10.0 * SLACK;
 
@@ -156,6 +156,6 @@ impl Rough<'_> {
     /// True if the powers are such that rounding of points changes the norm by much less than [`MARGIN`].
     fn has_lower_bounds(&self) -> bool {
         let Superellipsoid { across, along } = *self.shape;
-        across >= LEAST_POWER && along >= LEAST_POWER
+        across >= MIN_POWER && along >= MIN_POWER
     }
 }

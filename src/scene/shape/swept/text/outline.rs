@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 /// Upper bound of the error of the distance along a line, in roundings.
 const ROUNDINGS: f64 = 32.0;
 /// Least squared length of a direction for which such a distance keeps all its digits.
-const LEAST_SQUARE: f64 = 1e-200;
+const MIN_SQUARE: f64 = 1e-200;
 
 /// Crossings of a line with an outline, in order: `t`, and the index of the piece.
 type CrossingList = SmallVec<[(f64, u32); 8]>;
@@ -113,7 +113,7 @@ impl Outline {
         let reach = self.size + origin.x.abs() + origin.y.abs();
         let size = (dir.x.abs() + dir.y.abs()) * reach;
         let tolerance = |length: f64| ROUNDINGS * f64::EPSILON * (size + length.abs());
-        let interval = if dir_sq > LEAST_SQUARE {
+        let interval = if dir_sq > MIN_SQUARE {
             let [from, to] = [from, to].map(|t| t * dir_sq);
             [from - tolerance(from), to + tolerance(to)]
         } else {
