@@ -5,8 +5,8 @@ use crate::scene::pattern::SolidOf;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Answers queries on objects of the scene that is being read. Points and directions are in the space around the
-/// object: world space, if the object were in the scene as it is.
+/// Answers queries on objects of the scene that is being read. Points and directions are in the coordinates
+/// that contain the object: world space at top level.
 pub trait Probe {
     /// The first surface on the ray from `from` along `dir`, which need not be normalised: the point, and the normal of
     /// length 1 that the object gives there, smoothed where the object is, not turned towards the ray.

@@ -65,7 +65,7 @@ impl PhotonMapping {
         (point - self.origin) / self.unit
     }
 
-    /// Reports if photons are deposited in media.
+    /// Returns true if photons are deposited in media.
     #[must_use]
     pub fn fills_media(&self) -> bool {
         self.settings.media.0 > 0

@@ -1,12 +1,13 @@
 //! Adaptive sampling until the estimated error of every pixel is small (`+AM4`, `--error`, `--time`).
 //!
-//! Every pixel is the mean over its square (a box filter, as in POV-Ray) of the points of its own scrambled Sobol
-//! sequence. The error falls like `samples^-0.75` where edges run, and like `samples^-1.5` on smooth surfaces. The
+//! Each pixel is box-filtered, as in POV-Ray: the mean of samples at the points of its own scrambled Sobol sequence. The
+//! error falls like `samples^-0.75` where edges run, and like `samples^-1.5` on smooth surfaces. The
 //! samples of a pixel depend only on itself and on a few pixels around it, so that pictures are the same for any number
 //! of threads and for any crop.
 //!
-//! With a time limit the picture is rendered again and again for smaller errors, the worst bands first, and every pixel
-//! holds the best value it had when the time is over.
+//! With a time limit the picture is rendered again and again for smaller errors, the worst bands first. When time is
+//! up, every pixel holds its value of the last completed pass over its band; in the band where time ran out, the value
+//! with the lower error.
 
 mod band;
 mod coverage;
@@ -45,11 +46,13 @@ const BAND_PIXELS: u32 = 1 << 18;
 const ROWS_WITH_CHECKPOINT: u32 = 64;
 /// Rows of a band with a time limit: most bands that begin are finished.
 const ROWS_IN_TIME: u32 = 32;
-/// Error of the first pass with a time limit, and the factor from one pass to the next.
+/// Error of the first pass with a time limit.
 const FIRST_ERROR: f64 = 16.0;
+/// Ratio of the errors of a pass and the one before.
 const ERROR_FACTOR: f64 = 0.25;
 /// Smallest error aimed for: single precision of colours ends here.
 const MIN_ERROR: f64 = 1e-4;
+/// Steps of a channel from black to white: the unit of errors.
 const LEVELS: f64 = 255.0;
 
 /// Renders the requested pixels.

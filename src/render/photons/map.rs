@@ -88,7 +88,7 @@ impl Map {
         &self.photons
     }
 
-    /// Reports if the map is empty.
+    /// Returns true if the map is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.photons.is_empty()

@@ -167,7 +167,7 @@ impl IrradianceSample {
 }
 
 impl CacheQuery {
-    /// Reports if a sample is too far away to count, by its radius. Most are, and this needs no square root.
+    /// Returns true if a sample is too far away to count, by its radius. Most are, and this needs no square root.
     #[inline(always)]
     fn is_far_from(&self, point: DVec3, radius: f64) -> bool {
         let farthest = radius * self.error;

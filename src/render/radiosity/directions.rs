@@ -10,7 +10,7 @@ pub(super) const DEFAULT_COUNT: u32 = 1600;
 /// The cosine to y from which a normal uses the axes of the world.
 const UPRIGHT: f64 = 0.999;
 /// The cosine to z from which a frame is built about y.
-const ALONG: f64 = 0.9;
+const NEAR_Z: f64 = 0.9;
 
 /// Cosine-weighted directions over the hemisphere about y.
 pub(super) fn pool(count: u32) -> Vec<DVec3> {
@@ -44,7 +44,7 @@ impl Frame {
                 z: sign * DVec3::Z,
             };
         }
-        let axis = if normal.z.abs() > ALONG {
+        let axis = if normal.z.abs() > NEAR_Z {
             DVec3::Y
         } else {
             DVec3::Z
@@ -54,7 +54,7 @@ impl Frame {
         Frame { x, normal, z }
     }
 
-    /// Rotates a direction about y to one about the normal.
+    /// Maps a direction from the y-up frame to this frame.
     #[must_use]
     pub fn turned(&self, dir: DVec3) -> DVec3 {
         dir.x * self.x + dir.y * self.normal + dir.z * self.z

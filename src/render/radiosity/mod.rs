@@ -179,7 +179,7 @@ impl Session {
         self.next.fill(0);
     }
 
-    /// Reports if points of the picture must come in POV-Ray's order.
+    /// Returns true if points of the picture must come in POV-Ray's order.
     #[must_use]
     pub fn order_dependent(&self) -> bool {
         self.mode == Mode::Grow

@@ -16,7 +16,7 @@ pub type SeenLight = (Rgb, f32);
 pub struct LightRequest(Option<SmallVec<[CacheQuery; 2]>>);
 
 impl LightRequest {
-    /// Reports if the results stay the same with these further samples.
+    /// Returns true if the results stay the same with these further samples.
     #[must_use]
     pub fn is_valid(&self, since: &[IrradianceSample], unit: f64) -> bool {
         let is_changed = |query: &CacheQuery| {
@@ -89,7 +89,7 @@ impl Notes {
         std::mem::replace(self, next)
     }
 
-    /// Reports if everything would be the same with the current samples.
+    /// Returns true if everything would be the same with the current samples.
     #[must_use]
     pub fn are_valid(&self, cache: &Cache) -> bool {
         !self.is_ever_short && self.samples == cache.samples().len()

@@ -27,7 +27,7 @@ pub(super) enum End {
 }
 
 impl Tracer<'_> {
-    /// Reports if the scene has media, fog or rainbows.
+    /// Returns true if the scene has media, fog or rainbows.
     pub(super) fn has_air(&self) -> bool {
         self.features.has_media || !self.world.has_clear_air()
     }
@@ -70,7 +70,7 @@ impl Tracer<'_> {
             .then(|| combined_tint(fogs.iter().map(|fog| fog.tint(ray, length, noise))))
     }
 
-    /// Reports if no solid object is around a ray.
+    /// Returns true if no solid object is around a ray.
     pub(super) fn is_in_air(&self, inside: &InteriorStack) -> bool {
         let interiors = &self.world.interiors;
         inside.iter().all(|&id| interiors.is_hollow(id))

@@ -131,7 +131,7 @@ impl BlockScratch {
             }));
     }
 
-    /// Reports if random numbers continue from sample to sample.
+    /// Returns true if random numbers continue from sample to sample.
     pub fn continues_random(&self) -> bool {
         self.single.random.continues
     }

@@ -50,9 +50,9 @@ type InteriorStack = SmallVec<[InteriorId; 4]>;
 /// Radiance and transparency at one point of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Linear light, without the light that shines through the background.
+    /// Linear radiance, premultiplied by coverage.
     pub rgb: Rgb,
-    /// The share of light that would come through from behind the whole scene.
+    /// Transmittance to behind the whole scene: 1 - alpha.
     pub transmit: f32,
 }
 
@@ -317,7 +317,7 @@ impl<'w> Tracer<'w> {
         })
     }
 
-    /// Reports if a ray of this trace level and weight, behind `irradiance_depth` nested irradiance samples, is traced.
+    /// Returns true if a ray of this trace level and weight, behind `irradiance_depth` nested irradiance samples, is traced.
     fn is_above_bailout(&self, level: u32, weight: f64, irradiance_depth: usize) -> bool {
         level < self.world.globals.max_trace_level
             && weight >= self.bailout(irradiance_depth)

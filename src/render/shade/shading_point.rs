@@ -109,7 +109,7 @@ impl<'a> LightSamples<'a> {
         shadow_rays.occlusion(index % 4)
     }
 
-    /// Reports if a transparent surface lies before any light.
+    /// Returns true if a transparent surface lies before any light.
     pub(in crate::render::shade) fn any_is_filtered(self) -> bool {
         self.0.is_some_and(|(all, index)| {
             let shadow_rays = all.shadow_rays.chunks(all.hits.len());

@@ -138,14 +138,14 @@ impl<'w> Tracer<'w> {
                 let mut sum = SurfaceRadiance::NOTHING;
                 let mut tilted = None;
                 let shadow_cache = ShadowCache::default();
-                for look in several {
+                for texture in several {
                     let one = TextureShading {
-                        texture: look,
+                        texture,
                         tilted: &mut tilted,
                         shadow_cache: Some(&shadow_cache),
                     };
                     let view = self.shade_texture(path, hit, one, known, scratch);
-                    sum.add(look.weight, view);
+                    sum.add(texture.weight, view);
                 }
                 sum
             }
@@ -167,23 +167,23 @@ impl<'w> Tracer<'w> {
             }
             _ => &*surface.texture,
         };
-        let shares = if surface.face_textures().is_empty() {
+        let weights = if surface.face_textures().is_empty() {
             TextureWeights::new()
         } else {
             self.world.texture_weights(hit)
         };
-        if shares.is_empty() {
+        if weights.is_empty() {
             return self.single_texture(outside, hit, dir, purpose);
         }
         let least = self.world.globals.adc_bailout;
-        let drawn = shares.iter().filter(|share| share.weight >= least);
+        let drawn = weights.iter().filter(|share| share.weight >= least);
         let texture_of = |number: u32| {
             surface
                 .face_textures()
                 .get(number as usize)
-                .map_or(outside, |skin| skin)
+                .map_or(outside, |texture| texture)
         };
-        let needs_normal = shares
+        let needs_normal = weights
             .iter()
             .any(|share| texture_of(share.texture).needs_normal());
         let (point, mut chosen) = self.choosing(hit, dir, purpose, needs_normal);
@@ -469,17 +469,17 @@ impl<'w> Tracer<'w> {
         let textures = self.textures_at(surface, hit, ray.dir, TextureUse::Passed);
         let caustics = f64::from(self.interior_of(hit).caustics);
         let (_, spot) = self.pattern_point(hit, ray.dir);
-        textures.iter().fold(Rgb::BLACK, |sum, look| {
-            let layers = look.texture.layers().iter();
+        textures.iter().fold(Rgb::BLACK, |sum, weighted| {
+            let layers = weighted.texture.layers().iter();
             let light = layers.fold(Rgb::WHITE, |light, layer| {
-                let through = self.color(layer, look.point, &spot).transmission();
+                let through = self.color(layer, weighted.point, &spot).transmission();
                 if caustics == 0.0 {
                     return light * through;
                 }
-                let normal = self.normal(layer, look.point, &spot);
+                let normal = self.normal(layer, weighted.point, &spot);
                 light * through * (1.0 + normal.dot(ray.dir).abs().powf(caustics))
             });
-            sum + light * f64::from(look.weight)
+            sum + light * f64::from(weighted.weight)
         })
     }
 
@@ -506,7 +506,7 @@ impl<'w> Tracer<'w> {
         self.world.interiors.get(id)
     }
 
-    /// Reports if too little passes to be traced; negative colours count by their size.
+    /// Returns true if too little passes to be traced; negative colours count by their size.
     pub(super) fn is_opaque(&self, irradiance_depth: usize, filter: Rgb) -> bool {
         f64::from(filter.map(f32::abs).grey()) <= self.bailout(irradiance_depth)
     }

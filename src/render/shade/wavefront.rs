@@ -158,7 +158,7 @@ struct SurfaceLight<'t> {
 }
 
 impl Wavefront {
-    /// Reports if one more surface may be queued.
+    /// Returns true if one more surface may be queued.
     #[inline(always)]
     pub(super) fn has_capacity(&self) -> bool {
         self.pending.len() < MAX_PENDING

@@ -36,7 +36,7 @@ pub struct Light {
     pub color: Rgb,
     /// The angular form of the emission.
     pub beam: Beam,
-    /// True if all light arrives from one direction, from `points_at` towards `centre`.
+    /// True for parallel light, which travels from `centre` towards `points_at`.
     pub is_parallel: bool,
     /// The attenuation with distance.
     pub fade: Fade,
@@ -213,8 +213,9 @@ impl Light {
         self.aim();
     }
 
-    /// The light of the area grid at `offset` from the centre, as an independent light. A cone keeps the axis of the
-    /// whole light, a cylinder also its position, and parallel rays aim at the same `point_at`.
+    /// The light of the area grid at `offset` from the centre, as an independent light. Cones and cylinders keep axis
+    /// and origin of the whole light in [`Light::beam_interval`]; the attenuation of a cone is about the grid light.
+    /// Parallel rays aim at the same `point_at`.
     #[must_use]
     pub fn grid_light(&self, offset: DVec3) -> Light {
         let centre = self.centre + offset;

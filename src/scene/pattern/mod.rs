@@ -244,7 +244,7 @@ pub type SolidOf = fn(&Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>>;
 
 /// An object with an inside test.
 pub trait Solid: Debug + Send + Sync {
-    /// Inside test for a point in the object's space.
+    /// Inside test for a point in the space around the object, before its own transforms are undone.
     fn contains(&self, point: DVec3) -> bool;
 }
 

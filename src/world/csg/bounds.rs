@@ -7,8 +7,8 @@ use crate::world::primitive::Leaf;
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
-/// A plane is axis-aligned if the other components of its normal are no larger, relative to it.
-const ALONG: f64 = 1e-12;
+/// Largest other component of an axis-aligned normal, relative to the main one.
+const AXIS_TOLERANCE: f64 = 1e-12;
 /// Relative enlargement of boxes, more than the rounding errors here.
 const SLACK: f64 = 1e-9;
 /// Rounds of clipping: a limit on one axis may limit another in the next round.
@@ -74,7 +74,7 @@ fn half_space(normal: DVec3, distance: f64, sign: f64, world_from_object: &DAffi
     let normal = sign * (world_from_object.matrix3.transpose() * normal);
     let mut bounds = Bounds::EVERYTHING;
     let size = normal.abs().max_element();
-    let large = (0..3).filter(|&axis| normal[axis].abs() > ALONG * size);
+    let large = (0..3).filter(|&axis| normal[axis].abs() > AXIS_TOLERANCE * size);
     if let [axis] = large.collect::<SmallVec<[usize; 3]>>()[..] {
         let end = distance / normal[axis];
         if normal[axis] > 0.0 {

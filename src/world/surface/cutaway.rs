@@ -1,4 +1,4 @@
-//! Textures that the cut parts of CSG objects take from the objects they cut (`cutaway_textures`).
+//! `cutaway_textures`: textures of untextured CSG operands, mixed from the other operands that contain the point.
 
 use crate::scene::pattern::Solid;
 use crate::scene::shape::{TextureWeight, TextureWeights};
@@ -7,7 +7,7 @@ use crate::world::index::index;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Objects that may lend their textures to the surfaces of a CSG object.
+/// Textures of the operands of a CSG object that may apply to its untextured surfaces.
 #[derive(Debug, Default)]
 pub(crate) struct Cutaway {
     /// Parents before children.
@@ -32,7 +32,7 @@ impl Cutaway {
 
     /// The weights of the textures at a world point.
     pub(crate) fn texture_weights(&self, point: DVec3) -> TextureWeights {
-        let mut shares = TextureWeights::new();
+        let mut weights = TextureWeights::new();
         let mut at = 0;
         while let Some(part) = self.parts.get(at) {
             if !part.solid.contains(point) {
@@ -40,16 +40,16 @@ impl Cutaway {
                 continue;
             }
             at += 1;
-            let share = |skin| TextureWeight {
+            let share = |texture| TextureWeight {
                 weight: 1.0,
-                texture: skin,
+                texture,
             };
-            shares.extend(part.texture.map(share));
+            weights.extend(part.texture.map(share));
         }
-        let count = f64::from(index(shares.len()));
-        for share in &mut shares {
+        let count = f64::from(index(weights.len()));
+        for share in &mut weights {
             share.weight /= count;
         }
-        shares
+        weights
     }
 }

@@ -17,9 +17,9 @@ use crate::base::options::{CancelToken, Event, Input, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::output::{self, EncodeOptions, Format};
 
-/// The factor by which a preview is smaller, along each side,
+/// Side of a picture over side of its preview.
 const PREVIEW: u32 = 4;
-/// and the number of pixels below which a picture has none.
+/// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
 
 /// Renders and shows pictures.

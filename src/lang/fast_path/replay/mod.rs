@@ -135,7 +135,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The same for an expression that gives a float.
+    /// Value of a recorded float expression; `None`, without effect, if it must be read again.
     fn replay_float(&mut self, index: u32) -> Parse<Option<f64>> {
         self.replays.begin();
         let value = self.replays.float(index, &self.scopes, &mut self.streams);

@@ -117,7 +117,7 @@ impl Tracer<'_> {
         self.add_contribution(&contribution, &lit.at, bsdf, scratch)
     }
 
-    /// Reports if area lights are sampled for a ray; otherwise they are points.
+    /// Returns true if area lights are sampled for a ray; otherwise they are points.
     fn samples_areas(&self, path: &Path) -> bool {
         self.quality.has_area_lights && path.irradiance_depth == 0
     }
@@ -191,7 +191,7 @@ fn grain(scratch: &mut Scratch) -> f64 {
     f64::from(scratch.random.crand) / f64::from(u32::MAX)
 }
 
-/// Reports if light at this cosine to the normal can light a surface.
+/// Returns true if light at this cosine to the normal can light a surface.
 #[inline]
 pub(in crate::render::shade) fn faces(surface: &Surface, cosine: f64) -> bool {
     cosine >= NEGLIGIBLE || surface.is_lit_from_behind()

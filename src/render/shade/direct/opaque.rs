@@ -23,7 +23,7 @@ struct DirectLight {
     share: f64,
 }
 
-/// Reports if plain surfaces of a world may be shaded by the fast path.
+/// Returns true if plain surfaces of a world may be shaded by the fast path.
 pub(in crate::render::shade) fn supports(world: &World, quality: Quality) -> bool {
     let globals = &world.globals;
     let is_simple = |number: u32| {
@@ -39,7 +39,7 @@ pub(in crate::render::shade) fn supports(world: &World, quality: Quality) -> boo
         && lights.all(is_simple)
 }
 
-/// Reports if fog and rainbows attenuate camera and secondary rays but no shadow rays, and draw no random numbers.
+/// Returns true if fog and rainbows attenuate camera and secondary rays but no shadow rays, and draw no random numbers.
 fn air_affects_rays_only(world: &World) -> bool {
     let mut lights = world.lights.iter();
     !world.uses_random() && !lights.any(|light| light.media_attenuation)

@@ -87,7 +87,7 @@ impl<'w> RadiancePacket4<'w> {
         (self.known >> lane & 1 == 1).then(|| self.known(lane))
     }
 
-    /// Reports if the first `count` lanes are complete.
+    /// Returns true if the first `count` lanes are complete.
     #[inline(always)]
     pub(in crate::render::shade) fn is_known(&self, count: usize) -> bool {
         self.known == (1 << count) - 1

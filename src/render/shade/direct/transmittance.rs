@@ -62,7 +62,7 @@ impl Tracer<'_> {
         self.transmittance(arriving, &shadow_path, scratch)
     }
 
-    /// Reports if the media of the atmosphere attenuate a light.
+    /// Returns true if the media of the atmosphere attenuate a light.
     fn is_attenuated_by_media(&self, source: &Light) -> bool {
         self.features.has_media
             && !self.world.media.is_empty()
@@ -70,7 +70,7 @@ impl Tracer<'_> {
             && source.media_interaction
     }
 
-    /// Reports if fog or media attenuate a light.
+    /// Returns true if fog or media attenuate a light.
     fn is_attenuated_by_air(&self, light: u32) -> bool {
         let source = self.world.lights.get(light);
         let by_fog = source.media_attenuation && !self.world.fogs.is_empty();

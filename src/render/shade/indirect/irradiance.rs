@@ -138,7 +138,7 @@ impl Tracer<'_> {
         (sample, sum.nearest > TOO_NEAR * most)
     }
 
-    /// Reports if the rays of a sample are shared between threads.
+    /// Returns true if the rays of a sample are shared between threads.
     fn is_parallel(&self, depth: usize, count: u32, scratch: &Scratch) -> bool {
         let session = scratch.radiosity.as_deref();
         depth == 0

@@ -60,7 +60,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// Reports if a ray ignores fog and media.
+    /// Returns true if a ray ignores fog and media.
     pub(in crate::render::shade) fn is_airless(&self, path: &Path) -> bool {
         let radiosity = self.radiosity.as_ref();
         path.irradiance_depth > 0

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 const MIN_COSINE: f64 = 0.1;
 
 impl Tracer<'_> {
-    /// Reports if photons are stored on surfaces: then they replace the light that passes through their targets.
+    /// Returns true if photons are stored on surfaces: then they replace the light that passes through their targets.
     #[inline]
     pub(in crate::render::shade) fn has_caustics(&self) -> bool {
         self.photon_maps
@@ -77,7 +77,7 @@ impl Tracer<'_> {
         (point - globals.origin) / globals.unit
     }
 
-    /// Reports if photons replace the light from a light source that a surface transmits.
+    /// Returns true if photons replace the light from a light source that a surface transmits.
     pub(in crate::render::shade) fn replaces(&self, surface: u32, light: u32) -> bool {
         let role = self.world.surfaces[surface as usize].photons();
         role.target.is_some() && role.refracts(&self.world.lights.get(light).photons)

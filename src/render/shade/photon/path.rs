@@ -1,5 +1,5 @@
-//! Photon tracing: straight through surfaces that photons pass, off the target and on, until the photon is stored or
-//! absorbed.
+//! Photon tracing. Before the target, photons pass only `pass_through` objects; from the target on they are stored at
+//! each surface and go on by reflection and refraction, up to the trace level and the bailout.
 
 use crate::base::color::Rgb;
 use crate::base::math::Ray;

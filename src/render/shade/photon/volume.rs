@@ -12,7 +12,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 impl Tracer<'_> {
-    /// Reports if photons are stored in media.
+    /// Returns true if photons are stored in media.
     #[inline]
     pub(in crate::render::shade) fn has_volume_photons(&self) -> bool {
         self.photon_maps

@@ -105,7 +105,7 @@ impl Tracer<'_> {
 }
 
 impl SurfaceCrossing {
-    /// Reports if it disperses white light, even light that is not refracted.
+    /// Returns true if it disperses white light, even light that is not refracted.
     pub(in crate::render::shade) fn splits(&self) -> bool {
         (self.dispersion - 1.0).abs() >= NO_BEND
     }

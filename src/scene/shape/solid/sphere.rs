@@ -291,7 +291,7 @@ mod tests {
             let aim = sphere.centre + rng.vector(1.0);
             let ray = Ray::new(origin, (aim - origin).normalize_or(DVec3::X));
             for root in sphere.span(&ray).into_iter().flatten() {
-                let known_root = sphere.root_at(&ray, root.t);
+                let known_root = sphere.root_of_unit_ray(&ray, root.t);
                 assert!(
                     known_root.is_none_or(|known_root| known_root == root),
                     "{ray:?} {root:?}"

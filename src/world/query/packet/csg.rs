@@ -6,7 +6,7 @@
 //! hits are those of [`CsgProgram::nearest`], bit for bit.
 //!
 //! A program of many operands is reduced to those whose boxes some of the four rays hit, by the BVH over them: the
-//! others contain none of the rays. This module handles intersections; nested operations are in `packet_csg_tree`.
+//! others contain none of the rays. This module handles intersections; nested operations are in [`super::csg_tree`].
 
 use super::bundle::StreamPacket;
 use super::csg_packet::{CsgPacket, CsgPacketHits, may_be_self_hit};

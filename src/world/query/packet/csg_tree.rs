@@ -1,4 +1,4 @@
-//! CSG trees for packets of four rays: like `packet_csg`, but each end is tested with the formula of the whole tree.
+//! CSG trees for packets of four rays: like [`super::csg`], but each end is tested with the formula of the whole tree.
 
 use super::csg_packet::{CsgPacket, CsgPacketHits, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
@@ -127,7 +127,7 @@ impl SimdKernel for CsgTreePacket<'_> {
 }
 
 impl CsgTreePacket<'_> {
-    /// For each node, the numbers of operands not among `parts`, plain and inverse. All rays are outside their leaves,
+    /// For each node, the counts of operands not among `parts`, plain and inverse. All rays are outside their leaves,
     /// so inside the inverse ones.
     #[inline(always)]
     fn rest<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MAX_NODES] {

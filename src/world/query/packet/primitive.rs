@@ -77,9 +77,9 @@ impl SimdKernel for ExitedLanes<'_> {
 }
 
 impl World {
-    /// Intersects four rays, which start at index `start`, with a primitive up to and including their far limits: calls
-    /// `take` with the index of each ray that hits it, with any point inside if `ANY`. Returns the lanes that need the
-    /// scalar path.
+    /// Intersects four rays, which start at index `start`, with a primitive up to and including their far limits, and
+    /// calls `take` for each ray that hits. With `ANY` (occlusion) the distance may be that of any point in the solid, not
+    /// the first root. Returns the lanes that need the scalar path.
     #[inline(always)]
     pub(in crate::world) fn packet4_primitive<const ANY: bool>(
         &self,
