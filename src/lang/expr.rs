@@ -22,7 +22,7 @@ pub(super) mod value;
 use super::expr::callee::Callee;
 use super::expr::value::{Number, Value};
 use super::fast_path::replay::cache::Level;
-use super::fast_path::replay::{Binary, Op};
+use super::fast_path::replay::op::{Binary, Op};
 use super::frame::Start;
 use super::limits;
 use super::limits::EQUAL;

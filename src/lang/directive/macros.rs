@@ -3,7 +3,7 @@
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::expr::value::Value;
-use crate::lang::fast_path::replay::Source;
+use crate::lang::fast_path::replay::recording::Source;
 use crate::lang::frame::{Entered, Macro, Position, Start};
 use crate::lang::limits;
 use crate::lang::reader::Reader;

@@ -9,7 +9,7 @@ use super::value::{Number, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::base::source::Diagnostic;
-use crate::lang::fast_path::replay::Op;
+use crate::lang::fast_path::replay::op::Op;
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};

@@ -16,15 +16,15 @@
 //! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`])
 //! or, for spheres, from the recorded expressions alone ([`recorded_sphere`]).
 
-pub(crate) mod cache;
+pub(in crate::lang) mod cache;
 mod directives;
 #[cfg(test)]
 mod equivalence;
 mod notes;
-mod op;
+pub(in crate::lang) mod op;
 mod reader;
 mod recorded_sphere;
-pub(crate) mod recording;
+pub(in crate::lang) mod recording;
 mod spheres;
 mod stack;
 
@@ -34,8 +34,7 @@ use crate::lang::frame::is_bare_directive;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Kind;
 use cache::{Known, Level, MACRO_COST, Program};
-pub(in crate::lang) use op::{Binary, Op};
-pub(in crate::lang) use recording::{Recording, Source};
+use recording::Recording;
 
 /// The result of an expression.
 pub(in crate::lang) trait Replayed: Sized {
