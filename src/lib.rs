@@ -193,7 +193,7 @@ fn draw_with(
         if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
             listen(Event::Checkpointed(pixels));
         }
-        return Err(failure("the drawing was stopped".to_owned(), listen));
+        return Err(failure("the render was stopped".to_owned(), listen));
     }
     if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
         listen(Event::CheckpointFailed(kind));

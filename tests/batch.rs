@@ -559,7 +559,7 @@ fn a_full_disk_ends_scenes_and_leaves_the_rest() {
         ran(Command::new("sh").args(["-c", &line]))
     };
     assert_eq!(ended.code, Some(1), "{}", ended.stderr);
-    let has_hint = ended.stderr.contains("hint: make room and run it again");
+    let has_hint = ended.stderr.contains("hint: Make room and run it again");
     assert!(has_hint, "{}", ended.stderr);
 }
 
@@ -608,7 +608,7 @@ fn a_folder_that_cannot_be_written_to_ends_its_scenes() {
         ran.why("locked/c.pov")
     );
     assert!(
-        ran.stderr.contains("hint: it is not open to you"),
+        ran.stderr.contains("hint: It is not open to you"),
         "{}",
         ran.stderr
     );
@@ -640,7 +640,7 @@ fn a_faulty_command_line_draws_nothing() {
     let out = folder(&[]);
     for (arguments, expected) in [
         (vec!["batch"], "no folder is named"),
-        (vec!["batch", text(scenes.path())], "name one with `-o`"),
+        (vec!["batch", text(scenes.path())], "Name one with `-o`."),
         (
             vec!["batch", "/none.pov", "-o", "x"],
             "cannot find the scene `/none.pov`",

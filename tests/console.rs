@@ -170,7 +170,7 @@ fn help_is_a_command_too() {
         text("help wacth"),
         (
             Some(2),
-            "povr: there is no command `wacth`\n  hint: did you mean `watch`?\n".to_owned()
+            "povr: there is no command `wacth`\n  hint: Did you mean `watch`?\n".to_owned()
         )
     );
     for command in ["curve", "watch"] {
@@ -179,7 +179,7 @@ fn help_is_a_command_too() {
         assert_eq!(
             refusal,
             format!(
-                "povr: no scene is named\n  hint: write `povr {command} scene.pov`, or `povr {command} --help`\n"
+                "povr: no scene is named\n  hint: Write `povr {command} scene.pov`, or `povr {command} --help`.\n"
             )
         );
     }
@@ -295,8 +295,9 @@ fn an_interrupted_drawing_ends_like_povrays_and_can_be_resumed() {
         assert_eq!(said.lines().count(), 1, "{said}");
         assert!(
             said.starts_with("povr: interrupted; ")
-                && said
-                    .ends_with(" of 3000000 pixels are kept: the same command with `+C` goes on\n"),
+                && said.ends_with(
+                    " of 3000000 pixels are saved: the same command with `+C` resumes\n"
+                ),
             "{said}"
         );
     }
@@ -323,5 +324,5 @@ fn an_interrupted_reading_ends_with_the_same_code() {
     assert!(sent.expect("`kill` runs").success());
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(2));
-    assert_eq!(said(&output), "povr: interrupted; nothing is kept\n");
+    assert_eq!(said(&output), "povr: interrupted; nothing is saved\n");
 }

@@ -86,7 +86,7 @@ fn verdict(scene: &Path) -> Verdict {
             continue;
         }
         let message = said["message"].as_str().unwrap_or_default();
-        match message.strip_suffix(" is not built yet") {
+        match message.strip_suffix(" is not supported yet") {
             Some(word) if said["code"] == "not-built" => verdict.missing.push(word.to_owned()),
             _ => verdict
                 .faults

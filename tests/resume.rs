@@ -111,7 +111,7 @@ fn kill_often(arguments: &[&str], area_samples: &str) -> usize {
                 let output = ended(broken.path(), &with_c);
                 String::from_utf8_lossy(&output.stderr).into_owned()
             };
-            went_on += usize::from(said.contains("going on: "));
+            went_on += usize::from(said.contains("resuming: "));
             let actual = fs::read(broken.path().join("s.png")).expect("a picture");
             assert!(
                 actual == expected,
@@ -142,7 +142,7 @@ fn another_scene_or_other_options_start_anew() {
         child.kill().expect("it is there");
         child.wait().expect("it ends");
     };
-    let anew = "the unfinished picture is of another scene, has other options or is by another program: starting anew";
+    let anew = "ignoring the saved state: it belongs to another scene, other options or another version of povr";
     killed(&["+A0.1", "+C"]);
     let said = ended(here, &["+A0.2", "+C"]).stderr;
     assert!(String::from_utf8_lossy(&said).contains(anew));

@@ -118,7 +118,7 @@ fn every_change_of_every_file_is_drawn() {
     let before = fs::read(here.join("s.png")).expect("a picture");
     write(here, "look.inc", &look("<0, 0, 1>").replace("rgb", "rbg"));
     let said = watching
-        .until("povr: not drawn; the last picture stays")
+        .until("povr: render failed; keeping the last picture")
         .join("\n");
     assert!(
         said.contains("File 'look.inc' line 1: Parse Error: "),
@@ -128,7 +128,7 @@ fn every_change_of_every_file_is_drawn() {
     assert!(fs::read(here.join("s.png")).expect("a picture") == before);
     // A missing file is watched for.
     fs::remove_file(here.join("look.inc")).expect("it is there");
-    watching.until("povr: not drawn");
+    watching.until("povr: render failed");
     write(here, "look.inc", &look("<1, 1, 0>"));
     let [r, g, b] = watching.drawn(here);
     assert!(r > 20 && g > 20 && b == 0);

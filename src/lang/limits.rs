@@ -70,7 +70,7 @@ pub(super) fn exceeded(object: &Object) -> Option<String> {
         ))
     } else if size.csg_depth as usize > TURNS {
         Some(format!(
-            "combinations that differ lie inside each other more than {TURNS} deep"
+            "different CSG objects are nested more than {TURNS} deep"
         ))
     } else if u64::from(size.leaves) > SHOWN {
         Some(format!("this object comes to more than {SHOWN} shapes"))

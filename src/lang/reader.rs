@@ -266,8 +266,11 @@ impl Reader<'_> {
         }
         if self.draft.camera.is_none() && self.draft.default_camera == Camera::default() {
             self.warning(
-                Diagnostic::warning(None, "no camera: it stands at the origin and looks along z")
-                    .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
+                Diagnostic::warning(
+                    None,
+                    "no camera: using one at the origin that looks along z",
+                )
+                .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
             );
         }
         if !self.draft.has_light && !self.may_glow() {

@@ -161,7 +161,7 @@ impl OutputError {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         let OutputError::Write { target, source } = self else {
-            return Some("another file type may hold it: `+FN` for PNG, `+FE` for EXR".to_owned());
+            return Some("Another file type may hold it: `+FN` for PNG, `+FE` for EXR.".to_owned());
         };
         let Target::File(path) = target else {
             return None;
@@ -169,21 +169,21 @@ impl OutputError {
         let folder = atomic_file::folder_of(path);
         match source.kind() {
             io::ErrorKind::NotFound => Some(format!(
-                "the folder `{}` does not exist: create it, or name another file with `+O`",
+                "The folder `{}` does not exist: create it, or name another file with `+O`.",
                 folder.display()
             )),
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Some(format!(
-                "the folder `{}` is not open to you for writing: name another file with `+O`",
+                "The folder `{}` is not open to you for writing: name another file with `+O`.",
                 folder.display()
             )),
             io::ErrorKind::IsADirectory => {
-                Some("a folder has this name: name another file with `+O`".to_owned())
+                Some("A folder has this name: name another file with `+O`.".to_owned())
             }
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-                Some("make room, or name a file on another disk with `+O`".to_owned())
+                Some("Make room, or name a file on another disk with `+O`.".to_owned())
             }
             io::ErrorKind::FileTooLarge => {
-                Some("files have a limit in size here, which `ulimit -f` shows".to_owned())
+                Some("Files have a limit in size here, which `ulimit -f` shows.".to_owned())
             }
             _ => None,
         }

@@ -302,7 +302,7 @@ fn a_missing_folder_is_named() {
     assert_eq!(
         error.hint().unwrap(),
         format!(
-            "the folder `{}` does not exist: create it, or name another file with `+O`",
+            "The folder `{}` does not exist: create it, or name another file with `+O`.",
             folder.path().join("none").display()
         )
     );
@@ -356,7 +356,7 @@ fn a_full_disk_is_named() {
     );
     assert_eq!(
         error.hint().unwrap(),
-        "make room, or name a file on another disk with `+O`"
+        "Make room, or name a file on another disk with `+O`."
     );
 }
 

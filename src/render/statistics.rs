@@ -106,7 +106,7 @@ impl fmt::Display for Statistics {
             let gathering = self.rays.get("gathering").copied().unwrap_or(0);
             writeln!(
                 f,
-                "radiosity   {} samples, {} of them before drawing in {:.4} s; {} bytes, {gathering} rays, \
+                "radiosity   {} samples, {} of them before rendering in {:.4} s; {} bytes, {gathering} rays, \
                  {} tiles revised",
                 taken.samples, taken.pretraced, taken.pretrace_seconds, taken.bytes, taken.revised
             )?;
@@ -114,7 +114,7 @@ impl fmt::Display for Statistics {
         if let Some(taken) = &self.photons {
             writeln!(
                 f,
-                "photons     {} shot in {:.4} s, {} kept on surfaces and {} in media; {} bytes, radius {}",
+                "photons     {} shot in {:.4} s, {} stored on surfaces and {} in media; {} bytes, radius {}",
                 taken.shot,
                 taken.seconds,
                 taken.on_surfaces,
@@ -134,7 +134,7 @@ impl fmt::Display for Statistics {
             .collect();
         writeln!(
             f,
-            "primitives  {} ({} behind a matrix), in {} combinations; {} unbounded",
+            "primitives  {} ({} transformed by a matrix), in {} CSG objects; {} unbounded",
             kinds.join(", "),
             plan.behind_matrix,
             plan.combinations,
@@ -149,7 +149,7 @@ impl fmt::Display for Statistics {
         }
         writeln!(
             f,
-            "looks       {}, lights {}, tree {} bytes, views {} bytes",
+            "materials   {}, lights {}, tree {} bytes, views {} bytes",
             plan.surfaces, plan.lights, plan.tree_bytes, plan.view_bytes
         )?;
         writeln!(f, "left out    {}", plan.left_out.join(", "))

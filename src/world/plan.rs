@@ -74,7 +74,7 @@ impl World {
         let areas = (0..).take(self.lights.len());
         let areas = areas.filter(|&light| self.lights.get(light).area.is_some());
         [
-            has(combinations > 0, "combinations"),
+            has(combinations > 0, "CSG objects"),
             has(!self.model.instances.is_empty(), "shared unions"),
             has(!self.is_opaque(), "transparency"),
             has(mirrors, "mirror images"),

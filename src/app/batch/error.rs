@@ -29,14 +29,14 @@ impl BatchError {
         let refused = BatchError::new(format!("cannot {doing} `{}`: {error}", path.display()));
         match error.kind() {
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => refused
-                .with_hint("it is not open to you for writing: name another folder with `-o`"),
+                .with_hint("It is not open to you for writing: name another folder with `-o`."),
             io::ErrorKind::StorageFull
             | io::ErrorKind::QuotaExceeded
             | io::ErrorKind::FileTooLarge => {
-                refused.with_hint("make room and run it again: what is there is not drawn again")
+                refused.with_hint("Make room and run it again: what is there is not drawn again.")
             }
             io::ErrorKind::CrossesDevices => {
-                refused.with_hint("all folders below that of `-o` must be on one disk")
+                refused.with_hint("All folders below that of `-o` must be on one disk.")
             }
             _ => refused,
         }

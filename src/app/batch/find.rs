@@ -51,7 +51,7 @@ fn set(patterns: &[String]) -> Result<GlobSet, BatchError> {
             .literal_separator(true)
             .build();
         builder.add(glob.map_err(|error| {
-            BatchError::new(format!("`{pattern}` is no pattern: {}", error.kind()))
+            BatchError::new(format!("`{pattern}` is not a pattern: {}", error.kind()))
         })?);
     }
     builder

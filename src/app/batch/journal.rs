@@ -47,7 +47,7 @@ impl Journal {
                     "another `povr batch` is at work in `{}`",
                     out.display()
                 ))
-                .with_hint("wait for it, or give each a part: `--shard 1/2` and `--shard 2/2`")
+                .with_hint("Wait for it, or give each a part: `--shard 1/2` and `--shard 2/2`.")
             })?;
         clean(&own);
         for other in folders(&all).filter(|other| *other != own) {

@@ -43,7 +43,7 @@ pub(super) const COMMAND: Command = Command {
 and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command \
 line; an animation becomes its frames. +FN, +FJ, ... choose the type of the files.
 A picture is up to date if it and the scene, every file read or looked for, the options and this program are the same \
-as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it goes on where it was.
+as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it resumes where it was.
 Exit code 0: all pictures are there; 1: some are not; 2: the command line is at fault."
 )]
 struct CommandOptions {
@@ -68,7 +68,7 @@ struct CommandOptions {
     /// A picture that takes longer has failed: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
-    /// The most memory that reading a scene may take: 500M, 4G; what the machine has unless given
+    /// The most memory that reading a scene may take: 500M, 4G [default: what the machine has]
     #[arg(long, value_name = "SIZE", value_parser = |text: &str| bytes(text, "--memory"))]
     memory: Option<u64>,
     /// Draw one part of several, for several machines: 2/8. In a Slurm array this is known
@@ -80,7 +80,7 @@ struct CommandOptions {
     /// Write OUT/contact.png and OUT/index.html with all pictures
     #[arg(long)]
     sheet: bool,
-    /// Print an object a picture on standard output
+    /// Print one object per picture on standard output
     #[arg(long)]
     json: bool,
     /// Print nothing but what failed
@@ -179,10 +179,10 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
     }
     if wanted.names.is_empty() {
         return Err(CliError::new("no folder is named")
-            .with_hint("write `povr batch scenes -o pictures`, or `povr batch --help`"));
+            .with_hint("Write `povr batch scenes -o pictures`, or `povr batch --help`."));
     }
     wanted.batch.out = out.ok_or_else(|| {
-        CliError::new("no folder for the pictures is named").with_hint("name one with `-o`")
+        CliError::new("no folder for the pictures is named").with_hint("Name one with `-o`.")
     })?;
     Ok(Ok(wanted))
 }

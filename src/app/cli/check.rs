@@ -133,7 +133,7 @@ fn read_arguments(
     }
     if wanted.scenes.is_empty() {
         return Err(CliError::new("no scene is named")
-            .with_hint("write `povr check scene.pov`, or `povr check --help`"));
+            .with_hint("Write `povr check scene.pov`, or `povr check --help`."));
     }
     Ok(Ok(wanted))
 }

@@ -47,7 +47,7 @@ pub(super) const COMMAND: Command = Command {
 Scenes are drawn at 160x120 without antialiasing unless switches or comments in them (`// size:`, `// switches:`) say \
 otherwise; both renderers get the same switches and one thread. They PASS if at least 99.9 % of the pixels are equal and \
 no channel is more than one step off, or by limits that a scene states (`// compare: channel<=2 pixels<=0.5% because \
-\"...\"`); options like --fail take the place of both. WARNING is a difference that is explained: by POV-Ray's minimum \
+\"...\"`); options like --fail override both. WARNING is a difference that is explained: by POV-Ray's minimum \
 distances, or because POV-Ray's own picture is random: drawn again with its blocks in other orders it differs as much.
 Pictures of unlike kinds are compared as the one with fewer bits; linear light counts as sRGB beside encoded values.
 Exit code: 0 PASS, 1 WARNING, 2 FAILURE, 3 sizes differ, 4 a file cannot be read or a scene is not drawn; the command \
@@ -81,7 +81,7 @@ pub(super) struct CommandOptions {
     /// Write expected | difference | actual here, of two pictures
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Keep POV-Ray's pictures in this folder: later runs draw only what has changed
+    /// Save POV-Ray's pictures in this folder: later runs draw only what has changed
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
     /// How long a renderer may take for a scene [default: 60s]
@@ -133,7 +133,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let (rows, about) = if wanted.names.iter().all(is_scene) {
         if wanted.output.is_some() {
             return Err(CliError::new("`--output` is for two pictures")
-                .with_hint("write the report of scenes with `--html report.html`"));
+                .with_hint("Write the report of scenes with `--html report.html`."));
         }
         scenes(&wanted)?
     } else if let [expected, actual] = wanted.names.as_slice() {
@@ -147,7 +147,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     } else {
         return Err(
             CliError::new("expected scenes and folders, or two pictures").with_hint(
-                "write `povr compare scene.pov`, `povr compare folder` or `povr compare a.png b.png`",
+                "Write `povr compare scene.pov`, `povr compare folder` or `povr compare a.png b.png`.",
             ),
         );
     };
@@ -208,7 +208,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
     }
     if wanted.names.is_empty() {
         return Err(CliError::new("nothing is named to compare")
-            .with_hint("write `povr compare scene.pov`, or `povr compare --help`"));
+            .with_hint("Write `povr compare scene.pov`, or `povr compare --help`."));
     }
     Ok(Ok(wanted))
 }
@@ -305,7 +305,7 @@ fn pictures<'a>(
 fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     let povray = Renderer::povray().map_err(|error| {
         CliError::new(format!("`povray` does not run: {error}"))
-            .with_hint("install POV-Ray 3.7 (Debian: `apt-get install povray`)")
+            .with_hint("Install POV-Ray 3.7 (Debian: `apt-get install povray`).")
     })?;
     let own = std::env::current_exe()
         .map_err(|error| CliError::new(format!("cannot find this program to run it: {error}")))?;

@@ -32,9 +32,9 @@ pub(super) const COMMAND: Command = Command {
     name = "povr curve",
     override_usage = "povr curve [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
     after_help = "\
-POV-Ray's switches and ini files count, but for those of antialiasing: +W320 +H240, +LFOLDER, Declare=Name=1, ...
+POV-Ray's switches and ini files are accepted, except antialiasing switches: +W320 +H240, +LFOLDER, Declare=Name=1, ...
 Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, the pictures, and the \
-truth that they are measured against. Run again, it measures only what is missing."
+reference image that they are measured against. Run again, it measures only what is missing."
 )]
 struct CommandOptions {
     /// Folder for all files [default: SCENE-curve]
@@ -46,10 +46,10 @@ struct CommandOptions {
     /// Measure POV-Ray itself too, with those of the settings that it knows
     #[arg(long)]
     povray: bool,
-    /// Drawings with each setting
+    /// Renders with each setting
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     runs: Option<u16>,
-    /// The estimated error of the truth in steps of 1/255
+    /// Estimated error of the reference image, in steps of 1/255
     #[arg(long, value_name = "E")]
     truth: Option<f64>,
     /// Measure everything anew
@@ -88,7 +88,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     };
     let Scene::File(file) = &settings.scene else {
         return Err(CliError::new(
-            "a curve is drawn of a file, not of standard input",
+            "`povr curve` needs a scene file, not standard input",
         ));
     };
     let sweep = sweep(&wanted, &settings, file, environment)?;
@@ -212,8 +212,8 @@ fn setting(switches: &str, file: &Path, environment: &Environment) -> Result<Set
     let mut arguments: Vec<String> = switches.split_whitespace().map(str::to_owned).collect();
     arguments.push(format!("+I{}", file.display()));
     let Request::Draw(settings) = request(&arguments, environment)? else {
-        return Err(CliError::new(format!("`{switches}` is no setting"))
-            .with_hint("write switches of antialiasing, like `--error 1` or `+A0.3 +AM2 +R3`"));
+        return Err(CliError::new(format!("`{switches}` is not a setting"))
+            .with_hint("Write switches of antialiasing, like `--error 1` or `+A0.3 +AM2 +R3`."));
     };
     let sampling = settings.render.sampling;
     Ok(Setting {
@@ -298,7 +298,7 @@ fn summary(report: &Report, folder: &Path) -> String {
     }
     let truth = &report.truth;
     text += &format!(
-        "truth: {:.0} samples a pixel, estimated error {:.5} (root mean square), {:.5} at most\n{}",
+        "reference image: {:.0} samples per pixel, estimated error {:.5} (root mean square), {:.5} at most\n{}",
         truth.samples_a_pixel,
         truth.rms,
         truth.largest,

@@ -52,10 +52,10 @@ pub(super) fn named(name: &str) -> Result<&'static Command, CliError> {
     known.ok_or_else(|| {
         let refusal = CliError::new(format!("there is no command `{name}`"));
         match nearest(name, names()) {
-            Some(near) => refusal.with_hint(format!("did you mean `{near}`?")),
+            Some(near) => refusal.with_hint(format!("Did you mean `{near}`?")),
             None => {
                 let all: Vec<&str> = names().collect();
-                refusal.with_hint(format!("commands are {}", all.join(", ")))
+                refusal.with_hint(format!("Commands are {}.", all.join(", ")))
             }
         }
     })
@@ -72,7 +72,7 @@ mod tests {
                 .map(|command| command.name)
                 .unwrap_err()
                 .to_string(),
-            "there is no command `bacth`\n  hint: did you mean `batch`?"
+            "there is no command `bacth`\n  hint: Did you mean `batch`?"
         );
         assert!(named("watch").is_ok());
     }

@@ -77,7 +77,7 @@ fn whole(to: &mut Vec<u8>) -> std::io::Result<()> {
     roff.control("fi", []);
     roff.control("SH", ["ALL SWITCHES"]);
     roff.text([roman(
-        "Each is another name of options of ini files. Upper or lower case; a value stands behind it without a space.",
+        "Each is another name for an option of ini files, in upper or lower case; its value follows without a space.",
     )]);
     for one in switches::described() {
         roff.control("TP", []);
@@ -157,7 +157,7 @@ mod tests {
         }
         let refused = page(Some("cmp")).unwrap_err().to_string();
         assert!(
-            refused.starts_with("there is no command `cmp`\n  hint: commands are "),
+            refused.starts_with("there is no command `cmp`\n  hint: Commands are "),
             "{refused}"
         );
     }

@@ -167,7 +167,7 @@ fn own(path: &Path, object: Option<&str>) -> Result<Subject, CliError> {
             "`{}` is neither a shape nor a file",
             path.display()
         ))
-        .with_hint(format!("shapes are {}, or `all`", names.join(", "))));
+        .with_hint(format!("Shapes are {}, or `all`.", names.join(", "))));
     };
     let text = fs::read_to_string(path).map_err(|error| failed("read", path, &error))?;
     let (declaration, file) = match object {
@@ -276,7 +276,7 @@ fn draw(scene: &Path, size: Size, environment: &Environment) -> Result<(), CliEr
         && draw::carry_out(&settings, &crate::draw)? != ExitCode::SUCCESS
     {
         return Err(CliError::new(format!("cannot draw `{}`", scene.display()))
-            .with_hint("your own file must be one object, or name one with `--object`"));
+            .with_hint("Your own file must be one object, or name one with `--object`."));
     }
     Ok(())
 }

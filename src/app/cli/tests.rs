@@ -278,7 +278,7 @@ fn a_refusal_in_an_ini_file_names_the_line() {
     assert_eq!(
         refusal(&[&ini]),
         format!(
-            "`{ini}` line 3: unknown option `Foo`\n  hint: `povr --help` tells which options there are"
+            "`{ini}` line 3: unknown option `Foo`\n  hint: `povr --help` tells which options there are."
         )
     );
 }
@@ -289,27 +289,27 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
     let scene = here.path().join("s.pov").display().to_string();
     let stem = here.path().join("s").display().to_string();
     for (arguments, expected) in [
-        (vec![], "no scene is named\n  hint: write `povr scene.pov`, or `povr --help`".to_owned()),
-        (vec!["+Zz"], "unknown switch `+Zz`\n  hint: `povr --help` tells which switches there are".to_owned()),
-        (vec!["-nosuch"], "unknown switch `-nosuch`\n  hint: `povr --help` tells which switches there are".to_owned()),
-        (vec!["+W"], "`+W` needs a value\n  hint: write it behind the switch without a space, like `+W320`".to_owned()),
+        (vec![], "no scene is named\n  hint: Write `povr scene.pov`, or `povr --help`.".to_owned()),
+        (vec!["+Zz"], "unknown switch `+Zz`\n  hint: `povr --help` tells which switches there are.".to_owned()),
+        (vec!["-nosuch"], "unknown switch `-nosuch`\n  hint: `povr --help` tells which switches there are.".to_owned()),
+        (vec!["+W"], "`+W` needs a value\n  hint: Write it after the switch without a space, like `+W320`.".to_owned()),
         (vec!["Width=abc"], "`Width=abc` needs a number, found `abc`".to_owned()),
         (vec!["Width="], "`Width=` needs a number, found nothing".to_owned()),
         (vec!["+W20x"], "`+W20x` needs a number, found `20x`".to_owned()),
         (vec!["+W0"], "`+W0` needs a size from 1 to 1048576 pixels".to_owned()),
         (vec!["+H-5"], "`+H-5` needs a size from 1 to 1048576 pixels".to_owned()),
         (vec!["+W100000", "+H100000", &scene], "a picture of 100000 by 100000 pixels is too large: the most is 536870912 pixels".to_owned()),
-        (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey".to_owned()),
-        (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey".to_owned()),
+        (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
+        (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
         (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
-        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`".to_owned()),
-        (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not built yet\n  hint: use `-UO` (or `Odd_Field=off`)".to_owned()),
-        (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not built yet\n  hint: use `-UF` (or `Field_Render=off`)".to_owned()),
-        (vec![&scene, "Clockless_Animation=on"], "`Clockless_Animation=on`: animation by several cameras is not built yet\n  hint: leave `Clockless_Animation` out and move one camera with `clock`".to_owned()),
-        (vec![&scene, "+C", "+KFF3"], "`+C`: continuing an animation is not built yet\n  hint: draw the frames that are missing: `+SF` is the first, `+EF` the last".to_owned()),
+        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`.".to_owned()),
+        (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not supported yet\n  hint: Use `-UO` (or `Odd_Field=off`).".to_owned()),
+        (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not supported yet\n  hint: Use `-UF` (or `Field_Render=off`).".to_owned()),
+        (vec![&scene, "Clockless_Animation=on"], "`Clockless_Animation=on`: animation by several cameras is not supported yet\n  hint: Leave `Clockless_Animation` out and move one camera with `clock`.".to_owned()),
+        (vec![&scene, "+C", "+KFF3"], "`+C`: continuing an animation is not supported yet\n  hint: Draw the frames that are missing: `+SF` is the first, `+EF` the last.".to_owned()),
         (vec![&stem], format!("no scene, ini file or command named `{stem}`; did you mean `{scene}`?")),
-        (vec!["/none.pov"], "cannot find the scene `/none.pov`\n  hint: looked in the current folder".to_owned()),
-        (vec![&scene, "-o", "a.xyz"], "no file type has the ending `.xyz` of `a.xyz`\n  hint: end the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`".to_owned()),
+        (vec!["/none.pov"], "cannot find the scene `/none.pov`\n  hint: Looked in the current folder.".to_owned()),
+        (vec![&scene, "-o", "a.xyz"], "no file type has the ending `.xyz` of `a.xyz`\n  hint: End the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`.".to_owned()),
     ] {
         assert_eq!(refusal(&arguments), expected, "{arguments:?}");
     }
@@ -568,7 +568,7 @@ fn a_folder_that_is_not_there_is_named_with_a_remedy() {
     assert_eq!(
         done.map_err(|refusal| refusal.to_string()),
         Err(
-            "cannot write `/none/x.png`: no such file or directory\n  hint: the folder `/none` does not exist: create it, or name another file with `+O`".to_owned()
+            "cannot write `/none/x.png`: no such file or directory\n  hint: The folder `/none` does not exist: create it, or name another file with `+O`.".to_owned()
         )
     );
 }

@@ -109,7 +109,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     };
     if settings.frames.is_some() {
         return Err(CliError::new("an animation is not watched")
-            .with_hint("watch one picture of it: `+K0.5` sets the clock"));
+            .with_hint("Watch one picture of it: `+K0.5` sets the clock."));
     }
     let shown = Arc::new(Shown::default());
     if wanted.is_served || wanted.port.is_some() {
@@ -185,7 +185,7 @@ fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliErro
     let port = wanted.port.unwrap_or(0);
     let cannot = |error: std::io::Error| {
         CliError::new(format!("cannot serve on port {port}: {error}"))
-            .with_hint("leave `--port` out, and a free one is taken")
+            .with_hint("Leave `--port` out, and a free one is taken.")
     };
     let listener = TcpListener::bind(("127.0.0.1", port)).map_err(cannot)?;
     let address = listener.local_addr().map_err(cannot)?;

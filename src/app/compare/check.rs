@@ -265,16 +265,16 @@ mod tests {
 
     #[test]
     fn missing_words_are_distinguished_from_other_errors() {
-        let missing = "File 'a.pov' line 4: Parse Error: `normal` is not built yet\n  | shown\n\
-            File 'a.pov' line 9: Parse Error: `media` is not built yet\n\
-            File 'a.pov' line 12: Parse Error: `normal` is not built yet\n";
+        let missing = "File 'a.pov' line 4: Parse Error: `normal` is not supported yet\n  | shown\n\
+            File 'a.pov' line 9: Parse Error: `media` is not supported yet\n\
+            File 'a.pov' line 12: Parse Error: `normal` is not supported yet\n";
         assert_eq!(refused(missing).missing(), ["media", "normal"]);
         let other = format!("{missing}File 'a.pov' line 4: Parse Error: expected `}}`\n");
         assert!(refused(&other).missing().is_empty());
         assert!(refused("").missing().is_empty());
         assert_eq!(
             refused(missing).line(),
-            "povr: File 'a.pov' line 4: Parse Error: `normal` is not built yet"
+            "povr: File 'a.pov' line 4: Parse Error: `normal` is not supported yet"
         );
     }
 }

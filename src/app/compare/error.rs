@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The error message for a keyword that this program does not render yet.
-pub(crate) const MISSING: &str = " is not built yet";
+pub(crate) const MISSING: &str = " is not supported yet";
 
 /// Errors that prevent a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -13,7 +13,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
     });
     written.map(drop).map_err(|error| {
         CurveError::new(format!("cannot write `{}`: {error}", path.display()))
-            .with_hint("name another folder with `--out`")
+            .with_hint("Name another folder with `--out`.")
     })
 }
 

@@ -134,11 +134,11 @@ impl Sweep {
         let pictures = self.folder.join("pictures");
         std::fs::create_dir_all(&pictures).map_err(|error| {
             CurveError::new(format!("cannot create `{}`: {error}", pictures.display()))
-                .with_hint("name another folder with `--out`")
+                .with_hint("Name another folder with `--out`.")
         })?;
         let of = self.settings.len() + 1;
         let step = |done, next: &str| on_step(Step { done, of, next });
-        step(0, "the truth");
+        step(0, "the reference image");
         let (truth, picture) =
             truth::stored_or_rendered(&self.key, self.truth_error, &self.folder, draw)?;
         write_png(&pictures.join("truth.png"), &picture, &picture.srgb())?;

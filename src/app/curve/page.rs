@@ -45,8 +45,8 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          <title>Error against run time: {scene}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
          <h1>Error against run time: {scene}</h1>\n\
          <p>{width} × {height} pixels, {} thread(s). Errors are in linear light from 0 (black) to 1 (white), against a \
-         picture with {:.0} samples a pixel (the truth) whose own error is estimated at {:.5} (root mean square). Times are \
-         processor seconds of tracing, the median of the drawings. POV-Ray's pictures are measured against povr's too: what \
+         reference image with {:.0} samples per pixel, whose own error is estimated at {:.5} (root mean square). Times are \
+         processor seconds of tracing, the median of the renders. POV-Ray's pictures are measured against povr's too: what \
          the programs draw differently is a level below which its error does not fall.</p>\n{}\
          <p>Each dot is one setting: time across, error up (both on log scales). Lower left is better. Lines join the settings that no other of their kind \
          betters.</p>\n\
@@ -69,7 +69,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          <b>max</b>: that of the worst. <b>FLIP</b>: how different a person finds both pictures, 0 for equal ones. \
          <b>estimated</b>: povr's own estimate of its RMSE.</p>\n\
          <div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>{spread}<th>wall s</th>{spread}\
-         <th>samples a pixel</th><th>RMSE</th><th>estimated</th><th>99.9 %</th><th>max</th><th>FLIP</th></tr></thead>\n<tbody>"
+         <th>samples per pixel</th><th>RMSE</th><th>estimated</th><th>99.9 %</th><th>max</th><th>FLIP</th></tr></thead>\n<tbody>"
     );
     for m in &report.measured {
         row(&mut page, m, has_spread);
@@ -78,7 +78,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     let _ = writeln!(
         page,
         "<p>Left: the image. Right: its error, amplified {ENLARGED:.0}×.</p>\n\
-         <figure class=\"truth\"><img alt=\"the truth\" src=\"{}\"><figcaption>The truth</figcaption></figure>\n\
+         <figure class=\"truth\"><img alt=\"the reference image\" src=\"{}\"><figcaption>The reference image</figcaption></figure>\n\
          <div class=\"pictures\">",
         embedded(&pictures.join("truth.png"))?
     );
@@ -184,7 +184,7 @@ fn color(family: Family) -> String {
 fn embedded(file: &Path) -> Result<String, CurveError> {
     let bytes = std::fs::read(file).map_err(|error| {
         CurveError::new(format!("cannot read `{}`: {error}", file.display()))
-            .with_hint("leave out what was measured before with `--fresh`")
+            .with_hint("Leave out what was measured before with `--fresh`.")
     })?;
     Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
 }

@@ -68,7 +68,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
         })
         .map_err(|error| {
             CurveError::new(format!("`povray` does not run: {error}")).with_hint(
-                "install POV-Ray 3.7 (Debian: `apt-get install povray`), or leave `--povray` out",
+                "Install POV-Ray 3.7 (Debian: `apt-get install povray`), or leave `--povray` out.",
             )
         })?;
     let said = ended.stderr;

@@ -31,7 +31,7 @@ impl Family {
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
-            Family::Centres => "povr, one ray a pixel",
+            Family::Centres => "povr, one ray per pixel",
             Family::Converging => "povr --error",
             Family::Grid => "povr +AM1 +AM2",
             Family::PovRay => "POV-Ray",

@@ -189,7 +189,7 @@ pub fn default_of<T: Any + Send + Sync + Clone + Default>(args: &dyn Args) -> T 
         .map_or_else(T::default, |value| T::clone(&value))
 }
 
-/// The error for a word of the language that is not supported yet: "`spotlight` is not built yet". Its span is that of
+/// The error for a word of the language that is not supported yet: "`spotlight` is not supported yet". Its span is that of
 /// the next token if that is the word, otherwise that of the token taken last.
 pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     let at = if matches!(args.word(), Ok(Some(next)) if next == word) {
@@ -197,6 +197,6 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     } else {
         args.last_span()
     };
-    let error = Diagnostic::error(at, format!("`{word}` is not built yet"));
+    let error = Diagnostic::error(at, format!("`{word}` is not supported yet"));
     Box::new(error.with_code(Code::NotBuilt))
 }

@@ -71,7 +71,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
                 "twelve numbers after `matrix`, of which {i} are here"
             ));
             return Err(Box::new(error.with_hint(
-                "three rows of three, and then the translation: `<a, b, c,  d, e, f,  g, h, i,  x, y, z>`",
+                "Write three rows of three, and then the translation: `<a, b, c,  d, e, f,  g, h, i,  x, y, z>`.",
             )));
         }
         *entry = args.float()?;
@@ -99,7 +99,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
                 at.to(args.last_span()),
                 "this matrix is singular: it flattens space and has no inverse",
             )
-            .with_hint("make the three rows independent of each other"),
+            .with_hint("Make the three rows independent of each other."),
         )
     })
 }

@@ -67,7 +67,7 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
 /// Width and height of the image, and the bytes that decoding needs; `None` for formats left to the `image` crate.
 pub(super) fn size(bytes: &[u8]) -> Result<Option<([u64; 2], u64)>, Fault> {
     let Some(header) = Header::read(bytes) else {
-        return Err("it is no BMP file".to_owned());
+        return Err("it is not a BMP file".to_owned());
     };
     let size = [header.width, header.height].map(|length| length as u64);
     let pixels = size[0].saturating_mul(size[1]);
@@ -80,7 +80,7 @@ pub(super) fn size(bytes: &[u8]) -> Result<Option<([u64; 2], u64)>, Fault> {
 
 /// Decodes the pixels of a file.
 pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
-    let header = Header::read(bytes).ok_or("it is no BMP file")?;
+    let header = Header::read(bytes).ok_or("it is not a BMP file")?;
     match (header.bits, header.compression) {
         (1 | 4 | 8, 0) | (8, 1) | (4, 2) => header.indexed(bytes),
         (24 | 32, 0) => header.colors(bytes).map(Content::Colors),

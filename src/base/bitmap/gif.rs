@@ -15,7 +15,7 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     let mut decoder = options.read_info(Cursor::new(bytes)).map_err(fault)?;
     let global = decoder.global_palette().map(<[u8]>::to_vec);
     let frame = decoder.next_frame_info().map_err(fault)?;
-    let frame = frame.ok_or("it holds no picture")?.clone();
+    let frame = frame.ok_or("it holds no image")?.clone();
     let mut buffer = vec![0; decoder.buffer_size()];
     decoder.read_into_buffer(&mut buffer).map_err(fault)?;
     let (width, height) = (usize::from(frame.width), usize::from(frame.height));
@@ -57,7 +57,7 @@ pub(super) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     let options = gif::DecodeOptions::new();
     let mut decoder = options.read_info(Cursor::new(bytes)).map_err(fault)?;
     let frame = decoder.next_frame_info().map_err(fault)?;
-    let frame = frame.ok_or("it holds no picture")?;
+    let frame = frame.ok_or("it holds no image")?;
     let size = [frame.width, frame.height].map(u64::from);
     Ok((size, 2 * size[0] * size[1]))
 }

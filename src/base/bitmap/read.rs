@@ -149,7 +149,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
     let mut entries = Vec::new();
     while !args.accept_close()? {
         let Some(word) = args.word()? else {
-            return Err(args.expected("a parameter of the picture or `}`"));
+            return Err(args.expected("a parameter of the image or `}`"));
         };
         match word {
             Word::Gamma => {
@@ -179,7 +179,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
             Word::UseIndex => uses_index = args.accept(word)?,
             Word::UseColor | Word::UseColour => uses_index = !args.accept(word)?,
             _ if mapping.read(word, purpose, args)? => {}
-            _ => return Err(args.expected("a parameter of the picture or `}`")),
+            _ => return Err(args.expected("a parameter of the image or `}`")),
         }
     }
     let mut bitmap = content.into_bitmap(&handling, args)?;
@@ -211,11 +211,11 @@ impl Content {
         match self {
             Content::File(bytes, format, span) => {
                 let error = |error| {
-                    let message = format!("this file cannot be read as a picture: {error}");
+                    let message = format!("this file cannot be read as an image: {error}");
                     Box::new(Diagnostic::error(span, message))
                 };
                 let bytes_needed = bytes_to_decode(&bytes, format).map_err(error)?;
-                args.reserve_memory("this picture", bytes_needed, span)?;
+                args.reserve_memory("this image", bytes_needed, span)?;
                 decode(&bytes, format, handling).map_err(error)
             }
             Content::Sampled(sampled) => Ok(Bitmap {
@@ -238,9 +238,8 @@ fn skip_orientation(args: &mut dyn Args) -> Parse<()> {
     args.vector()?;
     let span = start.to(args.last_span());
     args.warn(
-        Diagnostic::warning(span, "a vector or number before a picture has no effect").with_hint(
-            "Turn the picture with transformations, and choose the map with `map_type`.",
-        ),
+        Diagnostic::warning(span, "a vector or number before an image has no effect")
+            .with_hint("Turn the image with transformations, and choose the map with `map_type`."),
     );
     Ok(())
 }
@@ -259,12 +258,12 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
         _ => {}
     }
     let extensions = explicit.map_or(&[][..], Format::extensions);
-    let (name, bytes) = args.file("the picture", extensions)?;
+    let (name, bytes) = args.file("the image", extensions)?;
     let span = args.last_span();
     match explicit.or_else(|| Format::of_name(&name)) {
         Some(format) => Ok(Content::File(bytes, format, span)),
         None => Err(Box::new(
-            Diagnostic::error(span, "the name does not tell the format of this picture")
+            Diagnostic::error(span, "cannot tell the image format from the file name")
                 .with_hint("Write `png`, `jpeg`, ... before it."),
         )),
     }
@@ -323,14 +322,14 @@ impl TransparencyEntry {
         if is_known {
             return Ok(());
         }
-        let message = format!("the palette of this picture has {len} colours, from 0");
+        let message = format!("the palette of this image has {len} colours, from 0");
         Err(Box::new(Diagnostic::error(self.span, message)))
     }
 
     fn add_to_all(&self, added: &mut AddedTransparency) -> Parse<()> {
         let TransparencyEntry { word, number, .. } = self;
         if let Some(number) = number {
-            let message = format!("`{word} {number}` needs a picture with a palette");
+            let message = format!("`{word} {number}` needs an image with a palette");
             let hint = format!("Write `{word} all` for every colour.");
             let error = Diagnostic::error(self.span, message).with_hint(hint);
             return Err(Box::new(error));

@@ -36,7 +36,7 @@ impl Reader<'_> {
     fn remedy_of_no_value(&self, wanted: &str) -> Option<String> {
         let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?].word()?;
         let is_value = matches!(before.class(), Class::Value | Class::Function);
-        (wants_value(wanted) && !is_value).then(|| format!("Write a value behind `{before}`."))
+        (wants_value(wanted) && !is_value).then(|| format!("Write a value after `{before}`."))
     }
 
     fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
@@ -50,13 +50,13 @@ impl Reader<'_> {
             '%' => "The remainder of a division is `mod(a, b)`.",
             '^' => "A power is `pow(a, b)`.",
             '+' | '-' | '*' | '/' if wanted.starts_with("`=` after") => {
-                "Write the name again behind `=`: `#declare N = N + 1;`."
+                "Write the name again after `=`: `#declare N = N + 1;`."
             }
             '=' if wanted.contains("the start of `#for`") => {
                 "Write `#for (I, first, last)`, with commas only."
             }
             ',' if wants_word(wanted) && self.is_between_numbers() => {
-                "A vector stands in `<` and `>`: `<1, 2, 3>`."
+                "Write a vector as `<1, 2, 3>`."
             }
             ',' if wants_word(wanted) => {
                 "Remove this comma: items in a block are not separated by commas."
@@ -64,7 +64,9 @@ impl Reader<'_> {
             ';' if wants_word(wanted) => {
                 "Only declarations of numbers, and some directives, end with `;`; remove it."
             }
-            '(' if wants_word(wanted) => "Parameters stand in `{` and `}`, or in none at all.",
+            '(' if wants_word(wanted) => {
+                "Parameters belong in `{` and `}`, or in no brackets at all."
+            }
             '}' => return self.remedy_of_no_value(wanted),
             '=' | ':' if wants_word(wanted) || self.is_after_word() => {
                 "A value follows its word without a sign: `ambient 0.2`."
@@ -243,7 +245,7 @@ impl Reader<'_> {
             Word::SmoothTriangle => {
                 "`smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> ... }`"
             }
-            Word::LightSource => "`light_source { <place>, colour ... }`",
+            Word::LightSource => "`light_source { <location>, colour ... }`",
             _ => return None,
         })
     }
@@ -313,18 +315,18 @@ fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
         });
     Some(match element {
         "object" if is_part => {
-            format!("`{name}` is drawn by `object {{ {name} }}`; it is no part of a texture.")
+            format!("`{name}` is drawn by `object {{ {name} }}`; it is not part of a texture.")
         }
         "object" if wants_value(wanted) => {
-            format!("`{name}` is drawn by `object {{ {name} }}`; a number must stand here.")
+            format!("`{name}` is drawn by `object {{ {name} }}`; a number is expected here.")
         }
         "object" if wanted.starts_with("a modifier") || wanted.starts_with("a transform") => {
             format!(
-                "Parts of a combination stand before its modifiers: move `{name}` there, or behind the `}}`."
+                "The operands of a CSG object come before its modifiers: move `{name}` up, or after the `}}`."
             )
         }
         _ if wanted.contains("statement") => {
-            format!("A {element} stands in an object: `{element} {{ {name} }}`.")
+            format!("A {element} belongs in an object: `{element} {{ {name} }}`.")
         }
         _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
         _ => return None,
@@ -362,7 +364,7 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
         return Some(translated);
     }
     if word.class() == Class::Color && is_in("`texture`") {
-        return Some("A colour stands in `pigment { }`.".to_owned());
+        return Some("A colour belongs in `pigment { }`.".to_owned());
     }
     let is_part = matches!(
         word,
@@ -370,7 +372,7 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     );
     if is_part && (is_in("`pigment`") || is_in("`finish` or `}`")) {
         return Some(format!(
-            "`{word}` stands beside this block, not in it: close it with `}}` first."
+            "`{word}` belongs beside this block, not in it: close it with `}}` first."
         ));
     }
     None

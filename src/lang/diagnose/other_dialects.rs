@@ -39,7 +39,7 @@ const WORDS: &[(&str, &str)] = &[
     ),
     (
         "basecolor albedocolor diffusecolor",
-        "A colour stands in `pigment { }`",
+        "A colour belongs in `pigment { }`",
     ),
     (
         "bump bumpiness",
@@ -67,7 +67,7 @@ const WORDS: &[(&str, &str)] = &[
         "directionallight",
         "`light_source { }` with `parallel` and `point_at` shines in one direction",
     ),
-    ("arealight", "`area_light` stands in `light_source { }`"),
+    ("arealight", "`area_light` belongs in `light_source { }`"),
     ("skybox skydome", "sky_sphere"),
     ("subtract subtraction minus", "difference"),
     ("intersect and", "intersection"),

@@ -52,7 +52,7 @@ impl DataFile {
             token if token.kind == Kind::End => self.is_at_end = true,
             token => {
                 if !token.is_mark(',') {
-                    let message = "there is no comma here, and what stands in its place is lost";
+                    let message = "there is no comma here, and what is written instead is ignored";
                     let hint = "Values that are read have commas between them.";
                     let span = self.tokens.span(self.at);
                     warn(Diagnostic::warning(span, message).with_hint(hint));

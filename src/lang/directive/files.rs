@@ -141,7 +141,7 @@ impl Reader<'_> {
             held => {
                 let found = match held {
                     Some(held) => format!("expected an open file, found {}", held.kind()),
-                    None => format!("`{}` is no open file", self.names.spelling(symbol)),
+                    None => format!("`{}` is not an open file", self.names.spelling(symbol)),
                 };
                 let hint = "Open it with `#fopen`; at its end a file that is read is closed.";
                 let error = Diagnostic::error(self.taken_span(), found);

@@ -137,7 +137,7 @@ impl Reader<'_> {
                 self.run_message(word, span)
             }
             _ => Err(self.with_trace(
-                Diagnostic::error(span, format!("`#{word}` is not built yet"))
+                Diagnostic::error(span, format!("`#{word}` is not supported yet"))
                     .with_code(Code::NotBuilt),
             )),
         }

@@ -23,7 +23,7 @@ impl Reader<'_> {
         if !self.is_float(token) {
             return Ok(());
         }
-        let error = Diagnostic::error(hash, "`#` stands before a number here");
+        let error = Diagnostic::error(hash, "unexpected `#` before a number");
         Err(self.with_trace(error.with_hint("Remove it.")))
     }
 

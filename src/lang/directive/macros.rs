@@ -35,7 +35,7 @@ impl Reader<'_> {
             self.here.at = self.here.tokens.tokens.len() - 1;
             return Err(self.with_trace(
                 Diagnostic::error(span, "this `#macro` has no matching `#end`")
-                    .with_hint("Write `#end` behind the macro."),
+                    .with_hint("Write `#end` after the macro."),
             ));
         }
         let name = self.identifier("a name after `#macro`")?;

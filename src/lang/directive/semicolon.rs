@@ -129,7 +129,7 @@ impl Reader<'_> {
             && self.statement.without_semicolon.is_none()
             && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
         {
-            return Err(self.expected_here("an operator or `;` behind the value"));
+            return Err(self.expected_here("an operator or `;` after the value"));
         }
         let last = match self.statement.without_semicolon.take() {
             Some((last, position, frames)) => {

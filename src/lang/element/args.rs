@@ -205,7 +205,7 @@ impl Args for Reader<'_> {
             {
                 match self.array_or_item()? {
                     Value::Element(element) if element.kind() == kind => Ok(Some(element.value)),
-                    other => Err(self.error_taken(format!("{} cannot stand here", other.kind()))),
+                    other => Err(self.error_taken(format!("{} is not allowed here", other.kind()))),
                 }
             }
             Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),

@@ -198,7 +198,7 @@ impl Reader<'_> {
                 self.pass();
                 let (name, bytes) = Args::file(self, "the photon map", &[])?;
                 if photon_file::records(&bytes).is_none() {
-                    let message = format!("`{name}` is no photon map");
+                    let message = format!("`{name}` is not a photon map");
                     let error = Diagnostic::error(self.taken_span(), message)
                         .with_hint("Make one by `save_file`.");
                     return Err(self.with_trace(error));
@@ -290,7 +290,7 @@ impl Reader<'_> {
 
     /// Records that rendering does not support a setting yet.
     pub(crate) fn record_unsupported(&mut self, what: &str, at: Span) {
-        let error = Diagnostic::error(at, format!("{what} is not built yet"));
+        let error = Diagnostic::error(at, format!("{what} is not supported yet"));
         let hint = "With `+Q8` the scene is drawn without it.";
         let error = error.with_code(Code::NotBuilt);
         self.report.undrawn.push(error.with_hint(hint));

@@ -151,7 +151,7 @@ impl Reader<'_> {
                 None => {
                     let error = Diagnostic::error(
                         self.span_of(start),
-                        format!("`{word}` is not built yet"),
+                        format!("`{word}` is not supported yet"),
                     );
                     return Err(self.with_trace(error.with_code(Code::NotBuilt)));
                 }
@@ -270,16 +270,15 @@ impl Reader<'_> {
         match word {
             Word::NoShadow => object.flags.no_shadow = true,
             Word::UvMapping if object.texture.is_some() => {
-                let text =
-                    "expected `uv_mapping` before the texture of the object, found it behind";
-                let hint = "Move `uv_mapping` in front of the texture, or into it: `texture { uv_mapping ... }`.";
+                let text = "expected `uv_mapping` before the texture of the object, found it after";
+                let hint = "Move `uv_mapping` before the texture, or into it: `texture { uv_mapping ... }`.";
                 return Err(Box::new(self.error_here(text).with_hint(hint)));
             }
             Word::UvMapping => object.flags.uv_mapping = true,
             Word::Inverse => object.invert(),
             Word::CutawayTextures => {
                 if !object.set_cutaway_textures() {
-                    let text = "`cutaway_textures` stands only in `intersection` and `difference`";
+                    let text = "`cutaway_textures` belongs only in `intersection` and `difference`";
                     return Err(self.error_here(text));
                 }
             }
@@ -365,9 +364,9 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// "`word` is not built yet" at the next token.
+    /// "`word` is not supported yet" at the next token.
     pub(crate) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
-        let message = format!("`{word}` is not built yet");
+        let message = format!("`{word}` is not supported yet");
         let error = Diagnostic::error(self.here_span(), message);
         self.with_trace(error.with_code(Code::NotBuilt))
     }

@@ -76,7 +76,7 @@ impl Reader<'_> {
                         return;
                     }
                     if self.report.errors >= limits::ERRORS {
-                        let message = format!("nothing is read behind {} errors", limits::ERRORS);
+                        let message = format!("nothing is read after {} errors", limits::ERRORS);
                         self.warning(Diagnostic::warning(None, message));
                         return;
                     }
@@ -161,7 +161,7 @@ impl Reader<'_> {
             }
             Some(Word::GlobalSettings) => self.global_settings()?,
             Some(word) if is_old_setting(word) => {
-                let message = format!("`{word}` should stand in `global_settings`");
+                let message = format!("`{word}` belongs in `global_settings`");
                 self.warning(Diagnostic::warning(self.here_span(), message));
                 self.global_setting(word)?;
             }
@@ -195,7 +195,7 @@ impl Reader<'_> {
         match token.word() {
             Some(word) if is_part(word) => {
                 let error = self.expected_here("an object or a statement");
-                let hint = format!("`{word}` stands in the `{{` and `}}` of an object.");
+                let hint = format!("`{word}` belongs in the `{{` and `}}` of an object.");
                 Err(Box::new(error.with_hint(hint)))
             }
             Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),

@@ -90,7 +90,7 @@ impl Reader<'_> {
             return Ok(body.graph.unary(f, arguments[0]));
         }
         let Some(f) = Binary::of(word) else {
-            let message = format!("`{word}` cannot stand in a function");
+            let message = format!("`{word}` is not allowed in a function");
             return Err(self.with_trace(
                 Diagnostic::error(self.here_span(), message)
                     .with_hint("Compute it before, and use the name of the result."),

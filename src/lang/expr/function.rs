@@ -91,7 +91,7 @@ impl Reader<'_> {
     }
 
     fn call_spline(&mut self, spline: &Spline) -> Parse<Number> {
-        self.expect_mark('(', "`(` and the place on the spline")?;
+        self.expect_mark('(', "`(` and the position on the spline")?;
         let open = self.start_taken();
         let t = self.number_at_sum()?;
         let kind = if self.take_mark(',')? {
@@ -330,7 +330,9 @@ impl Reader<'_> {
                     start.to(self.taken_span()),
                     format!("there is no internal function {number}"),
                 )
-                .with_hint("functions.inc gives the internal functions names: `f_torus`, ..."),
+                .with_hint(
+                    "The file functions.inc gives the internal functions names: `f_torus`, ...",
+                ),
             )
         })
     }

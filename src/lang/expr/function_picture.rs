@@ -18,7 +18,7 @@ impl Reader<'_> {
         let span = self.span_of(start).to(self.taken_span());
         if !(columns >= 1.0 && rows >= 1.0 && columns * rows <= MAX_PIXELS) {
             let message = format!(
-                "a picture of a function has 1 to {MAX_PIXELS} pixels, found {columns} by {rows}"
+                "an image of a function has 1 to {MAX_PIXELS} pixels, found {columns} by {rows}"
             );
             return Err(self.with_trace(Diagnostic::error(span, message)));
         }
@@ -30,7 +30,7 @@ impl Reader<'_> {
         let (width, height) = (columns as usize, rows as usize);
         let function = self.function_block()?;
         if function.parameters() != 3 {
-            let message = "the function of a picture takes x, y and z";
+            let message = "the function of an image takes x, y and z";
             return Err(self.with_trace(Diagnostic::error(span, message)));
         }
         let is_grey = function.is_scalar();

@@ -127,7 +127,7 @@ impl Reader<'_> {
         if !is_of_one(word) {
             return Err(self.with_trace(Diagnostic::error(
                 name,
-                format!("`{word}` is not built yet"),
+                format!("`{word}` is not supported yet"),
             )));
         }
         let a = self.condition_value()?;
@@ -285,7 +285,7 @@ impl Reader<'_> {
         };
         let handle = self.number_at_sum()?;
         let Some(stream) = self.streams.find(handle) else {
-            return Err(self.error_taken("this is no stream of `seed`"));
+            return Err(self.error_taken("this is not a stream of `seed`"));
         };
         let close = self.start_taken();
         Ok(Number::float(if opens_stream {

@@ -59,7 +59,7 @@ impl Reader<'_> {
         if is_plain {
             return Ok(up_to_nul(self.last.tokens.string(value)));
         }
-        let message = "blanks stand here for letters beyond ASCII, as in POV-Ray";
+        let message = "letters beyond ASCII are read as blanks here, as in POV-Ray";
         let hint = "Write `global_settings { charset utf8 }` above, or `\\uXXXX` for the letters.";
         self.warning(Diagnostic::warning(self.taken_span(), message).with_hint(hint));
         let is_latin1 = self.sources.is_latin1(self.last.tokens.file);
@@ -122,7 +122,7 @@ impl Reader<'_> {
             _ => {
                 return Err(self.with_trace(Diagnostic::error(
                     name,
-                    format!("`{word}` is not built yet"),
+                    format!("`{word}` is not supported yet"),
                 )));
             }
         };

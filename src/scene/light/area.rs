@@ -151,7 +151,7 @@ impl Area {
         if let Some(at) = self.at_circular
             && self.sizes.contains(&1)
         {
-            let message = "a round area light needs more than one lamp along each side";
+            let message = "a round area light needs more than one light along each side";
             return Err(Box::new(Diagnostic::error(at, message)));
         }
         let (first, second) = (self.axes.first.length(), self.axes.second.length());
@@ -293,7 +293,7 @@ mod tests {
         let error = area("0 rgb 1 area_light 1, 1, 3, 1 circular").expect_err("it is a line");
         assert_eq!(
             error.message,
-            "a round area light needs more than one lamp along each side"
+            "a round area light needs more than one light along each side"
         );
     }
 }

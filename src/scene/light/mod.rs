@@ -119,7 +119,7 @@ impl Light {
         if is_over {
             let warning =
                 Diagnostic::warning(args.last_span(), "a light without a colour is black");
-            args.warn(warning.with_hint("Write `rgb 1` behind its place."));
+            args.warn(warning.with_hint("Write a colour after the location: `rgb 1`."));
             return Ok(Light::point(centre, Rgb::BLACK));
         }
         Ok(Light::point(centre, args.color()?.rgb))

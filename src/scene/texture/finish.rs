@@ -230,7 +230,7 @@ impl Finish {
                         at,
                         "`ior` belongs in `interior`; it is taken from `finish` all the same",
                     )
-                    .with_hint("write `interior { ior ... }` in the object"),
+                    .with_hint("Write `interior { ior ... }` in the object."),
                 );
             }
             Word::Refraction => {

@@ -227,7 +227,7 @@ impl Texture {
     #[must_use]
     pub fn layering_error(&self, upper: &Texture) -> Option<String> {
         if self.is_patterned() || upper.is_patterned() {
-            return Some("a texture that a pattern chooses is no layer of another".to_owned());
+            return Some("a texture chosen by a pattern cannot be a layer of another".to_owned());
         }
         let has_too_many = self.layers.len() + upper.layers.len() > MAX_LAYERS;
         has_too_many.then(|| format!("a texture has at most {MAX_LAYERS} layers"))

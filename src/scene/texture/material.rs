@@ -62,7 +62,7 @@ impl Material {
 fn lay(slot: &mut Option<Texture>, upper: Texture, args: &dyn Args) -> Parse<()> {
     match slot {
         Some(lower) if lower.is_patterned() || upper.is_patterned() => {
-            let message = "a texture that a pattern chooses is no layer of another";
+            let message = "a texture chosen by a pattern cannot be a layer of another";
             return Err(Box::new(Diagnostic::error(args.last_span(), message)));
         }
         Some(lower) => lower.lay_over(upper, args.version()),

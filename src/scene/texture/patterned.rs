@@ -314,6 +314,6 @@ mod tests {
     #[test]
     fn an_unsupported_pattern_is_named() {
         let error = read("{ pavement }").expect_err("it is missing");
-        assert_eq!(error.message, "`pavement` is not built yet");
+        assert_eq!(error.message, "`pavement` is not supported yet");
     }
 }

@@ -571,7 +571,7 @@ mod tests {
 
     #[test]
     fn unsupported_or_misplaced_words_are_named() {
-        assert_eq!(error("{ pavement }"), "`pavement` is not built yet");
+        assert_eq!(error("{ pavement }"), "`pavement` is not supported yet");
         assert_eq!(
             error("{ rgb 1 uv_mapping }"),
             "expected `uv_mapping` at the start of the pigment, before its pattern, found `uv_mapping`"

@@ -57,7 +57,7 @@ pub(super) fn list(wanted: &Wanted, environment: &Environment) -> Result<List, C
                 other.display(),
                 picture.scene.display()
             ))
-            .with_hint("name the folder that holds both, or draw them to different folders"));
+            .with_hint("Name the folder that holds both, or draw them to different folders."));
         }
     }
     Ok(list)
@@ -117,7 +117,7 @@ fn pictures(
     }
     let Some((_, encode)) = settings.output else {
         return Err(CliError::new("a batch writes files")
-            .with_hint("leave `-F` (or `Output_To_File=off`) out"));
+            .with_hint("Leave `-F` (or `Output_To_File=off`) out."));
     };
     let mut name = entry.output.clone().into_os_string();
     name.push(format!(".{}", encode.format.extension()));
@@ -167,7 +167,7 @@ fn scenes(wanted: &Wanted) -> Result<Vec<BatchScene>, CliError> {
         let names = wanted.names.join("`, `");
         return Err(
             CliError::new(format!("no scene (`.pov`) is meant by `{names}`"))
-                .with_hint("`--only` and `--exclude` may leave none"),
+                .with_hint("`--only` and `--exclude` may leave none."),
         );
     }
     Ok(all.into_values().collect())

@@ -345,7 +345,7 @@ pub(super) fn open(path: &Path) -> Result<DynamicImage, CliError> {
         .map_err(|error| cannot(&error))?;
     reader.decode().map_err(|error| {
         cannot(&error).with_hint(
-            "pictures are PNG, EXR, HDR, JPEG, TGA, BMP, TIFF, GIF and PNM files; scenes end in .pov",
+            "Pictures are PNG, EXR, HDR, JPEG, TGA, BMP, TIFF, GIF and PNM files; scenes end in .pov.",
         )
     })
 }

@@ -124,9 +124,9 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
             if !settings.verbosity.quiet {
                 let (next, of) = (numbers[at], numbers.len());
                 match at {
-                    0 => say("povr: interrupted; no frame is there"),
+                    0 => say("povr: interrupted; no frame is saved"),
                     _ => say(format_args!(
-                        "povr: interrupted; {at} of {of} frames are there: the same command with `+SF{next}` goes on"
+                        "povr: interrupted; {at} of {of} frames are saved: the same command with `+SF{next}` resumes"
                     )),
                 }
             }

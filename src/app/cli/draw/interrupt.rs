@@ -33,9 +33,9 @@ pub(crate) fn report_cancelled(settings: &Settings, resumable: u64, of: u64) {
         return;
     }
     match resumable {
-        0 => say("povr: interrupted; nothing is kept"),
+        0 => say("povr: interrupted; nothing is saved"),
         _ => say(format_args!(
-            "povr: interrupted; {resumable} of {of} pixels are kept: the same command with `+C` goes on"
+            "povr: interrupted; {resumable} of {of} pixels are saved: the same command with `+C` resumes"
         )),
     }
 }

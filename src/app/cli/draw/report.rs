@@ -102,15 +102,16 @@ impl Reporter {
             Event::SceneOutput(text) if self.debugs => self.said(text),
             Event::Finding(message) => self.write_finding(message),
             Event::Resumed(pixels) if self.warns => {
-                say(format_args!("povr: going on: {pixels} pixels are there"));
+                say(format_args!(
+                    "povr: resuming: {pixels} pixels already rendered"
+                ));
             }
             Event::CheckpointDiscarded if self.warns => say(
-                "povr: the unfinished picture is of another scene, has other options or is by another program: \
-                 starting anew",
+                "povr: ignoring the saved state: it belongs to another scene, other options or another version of povr",
             ),
             Event::CheckpointFailed(kind) if self.warns => {
                 say(format_args!(
-                    "povr: the unfinished picture cannot be kept: {kind}"
+                    "povr: cannot save the state of the interrupted render: {kind}"
                 ));
             }
             _ => {}

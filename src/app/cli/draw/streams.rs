@@ -43,7 +43,7 @@ impl Files {
         for (stream, path) in wanted {
             let file = File::create(path).map_err(|error| {
                 CliError::new(format!("cannot write `{}`: {error}", path.display()))
-                    .with_hint("name a file in a folder that exists and may be written")
+                    .with_hint("Name a file in a folder that exists and may be written.")
             })?;
             files.push((*stream, Mutex::new(file)));
         }

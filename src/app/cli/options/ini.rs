@@ -128,7 +128,7 @@ fn missing(name: &str, kinds: &str, commands: &[&str]) -> CliError {
     };
     let refusal = CliError::new(refusal);
     if Path::new(name).is_file() {
-        refusal.with_hint(format!("name a scene with another ending by `+I{name}`"))
+        refusal.with_hint(format!("Name a scene with another ending by `+I{name}`."))
     } else {
         refusal
     }
@@ -197,7 +197,7 @@ pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> 
         Ok(())
     } else if name.starts_with(['+', '-']) && !has_ending(name, ".ini") {
         Err(CliError::new(format!("unknown switch `{word}`"))
-            .with_hint("`povr --help` tells which switches there are"))
+            .with_hint("`povr --help` tells which switches there are."))
     } else {
         reader.read_named(name)
     }

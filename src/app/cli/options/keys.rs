@@ -27,8 +27,8 @@ pub(crate) fn set(
         None => {
             let refusal = CliError::new(format!("unknown option `{key}`"));
             Err(match nearest(key, KEYS.iter().map(|(name, _)| *name)) {
-                Some(near) => refusal.with_hint(format!("did you mean `{near}`?")),
-                None => refusal.with_hint("`povr --help` tells which options there are"),
+                Some(near) => refusal.with_hint(format!("Did you mean `{near}`?")),
+                None => refusal.with_hint("`povr --help` tells which options there are."),
             })
         }
     }
@@ -177,7 +177,7 @@ fn method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliErro
             return Err(CliError::new(format!(
                 "`{word}`: there is no sampling method {other}; there are 1, 2 and 4"
             ))
-            .with_hint("4 samples until the error is small, see `--error`"));
+            .with_hint("4 samples until the error is small, see `--error`."));
         }
     }
     Ok(())
@@ -221,7 +221,7 @@ fn frame(value: &str, word: &str) -> Result<i64, CliError> {
 fn declare(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     let example = || {
         CliError::new(format!("`{word}` declares no number"))
-            .with_hint("write `Declare=Name=2.5`, without spaces around the name")
+            .with_hint("Write `Declare=Name=2.5`, without spaces around the name.")
     };
     let (name, value) = value.split_once('=').ok_or_else(example)?;
     let name = name.trim();
@@ -269,12 +269,12 @@ mod tests {
         let refused = set(&mut RawArgs::default(), "Widht", "3", "Widht=3").unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "unknown option `Widht`\n  hint: did you mean `Width`?"
+            "unknown option `Widht`\n  hint: Did you mean `Width`?"
         );
         let refused = set(&mut RawArgs::default(), "Foo", "3", "Foo=3").unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "unknown option `Foo`\n  hint: `povr --help` tells which options there are"
+            "unknown option `Foo`\n  hint: `povr --help` tells which options there are."
         );
     }
 
@@ -293,7 +293,7 @@ mod tests {
             assert_eq!(
                 refused.unwrap_err().to_string(),
                 format!(
-                    "`Declare={text}` declares no number\n  hint: write `Declare=Name=2.5`, without spaces around the name"
+                    "`Declare={text}` declares no number\n  hint: Write `Declare=Name=2.5`, without spaces around the name."
                 )
             );
         }

@@ -189,21 +189,24 @@ impl Unbuilt {
     pub(crate) fn refusal(self) -> (&'static str, &'static str) {
         match self {
             Unbuilt::Clockless => (
-                "animation by several cameras is not built yet",
-                "leave `Clockless_Animation` out and move one camera with `clock`",
+                "animation by several cameras is not supported yet",
+                "Leave `Clockless_Animation` out and move one camera with `clock`.",
             ),
-            Unbuilt::Dither => ("dithering is not built yet", "use `-TH` (or `Dither=off`)"),
+            Unbuilt::Dither => (
+                "dithering is not supported yet",
+                "Use `-TH` (or `Dither=off`).",
+            ),
             Unbuilt::Fields => (
-                "rendering of fields is not built yet",
-                "use `-UF` (or `Field_Render=off`)",
+                "rendering of fields is not supported yet",
+                "Use `-UF` (or `Field_Render=off`).",
             ),
             Unbuilt::OddField => (
-                "rendering of fields is not built yet",
-                "use `-UO` (or `Odd_Field=off`)",
+                "rendering of fields is not supported yet",
+                "Use `-UO` (or `Odd_Field=off`).",
             ),
             Unbuilt::SavedRadiosity => (
-                "radiosity files are not built yet",
-                "use `-RFI` and `-RFO` (or leave `Radiosity_From_File` and `Radiosity_To_File` out)",
+                "radiosity files are not supported yet",
+                "Use `-RFI` and `-RFO` (or leave `Radiosity_From_File` and `Radiosity_To_File` out).",
             ),
         }
     }

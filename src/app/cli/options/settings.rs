@@ -99,20 +99,20 @@ pub(crate) fn settle(
     let render = render_options(&raw_args)?;
     let name = raw_args.scene.clone().ok_or_else(|| {
         CliError::new("no scene is named").with_hint(format!(
-            "write `{command} scene.pov`, or `{command} --help`"
+            "Write `{command} scene.pov`, or `{command} --help`."
         ))
     })?;
     let output = output(&raw_args, &name, &mut warnings)?;
     let frames = Frames::of(&raw_args.frames);
     if frames.is_some() && raw_args.continues {
         return Err(
-            CliError::new("`+C`: continuing an animation is not built yet")
-                .with_hint("draw the frames that are missing: `+SF` is the first, `+EF` the last"),
+            CliError::new("`+C`: continuing an animation is not supported yet")
+                .with_hint("Draw the frames that are missing: `+SF` is the first, `+EF` the last."),
         );
     }
     if frames.is_some_and(|frames| frames.is_single()) {
         warnings.push(
-            "an animation of one frame has no step: its clock is `Initial_Clock` (in POV-Ray it is no number)".to_owned(),
+            "an animation of one frame has no step: its clock is `Initial_Clock` (in POV-Ray it is not a number)".to_owned(),
         );
     }
     let library_paths = [raw_args.library_paths.as_slice(), standard_folders].concat();
@@ -252,7 +252,7 @@ fn pixel_range(
             "the {end} {what} is {value}, of a picture of {side}"
         ))
         .with_hint(format!(
-            "give a {what} from 1 to {side}, or a share of the picture between 0 and 1"
+            "Give a {what} from 1 to {side}, or a share of the picture between 0 and 1."
         ))
     };
     #[allow(
@@ -280,7 +280,7 @@ pub(crate) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
         .ok_or_else(|| {
             let refusal = CliError::new(format!("cannot find the scene `{name}`"));
             if let Some(near) = neighbour(Path::new(name)) {
-                return refusal.with_hint(format!("did you mean `{near}`?"));
+                return refusal.with_hint(format!("Did you mean `{near}`?"));
             }
             let searched: Vec<_> = folders
                 .iter()
@@ -290,7 +290,7 @@ pub(crate) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
                 [] => String::new(),
                 folders => format!(" and in {}", folders.join(", ")),
             };
-            refusal.with_hint(format!("looked in the current folder{also}"))
+            refusal.with_hint(format!("Looked in the current folder{also}."))
         })
 }
 
@@ -343,7 +343,7 @@ fn format(raw_args: &RawArgs) -> Result<Format, CliError> {
         (Output::Exact(name), None) => match ending(name) {
             Some(end) => format_of_ending(end).ok_or_else(|| {
                 CliError::new(format!("no file type has the ending `.{end}` of `{name}`"))
-                    .with_hint("end the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`")
+                    .with_hint("End the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`.")
             }),
             None => Ok(Format::PNG),
         },
@@ -444,7 +444,7 @@ mod tests {
             assert_eq!(
                 refused,
                 format!(
-                    "the {end} column is {value}, of a picture of 40\n  hint: give a column from 1 to 40, or a share of the picture between 0 and 1"
+                    "the {end} column is {value}, of a picture of 40\n  hint: Give a column from 1 to 40, or a share of the picture between 0 and 1."
                 )
             );
         }

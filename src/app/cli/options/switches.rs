@@ -153,7 +153,7 @@ pub(crate) fn set(raw_args: &mut RawArgs, word: &str) -> Option<Result<(), CliEr
     Some(match form {
         Flag(key) => keys::set(raw_args, key, state, word),
         Value(_) if text.is_empty() => Err(CliError::new(format!("`{word}` needs a value"))
-            .with_hint("write it behind the switch without a space, like `+W320`")),
+            .with_hint("Write it after the switch without a space, like `+W320`.")),
         Value(key) => keys::set(raw_args, key, text, word),
         Both(flag, value) => keys::set(raw_args, flag, state, word).and_then(|()| match text {
             "" => Ok(()),

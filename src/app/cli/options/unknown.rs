@@ -12,7 +12,7 @@ use crate::app::cli::COMMANDS;
 /// `=`.
 pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
     let said = said.split('=').next().unwrap_or(said);
-    let listed = format!("`{} --help` lists the options", own.get_name());
+    let listed = format!("`{} --help` lists the options.", own.get_name());
     let refusal = CliError::new(format!("unknown option `{said}`"));
     let Some(name) = said.strip_prefix("--") else {
         return CliError::new(format!("unexpected argument `{said}`")).with_hint(listed);
@@ -21,10 +21,10 @@ pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
         return CliError::new(format!("`{said}` is an option of `{command}`"));
     }
     if let Some(near) = nearest(name, long_options(own)) {
-        return refusal.with_hint(format!("did you mean `--{near}`?"));
+        return refusal.with_hint(format!("Did you mean `--{near}`?"));
     }
     if let Some(switch) = switch_for(name) {
-        return refusal.with_hint(format!("did you mean {switch}?"));
+        return refusal.with_hint(format!("Did you mean {switch}?"));
     }
     let others = every_command().filter(|(_, options)| options.get_name() != own.get_name());
     let others = others.flat_map(|(command, options)| {
@@ -37,7 +37,7 @@ pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
     });
     match nearest(name, others) {
         Some(CommandOption { option, command }) => refusal.with_hint(format!(
-            "did you mean `--{option}`, an option of `{command}`?"
+            "Did you mean `--{option}`, an option of `{command}`?"
         )),
         None => refusal.with_hint(listed),
     }
@@ -100,27 +100,27 @@ mod tests {
             ("--port=80", "`--port` is an option of `povr watch`"),
             (
                 "--verbose",
-                "unknown option `--verbose`\n  hint: did you mean `+V` (`Verbose`)?",
+                "unknown option `--verbose`\n  hint: Did you mean `+V` (`Verbose`)?",
             ),
             (
                 "--width",
-                "unknown option `--width`\n  hint: did you mean `+W<value>` (`Width`)?",
+                "unknown option `--width`\n  hint: Did you mean `+W<value>` (`Width`)?",
             ),
             (
                 "--clock-on",
-                "unknown option `--clock-on`\n  hint: `povr --help` lists the options",
+                "unknown option `--clock-on`\n  hint: `povr --help` lists the options.",
             ),
             (
                 "--sise",
-                "unknown option `--sise`\n  hint: did you mean `--size`?",
+                "unknown option `--sise`\n  hint: Did you mean `--size`?",
             ),
             (
                 "--serv",
-                "unknown option `--serv`\n  hint: did you mean `--serve`, an option of `povr watch`?",
+                "unknown option `--serv`\n  hint: Did you mean `--serve`, an option of `povr watch`?",
             ),
             (
                 "--foo",
-                "unknown option `--foo`\n  hint: `povr --help` lists the options",
+                "unknown option `--foo`\n  hint: `povr --help` lists the options.",
             ),
         ] {
             assert_eq!(refused(said, &own).to_string(), expected);

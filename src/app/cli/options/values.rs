@@ -56,7 +56,7 @@ pub(crate) fn error(value: &str, word: &str) -> Result<f64, CliError> {
         error if error > 0.0 => Ok(error),
         other => Err(
             CliError::new(format!("`{word}`: an error is above 0, found {other}"))
-                .with_hint("write the error of a pixel in steps of 1/255, like `--error 0.5`"),
+                .with_hint("Write the error of a pixel in steps of 1/255, like `--error 0.5`."),
         ),
     }
 }
@@ -87,7 +87,7 @@ pub(crate) fn duration(value: &str, word: &str) -> Result<Duration, CliError> {
         .and_then(|n| Duration::try_from_secs_f64(n * unit).ok())
         .ok_or_else(|| {
             CliError::new(format!("`{word}` needs a length of time, found `{value}`"))
-                .with_hint("write it like 10s, 500ms, 2m or 1h")
+                .with_hint("Write it like 10s, 500ms, 2m or 1h.")
         })
 }
 
@@ -196,5 +196,5 @@ fn no_type(word: &str) -> CliError {
         .collect();
     let types = types.join(", ");
     CliError::new(format!("`{word}` names no file type"))
-        .with_hint(format!("{types}; N16 has 16 bits, Ng is grey"))
+        .with_hint(format!("{types}; N16 has 16 bits, Ng is grey."))
 }

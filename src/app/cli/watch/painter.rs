@@ -79,7 +79,7 @@ impl Painter {
                 if !stop.is_cancelled() {
                     let errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
                     self.shown.fail(errors);
-                    say("povr: not drawn; the last picture stays");
+                    say("povr: render failed; keeping the last picture");
                 }
                 return;
             };

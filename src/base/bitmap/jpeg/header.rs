@@ -99,7 +99,7 @@ impl From<UnexpectedEnd> for Fault {
 impl<'a> Reader<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Result<Self, Fault> {
         let Some(bytes) = bytes.strip_prefix(&[0xff, 0xd8]) else {
-            return Err("it is no JPEG file".to_owned());
+            return Err("it is not a JPEG file".to_owned());
         };
         Ok(Reader {
             input: ByteReader::new(bytes),
@@ -131,7 +131,9 @@ impl<'a> Reader<'a> {
                     return Ok(Segment::Frame);
                 }
                 0xda => return self.read_scan(segment).map(Segment::Scan),
-                0xcc | 0xc9 | 0xca => return Err("arithmetic codes are not built yet".to_owned()),
+                0xcc | 0xc9 | 0xca => {
+                    return Err("arithmetic codes are not supported yet".to_owned());
+                }
                 0xc3 | 0xc5..=0xcf | 0xde | 0xdf => {
                     return Err("it is neither baseline nor progressive".to_owned());
                 }

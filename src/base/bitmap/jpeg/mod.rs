@@ -29,9 +29,9 @@ use scan::Decoder;
 pub(crate) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     let mut reader = Reader::new(bytes)?;
     let Segment::Frame = reader.next_segment()? else {
-        return Err("it holds no picture".to_owned());
+        return Err("it holds no image".to_owned());
     };
-    let frame = reader.frame.ok_or("it holds no picture")?;
+    let frame = reader.frame.ok_or("it holds no image")?;
     let size = [u64::from(frame.width), u64::from(frame.height)];
     Ok((size, frame.bytes_to_decode()))
 }
@@ -59,7 +59,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<DynamicImage, Fault> {
     }
     let (frame, decoder) = (reader.frame, decoder);
     let (Some(frame), Some(decoder)) = (frame, decoder) else {
-        return Err("it holds no picture".to_owned());
+        return Err("it holds no image".to_owned());
     };
     let is_ycc = frame.color_model(&reader.color_markers)? == ColorModel::YCbCr;
     let planes = decoder.into_planes();

@@ -69,7 +69,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     match Tiling::numbered(number) {
         Some(tiling) => Ok(Box::new(Prepared(Arc::new(tiling)))),
         None => {
-            let error = Diagnostic::error(at, format!("`tiling {number}` is not built yet"));
+            let error = Diagnostic::error(at, format!("`tiling {number}` is not supported yet"));
             Err(Box::new(error.with_code(Code::NotBuilt)))
         }
     }

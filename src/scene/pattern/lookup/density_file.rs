@@ -50,7 +50,7 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     }
     let (_, bytes) = args.file("the density file", &[".df3", ".DF3"])?;
     let Some(grid) = Grid::new(&bytes) else {
-        let message = "this is no density file: its length does not go with the sizes it states";
+        let message = "this is not a density file: its length does not match the sizes it states";
         return Err(Box::new(Diagnostic::error(args.last_span(), message)));
     };
     Ok(Box::new(DensityFile {

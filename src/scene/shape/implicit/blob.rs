@@ -93,7 +93,7 @@ impl Blob {
         }
         if components.is_empty() {
             let error = Diagnostic::error(args.span(), "need at least one component in a blob")
-                .with_hint("write `sphere { <centre>, radius, strength }` behind the threshold");
+                .with_hint("Write `sphere { <centre>, radius, strength }` after the threshold.");
             return Err(Box::new(error));
         }
         Ok(Blob::new(components, textures, threshold))

@@ -116,7 +116,7 @@ impl JuliaFractal {
             (false, (word, _)) => {
                 let message = format!("quaternions have only `sqr` and `cube`, not `{word}`");
                 return Err(Box::new(
-                    Diagnostic::error(at, message).with_hint("write `hypercomplex` before it"),
+                    Diagnostic::error(at, message).with_hint("Write `hypercomplex` before it."),
                 ));
             }
         };

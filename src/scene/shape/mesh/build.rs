@@ -42,7 +42,7 @@ pub(crate) fn single(point: DVec3) -> Result<Vec3, String> {
         return Ok(single + Vec3::ZERO);
     }
     Err(format!(
-        "the corners of a mesh are kept in single precision: <{}, {}, {}> is too large",
+        "the corners of a mesh are stored in single precision: <{}, {}, {}> is too large",
         point.x, point.y, point.z
     ))
 }

@@ -151,21 +151,27 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     let kind = match keyword {
         Some(kind) => kind,
         None => kind_of_name(&name).ok_or_else(|| {
-            Diagnostic::error(at, format!("the kind of the picture `{name}` is unknown"))
-                .with_hint("write it before the name: `height_field { png \"name\" }`")
+            Diagnostic::error(
+                at,
+                format!("cannot tell the image format from the file name `{name}`"),
+            )
+            .with_hint("Write it before the name: `height_field { png \"name\" }`.")
         })?,
     };
     if kind.decoder == Decoder::Unsupported {
-        let message = format!("a height field of a `{}` file is not built yet", kind.word);
+        let message = format!(
+            "a height field of a `{}` file is not supported yet",
+            kind.word
+        );
         return Err(Box::new(
-            Diagnostic::error(at, message).with_hint("convert the picture to `png`"),
+            Diagnostic::error(at, message).with_hint("Convert the image to `png`."),
         ));
     }
-    let bytes = args.file_named("the picture", &name, kind.endings)?;
+    let bytes = args.file_named("the image", &name, kind.endings)?;
     let error = |error| Box::new(Diagnostic::error(at, error));
-    let unreadable = |why| error(format!("cannot read the picture `{name}`: {why}"));
+    let unreadable = |why| error(format!("cannot read the image `{name}`: {why}"));
     let needed = image::bytes_to_read(kind.decoder, &bytes).map_err(unreadable)?;
-    args.reserve_memory("this picture", needed, at)?;
+    args.reserve_memory("this image", needed, at)?;
     let heights = image::heights(kind.decoder, &bytes).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {
         let max = MAX_CELLS;

@@ -36,7 +36,7 @@ impl Mesh {
             }
         }
         if !args.accept(Word::FaceIndices)? {
-            return Err(args.expected("`face_indices` behind the lists of vectors in `mesh2`"));
+            return Err(args.expected("`face_indices` after the lists of vectors in `mesh2`"));
         }
         let faces_at = args.last_span();
         read_faces(args, &mut builder)?;
@@ -112,7 +112,7 @@ fn read_normals(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
                 at,
                 "a normal of a mesh has no direction; it is taken as <1, 0, 0>",
             )
-            .with_hint("make every normal longer than zero"),
+            .with_hint("Make every normal longer than zero."),
         );
     }
     Ok(())
@@ -289,11 +289,10 @@ fn read_indices(args: &mut dyn Args, builder: &mut MeshBuilder, faces_at: Span) 
 }
 
 fn missing(at: Span, word: Word, count: usize, what: &str, vertices: usize) -> Box<Diagnostic> {
-    let message =
-        format!("`{word}` is missing: {count} {what} cannot stand for {vertices} vertices");
+    let message = format!("`{word}` is missing: {count} {what} do not match {vertices} vertices");
     Box::new(
         Diagnostic::error(at, message)
-            .with_hint(format!("give each triangle its {what} with `{word}`")),
+            .with_hint(format!("Give each triangle its {what} with `{word}`.")),
     )
 }
 
@@ -334,7 +333,7 @@ fn close_list(args: &mut dyn Args, list: &List, count: usize) -> Parse<()> {
         return Ok(());
     }
     let word = list.word;
-    Err(args.expected(&format!("`}}` behind item {count}, the last of `{word}`")))
+    Err(args.expected(&format!("`}}` after item {count}, the last of `{word}`")))
 }
 
 /// Reads vector number `index` of a list.

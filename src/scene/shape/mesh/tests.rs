@@ -252,7 +252,7 @@ fn errors_of_mesh_name_the_fault() {
     );
     assert_eq!(
         fault("triangle { <0,0,0>, <1,1,1>, <2,2,1e39> }"),
-        "the corners of a mesh are kept in single precision: <2, 2, 1000000000000000000000000000000000000000> is too large"
+        "the corners of a mesh are stored in single precision: <2, 2, 1000000000000000000000000000000000000000> is too large"
     );
     assert_eq!(
         fault("triangle { <0,0,0>, <1,0,0>, <0,1,0> texture_list { T } }"),
@@ -290,7 +290,7 @@ fn errors_of_mesh2_name_the_fault_and_its_location() {
         ),
         (
             "vertex_vectors { 1, <0,0,0>, <1,1,1> }".to_owned(),
-            "expected `}` behind item 1, the last of `vertex_vectors`, found `<`",
+            "expected `}` after item 1, the last of `vertex_vectors`, found `<`",
             "<",
         ),
         (
@@ -300,7 +300,7 @@ fn errors_of_mesh2_name_the_fault_and_its_location() {
         ),
         (
             format!("{TETRAHEDRON} inside_vector"),
-            "expected `face_indices` behind the lists of vectors in `mesh2`, found `inside_vector`",
+            "expected `face_indices` after the lists of vectors in `mesh2`, found `inside_vector`",
             "inside_vector",
         ),
         (
@@ -330,7 +330,7 @@ fn errors_of_mesh2_name_the_fault_and_its_location() {
         ),
         (
             format!("{TETRAHEDRON} {two} face_indices {{ 1, <0,1,2> }}"),
-            "`normal_indices` is missing: 2 normals cannot stand for 4 vertices",
+            "`normal_indices` is missing: 2 normals do not match 4 vertices",
             "face_indices",
         ),
         (
@@ -349,7 +349,7 @@ fn errors_of_mesh2_name_the_fault_and_its_location() {
         ),
         (
             format!("{TETRAHEDRON} uv_vectors {{ 1, <0,0> }} face_indices {{ 1, <0,1,2> }}"),
-            "`uv_indices` is missing: 1 uv vectors cannot stand for 4 vertices",
+            "`uv_indices` is missing: 1 uv vectors do not match 4 vertices",
             "face_indices",
         ),
         (

@@ -123,7 +123,7 @@ impl BicubicPatch {
                     at.to(args.last_span()),
                     format!("`u_steps` and `v_steps` are {MAX_STEPS} at most together"),
                 )
-                .with_hint("each step doubles the pieces of the surface; 3 or 4 look smooth"),
+                .with_hint("Each step doubles the pieces of the surface; 3 or 4 look smooth."),
             ));
         }
         for number in 0..16 {

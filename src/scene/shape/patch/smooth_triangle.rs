@@ -50,7 +50,7 @@ impl SmoothTriangle {
                     at.to(args.last_span()),
                     format!("degenerate triangle: {fault}; it is left out"),
                 )
-                .with_hint("remove the triangle"),
+                .with_hint("Remove the triangle."),
             );
         }
         let normals = normals.map(|normal| unit(normal).unwrap_or(DVec3::ZERO));

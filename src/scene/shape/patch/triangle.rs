@@ -39,7 +39,7 @@ impl Triangle {
                 at.to(args.last_span()),
                 "degenerate triangle: its corners lie on one line; it is left out",
             )
-            .with_hint("remove the triangle"),
+            .with_hint("Remove the triangle."),
         );
         Ok(triangle.collapsed())
     }

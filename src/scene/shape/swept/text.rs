@@ -88,7 +88,7 @@ impl Text {
         let offset = read::vector(args, "the offset of the text")?;
         let letters = font::set(&bytes, &text, offset).map_err(|why| {
             let message = format!("cannot read the font `{name}`: {why}");
-            Diagnostic::error(at, message).with_hint("give the name of a TrueType font")
+            Diagnostic::error(at, message).with_hint("Give the name of a TrueType font.")
         })?;
         Ok(Text(Arc::new(Line::new(letters, thickness))))
     }

@@ -101,7 +101,7 @@ impl Component {
             Some(component) => Ok(Some((component, texture))),
             None => Err(Box::new(
                 Diagnostic::error(at, "degenerate cylindrical component in blob")
-                    .with_hint("its two ends are one point: write a `sphere` instead"),
+                    .with_hint("Its two ends are one point: write a `sphere` instead."),
             )),
         }
     }

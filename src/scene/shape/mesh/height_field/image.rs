@@ -138,7 +138,7 @@ pub(super) fn heights(decoder: Decoder, bytes: &[u8]) -> Result<Heights, String>
         Decoder::Bmp => bmp(bytes),
         Decoder::Pot => pot(bytes),
         Decoder::Other(format) => other(format, bytes),
-        Decoder::Unsupported => Err("this kind of pictures is not built yet".into()),
+        Decoder::Unsupported => Err("this kind of image is not supported yet".into()),
     };
     read.map_err(|fault| fault.to_string())
 }
@@ -313,7 +313,7 @@ fn bmp(bytes: &[u8]) -> Result<Heights, Fault> {
 fn tga(bytes: &[u8]) -> Result<Heights, Fault> {
     // The second byte flags a palette; the decoder returns only its colours, not the indices.
     if bytes.get(1) == Some(&1) {
-        return Err("a TGA file with a palette is not built yet".into());
+        return Err("a TGA file with a palette is not supported yet".into());
     }
     other(Format::Tga, bytes)
 }
