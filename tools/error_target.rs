@@ -1,7 +1,7 @@
 //! True errors of adaptive sampling to an error target, on generated scenes.
 //!
 //! `error_target FIRST..END [TARGET...]` draws the hard scenes of these numbers (see `tests/support/hard_scenes.rs`) for each
-//! target, in steps of 1/255, and prints the true error, the estimated one, and the samples a pixel. The reference is
+//! target, in steps of 1/255, and prints the true error, the estimated one, and the samples per pixel. The reference is
 //! the mean of two regular grids in each pixel, independent of estimates; their difference is printed as well.
 //! References are cached in `target/error_target`.
 
@@ -74,7 +74,7 @@ fn main() {
     }
     for ((target, missed), samples) in targets.iter().zip(missed).zip(samples) {
         println!(
-            "target {target}: {missed} of {count} missed, {:.1} samples a pixel",
+            "target {target}: {missed} of {count} missed, {:.1} samples per pixel",
             samples / f64::from(count)
         );
     }

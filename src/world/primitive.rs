@@ -151,7 +151,10 @@ impl Leaf {
         let transformed = &mut None;
         let direct = match self.world_sphere() {
             Some(sphere) => sphere.root_of_unit_ray(ray, t),
-            None => self.shape.root_at(self.to_object(ray, transformed), t),
+            None if self.shape.has_faces() => {
+                self.shape.root_at(self.to_object(ray, transformed), t)
+            }
+            None => None,
         };
         if direct.is_some() {
             return direct;
@@ -165,8 +168,10 @@ impl Leaf {
     #[must_use]
     #[inline]
     pub(super) fn holds(&self, ray: &Ray, to: f64) -> bool {
-        self.shape
-            .is_well_inside(self.to_object(ray, &mut None), to)
+        self.shape.tests_well_inside()
+            && self
+                .shape
+                .is_well_inside(self.to_object(ray, &mut None), to)
     }
 
     /// The first visible root of a world ray with `from < t < to`.

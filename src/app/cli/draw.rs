@@ -267,7 +267,7 @@ impl Scene {
 
 /// The message about the error reached with adaptive sampling.
 pub(super) fn error_reached(reached: &AdaptiveOutcome, pixels: u64) -> String {
-    #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
+    #[allow(clippy::cast_precision_loss, reason = "rounded to one place")]
     let samples = reached.samples as f64 / pixels.max(1) as f64;
     let AdaptiveOutcome {
         target,
@@ -283,7 +283,7 @@ pub(super) fn error_reached(reached: &AdaptiveOutcome, pixels: u64) -> String {
         "stopped".to_owned()
     };
     format!(
-        "povr: {aim}: max {largest:.3}, mean {rms:.3} (in 1/255 steps), \
+        "povr: {aim}: estimated error at most {largest:.3}, RMS {rms:.3} (in 1/255 steps), \
          {samples:.1} samples per pixel"
     )
 }

@@ -48,8 +48,8 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          reference image with {:.0} samples per pixel, whose own error is estimated at {:.5} (root mean square). Times are \
          processor seconds of tracing, the median of the renders. POV-Ray's pictures are measured against povr's too: what \
          the programs draw differently is a level below which its error does not fall.</p>\n{}\
-         <p>Each dot is one setting: time across, error up (both on log scales). Lower left is better. Lines join the settings that no other of their kind \
-         betters.</p>\n\
+         <p>Each dot is one setting: time across, error up (both on log scales). Lower left is better. \
+         Lines join the settings that no other of their kind betters.</p>\n\
          <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
         report.threads,
         truth.samples_a_pixel,

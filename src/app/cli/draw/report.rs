@@ -2,8 +2,8 @@
 //!
 //! With `json`, everything about a scene is one object a line:
 //! * `{"type":"finding", ...}`: `severity` ("error" or "warning"), `message`, and where they are known `code`
-//!   ("not-built", "undeclared", "missing-file", "author", "limit", "writes-files", "memory"), `file`, `line`, `column`, `end` (`line` and
-//!   `column` of the position after it); `labels` and `trace` (related positions, and the enclosing calls and includes,
+//!   ("not-built", "undeclared", "missing-file", "author", "limit", "writes-files", "memory"), `file`, `line`, `column`,
+//!   `end` (`line` and `column` of the position after it); `labels` and `trace` (related positions, and the enclosing calls and includes,
 //!   innermost first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
 //! * `{"type":"said","text":...}`: the scene's `#debug` output.
 //! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,

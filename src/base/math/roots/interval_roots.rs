@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn all_rootsare_returned_in_order() {
+    fn all_roots_are_returned_in_order() {
         let roots = sine_roots(0.0, 10.0);
         assert_eq!(roots.len(), 3);
         for (i, x) in (1..).zip(&roots) {
