@@ -262,6 +262,11 @@ pub trait Geometry {
         None
     }
 
+    /// True if [`Geometry::is_well_inside`] may hold: rays are transformed for it only then.
+    fn tests_well_inside(&self) -> bool {
+        false
+    }
+
     /// True if a ray lies well inside from its start to `to`: no rounding can bring the surface there. False in doubt.
     fn is_well_inside(&self, _ray: &Ray, _to: f64) -> bool {
         false
@@ -419,6 +424,10 @@ macro_rules! shapes {
             #[inline]
             fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.root_at(ray, t)),+ }
+            }
+            #[inline(always)]
+            fn tests_well_inside(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.tests_well_inside()),+ }
             }
             #[inline]
             fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {

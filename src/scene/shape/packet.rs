@@ -169,12 +169,6 @@ impl Shape {
         }
     }
 
-    /// True if [`Geometry::is_well_inside`](super::Geometry::is_well_inside) may hold.
-    #[inline(always)]
-    pub(crate) fn tests_well_inside(&self) -> bool {
-        matches!(self, Shape::Sphere(_) | Shape::Cuboid(_))
-    }
-
     /// True if packets know more of it once an interval limits their rays: an unbounded quadric.
     pub(crate) fn gains_from_intervals(&self) -> bool {
         matches!(self, Shape::Quadric(_))

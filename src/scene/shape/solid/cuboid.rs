@@ -149,6 +149,10 @@ impl Geometry for Cuboid {
         (above | below).any()
     }
 
+    fn tests_well_inside(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {
         let margin = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());

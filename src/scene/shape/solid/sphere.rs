@@ -193,6 +193,10 @@ impl Geometry for Sphere {
         is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) && p.dot(ray.dir) > 0.0
     }
 
+    fn tests_well_inside(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn is_well_inside(&self, ray: &Ray, to: f64) -> bool {
         let inner_sq = WELL_INSIDE * self.radius * self.radius;
