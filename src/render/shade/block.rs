@@ -6,7 +6,7 @@ use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, RaySource, ShadeBuffers};
 use super::shade_cache::ShadeCache;
 use super::shading_point::LightSamples;
-use super::wavefront::{MANY_LIGHTS, SMALL_BATCH, Wavefront};
+use super::wavefront::{MANY_LIGHTS, PixelSamples, SMALL_BATCH, Wavefront};
 use super::{Path, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
@@ -41,6 +41,8 @@ pub struct BlockScratch {
     bounds: Vec<PixelBounds>,
     /// The camera hits at the positions.
     all: BlockHits,
+    /// The samples of a batch.
+    samples: PixelSamples,
     wavefront: Wavefront,
     shade_cache: ShadeCache,
 }
@@ -242,16 +244,11 @@ impl Tracer<'_> {
                 }
                 continue;
             }
-            self.trace_batch(
-                positions,
-                parts,
-                size,
-                scratch,
-                #[inline(always)]
-                |number, sample, hits| {
-                    take(at_once * piece + number, sample, hits);
-                },
-            );
+            let has_hits = self.trace_batch(positions, parts, size, scratch);
+            for (number, sample) in scratch.samples.drain(..) {
+                let hits = scratch.all.hits.get(number / 4).filter(|_| has_hits);
+                take(at_once * piece + number, sample, hits);
+            }
         }
         scratch.parts = parts;
     }
@@ -277,20 +274,18 @@ impl Tracer<'_> {
         is_empty.then(|| self.background_of(RayKind::Camera).seen)
     }
 
-    /// Traces positions in parts with the ends `parts`.
+    /// Traces positions in parts with the ends `parts`, and appends their samples to the scratch. Returns true if the
+    /// first hits are known too.
     fn trace_batch(
         &self,
         positions: &[(f64, f64)],
         parts: &[usize],
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, Option<&HitPacket4>),
-    ) {
+    ) -> bool {
         if !self.trace_camera_rays(positions, parts, size, scratch) {
-            self.trace_without_common_origin(positions, size, scratch, |number, sample| {
-                take(number, sample, None);
-            });
-            return;
+            self.trace_without_common_origin(positions, size, scratch);
+            return false;
         }
         let count = positions.len();
         self.light_all(count, true, &mut scratch.all, &mut scratch.single);
@@ -311,9 +306,8 @@ impl Tracer<'_> {
                     };
                     self.shade_packet4(&FromCamera(self), packet, count, all, buffers, &mut seen);
                     if seen.is_known(positions.len()) {
-                        for lane in 0..positions.len() {
-                            take(4 * packet + lane, seen.known(lane), all.hits.get(packet));
-                        }
+                        let known = |lane| (4 * packet + lane, seen.known(lane));
+                        scratch.samples.extend((0..positions.len()).map(known));
                         continue;
                     }
                     for (lane, &(x, y)) in positions.iter().enumerate() {
@@ -337,25 +331,22 @@ impl Tracer<'_> {
                                 None => continue,
                             },
                         };
-                        take(number, sample, scratch.all.hits.get(packet));
+                        scratch.samples.push((number, sample));
                     }
                 }
             },
         );
-        let BlockScratch {
-            single,
-            all,
-            wavefront,
-            shade_cache,
-            ..
-        } = scratch;
+        self.trace_queued_rays(scratch);
+        true
+    }
+
+    /// Traces the rays that wait in the wavefront.
+    fn trace_queued_rays(&self, scratch: &mut BlockScratch) {
         let buffers = ShadeBuffers {
-            scratch: single,
-            cache: shade_cache,
+            scratch: &mut scratch.single,
+            cache: &mut scratch.shade_cache,
         };
-        self.trace_wavefronts(wavefront, buffers, |number, sample| {
-            take(number, sample, all.hits.get(number / 4));
-        });
+        self.trace_wavefronts(&mut scratch.wavefront, buffers, &mut scratch.samples);
     }
 
     /// The same where camera rays have no common origin, or some positions have none: the rays are traced as secondary
@@ -365,7 +356,6 @@ impl Tracer<'_> {
         positions: &[(f64, f64)],
         (width, height): (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample),
     ) {
         let world = self.world;
         let has_one_ray = world.lens.is_none() && world.camera.rays_per_pixel() == 1;
@@ -375,25 +365,16 @@ impl Tracer<'_> {
             || !self.is_above_bailout(0, 1.0, 0);
         for (number, &(x, y)) in positions.iter().enumerate() {
             if is_scalar {
-                take(number, self.pixel(x, y, width, height, &mut scratch.single));
+                let sample = self.pixel(x, y, width, height, &mut scratch.single);
+                scratch.samples.push((number, sample));
                 continue;
             }
             match world.camera.primary_ray(x, y, width, height) {
                 Some(ray) => self.queue_camera_ray(&mut scratch.wavefront, number, ray),
-                None => take(number, Sample::OUTSIDE),
+                None => scratch.samples.push((number, Sample::OUTSIDE)),
             }
         }
-        let BlockScratch {
-            single,
-            wavefront,
-            shade_cache,
-            ..
-        } = scratch;
-        let buffers = ShadeBuffers {
-            scratch: single,
-            cache: shade_cache,
-        };
-        self.trace_wavefronts(wavefront, buffers, take);
+        self.trace_queued_rays(scratch);
     }
 
     /// Traces one position from its known hit and light samples; `None` if its secondary rays are queued.

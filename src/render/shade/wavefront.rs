@@ -26,6 +26,11 @@ const MAX_PENDING: usize = 1 << 13;
 /// The number of rays of a wave that are traced, lit and shaded together.
 const WAVE_BATCH: usize = 1 << 10;
 
+/// Samples with the indices of their pixels, in the order in which they are finished.
+///
+/// Written by code that is compiled once, where a callback would compile the whole wavefront for each caller.
+pub(super) type PixelSamples = Vec<(usize, Sample)>;
+
 /// Buffers of the wavefront.
 #[derive(Debug, Default)]
 pub(super) struct Wavefront {
@@ -165,9 +170,9 @@ impl Wavefront {
     }
 
     /// Delivers a sample to its receiver.
-    fn deliver(&mut self, to: Destination, sample: Sample, take: &mut impl FnMut(usize, Sample)) {
+    fn deliver(&mut self, to: Destination, sample: Sample, samples: &mut PixelSamples) {
         match to {
-            Destination::Pixel(pixel) => take(pixel, sample),
+            Destination::Pixel(pixel) => samples.push((pixel, sample)),
             Destination::Image(number) => self.pending[number].image = sample.rgb,
             Destination::Behind(number) => self.pending[number].behind = sample,
         }
@@ -432,12 +437,12 @@ impl Tracer<'_> {
         wavefront.pending.push(pending);
     }
 
-    /// Traces all queued rays, wave by wave. `take` gets the index of each pixel and its sample.
+    /// Traces all queued rays, wave by wave, and appends the samples of their pixels.
     pub(super) fn trace_wavefronts(
         &self,
         wavefront: &mut Wavefront,
         buffers: ShadeBuffers,
-        mut take: impl FnMut(usize, Sample),
+        samples: &mut PixelSamples,
     ) {
         let ShadeBuffers { scratch, cache } = buffers;
         while !wavefront.next.is_empty() {
@@ -465,7 +470,7 @@ impl Tracer<'_> {
                     scratch: &mut *scratch,
                     cache: &mut *cache,
                 };
-                self.trace_wave(rays, wavefront, buffers, &mut take);
+                self.trace_wave(rays, wavefront, buffers, samples);
             }
             wavefront.rays = rays;
         }
@@ -473,7 +478,7 @@ impl Tracer<'_> {
         // Surfaces are queued before those that they show.
         while let Some(pending) = wavefront.pending.pop() {
             let sample = pending.sample(&wavefront.filters);
-            wavefront.deliver(pending.to, sample, &mut take);
+            wavefront.deliver(pending.to, sample, samples);
         }
         wavefront.filters.clear();
     }
@@ -484,7 +489,7 @@ impl Tracer<'_> {
         rays: &[SecondaryRay],
         wavefront: &mut Wavefront,
         buffers: ShadeBuffers,
-        take: &mut impl FnMut(usize, Sample),
+        samples: &mut PixelSamples,
     ) {
         let ShadeBuffers { scratch, cache } = buffers;
         let mut all = std::mem::take(&mut wavefront.all);
@@ -534,7 +539,7 @@ impl Tracer<'_> {
                                 }
                             }
                         };
-                        wavefront.deliver(onward.to, sample, take);
+                        wavefront.deliver(onward.to, sample, samples);
                     }
                 }
             },
