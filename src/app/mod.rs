@@ -4,3 +4,4 @@ pub mod batch;
 pub mod cli;
 pub mod compare;
 pub mod curve;
+mod picture_file;

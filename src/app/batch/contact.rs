@@ -2,16 +2,17 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use image::codecs::png::CompressionType;
 use image::imageops::{self, FilterType};
-use image::{ImageFormat, Rgb, RgbImage};
+use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
 use super::BatchError;
+use crate::app::picture_file::{self, png};
 
 /// Pictures in a row.
 const COLUMNS: u32 = 8;
@@ -75,7 +76,10 @@ pub fn write_index(folder: &Path, figures: &[Figure]) -> Result<(), BatchError> 
         page("Pictures", &about, &texts.concat()).as_bytes(),
     )?;
     let sheet = pasted(&cells[..cells.len().min(MOST)], CELL.0);
-    put(&folder.join("contact.png"), &png(&sheet))
+    put(
+        &folder.join("contact.png"),
+        &png(&sheet, CompressionType::Default),
+    )
 }
 
 /// Writes a file atomically: another part of the run may be writing the same one.
@@ -89,19 +93,12 @@ fn put(path: &Path, bytes: &[u8]) -> Result<(), BatchError> {
         })
 }
 
-fn png(picture: &RgbImage) -> Vec<u8> {
-    let mut bytes = Cursor::new(Vec::new());
-    // Writing to memory cannot fail.
-    let _ = picture.write_to(&mut bytes, ImageFormat::Png);
-    bytes.into_inner()
-}
-
 /// The picture scaled down and centred in a cell.
 fn small(folder: &Path, figure: &Figure) -> Option<RgbImage> {
     if figure.missing.is_some() {
         return None;
     }
-    let picture = image::open(folder.join(&figure.file)).ok()?;
+    let picture = picture_file::open(&folder.join(&figure.file)).ok()?;
     let picture = picture.thumbnail(CELL.0, CELL.1).into_rgb8();
     let mut cell = RgbImage::from_pixel(CELL.0, CELL.1, PAPER);
     let (x, y) = (CELL.0 - picture.width(), CELL.1 - picture.height());
@@ -124,7 +121,10 @@ fn text(figure: &Figure, cell: &RgbImage) -> String {
     let source = if is_shown {
         address.clone()
     } else {
-        format!("data:image/png;base64,{}", STANDARD.encode(png(cell)))
+        format!(
+            "data:image/png;base64,{}",
+            STANDARD.encode(png(cell, CompressionType::Default))
+        )
     };
     format!(
         "<figure><a href=\"{address}\"><img loading=\"lazy\" alt=\"{name}\" src=\"{source}\" width=\"{}\"></a>\

@@ -8,12 +8,14 @@ mod row;
 mod table;
 
 use crate::app::cli::options::command_line;
+use std::fs;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
+use image::codecs::png::CompressionType;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -30,6 +32,7 @@ use super::options::long_options;
 use super::options::settings::Scene;
 use super::options::values::duration;
 use crate::app::compare::{self, Bench, Case, Renderer, Thresholds};
+use crate::app::picture_file::png;
 
 pub(super) const COMMAND: Command = Command {
     name: "compare",
@@ -78,7 +81,7 @@ pub(super) struct CommandOptions {
     /// Print one object a line instead of the table
     #[arg(long)]
     json: bool,
-    /// Write expected | difference | actual here, of two pictures
+    /// Write expected | difference | actual here, of two pictures, as PNG
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Save POV-Ray's pictures in this folder: later runs draw only what has changed
@@ -137,6 +140,11 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
         }
         scenes(&wanted)?
     } else if let [expected, actual] = wanted.names.as_slice() {
+        let output = wanted.output.as_ref().map(|file| file.to_string_lossy());
+        if let Some(file) = output.filter(|file| !arg_words::has_ending(file, ".png")) {
+            return Err(CliError::new(format!("`{file}` is no PNG file"))
+                .with_hint("`--output` writes PNG: `--output beside.png`."));
+        }
         match pictures(&wanted, expected, actual) {
             Ok(compared) => compared,
             Err(refusal) => {
@@ -293,7 +301,7 @@ fn pictures<'a>(
     };
     if let Some(file) = &wanted.output {
         let sheet = compare::side_by_side(&first, &second);
-        sheet.save(file).map_err(|error| {
+        fs::write(file, png(&sheet, CompressionType::Default)).map_err(|error| {
             CliError::new(format!("cannot write `{}`: {error}", file.display()))
         })?;
     }

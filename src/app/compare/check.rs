@@ -8,6 +8,7 @@ use super::{
     Case, Comparison, Grade, Limits, Mismatch, Noise, Thresholds, Verdict, alike, compare,
     reference,
 };
+use crate::app::picture_file;
 use image::DynamicImage;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -248,7 +249,7 @@ pub fn pictures(
 }
 
 fn open(file: &Path) -> Result<DynamicImage, CheckError> {
-    image::open(file).map_err(|error| CheckError::file(file, &error))
+    picture_file::open(file).map_err(|error| CheckError::file(file, &error))
 }
 
 #[cfg(test)]

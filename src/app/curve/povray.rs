@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::CurveError;
 use super::error::Linear;
 use crate::app::compare::{self, Renderer};
+use crate::app::picture_file;
 
 /// Time limit of a rendering.
 const PATIENCE: Duration = Duration::from_secs(24 * 3600);
@@ -85,7 +86,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
             file.display()
         ))
     };
-    let image = image::open(&file)
+    let image = picture_file::open(&file)
         .map_err(|error| unread(&error))?
         .to_rgb16();
     let picture = Linear {

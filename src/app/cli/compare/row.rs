@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use image::codecs::png::CompressionType;
 use image::imageops::{self, FilterType};
 use image::{DynamicImage, GrayImage, Luma};
 use serde::Serialize;
@@ -10,6 +11,7 @@ use crate::app::cli::options::error::CliError;
 use crate::app::compare::{
     Bench, Case, CheckError, Compared, Explanation, Grade, Limits, Mismatch, Verdict, steps_apart,
 };
+use crate::app::picture_file::{self, png};
 
 /// The status of a comparison, worst first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -203,7 +205,7 @@ impl Row {
         };
         let theirs = reference.as_ref().ok().and_then(|reference| {
             // A picture that cannot be read counts as not rendered.
-            image::open(&reference.file).ok()
+            picture_file::open(&reference.file).ok()
         });
         let mut row = match (&reference, &own) {
             (Ok(_), Ok((actual, _))) => match &theirs {
@@ -295,16 +297,16 @@ impl Shown {
             };
             if small.color().has_alpha() && small.to_rgba8().pixels().any(|pixel| pixel.0[3] < 255)
             {
-                encoded(&small.to_rgba8().into())
+                png(&small.to_rgba8(), CompressionType::Best)
             } else {
-                encoded(&small.to_rgb8().into())
+                png(&small.to_rgb8(), CompressionType::Best)
             }
         };
         let steps = theirs.zip(ours).and_then(|(a, b)| steps_apart(a, b).ok());
         Shown {
-            theirs: theirs.and_then(small),
-            ours: ours.and_then(small),
-            steps: steps.and_then(|steps| encoded(&largest_of(&steps, reduced).into())),
+            theirs: theirs.map(small),
+            ours: ours.map(small),
+            steps: steps.map(|steps| png(&largest_of(&steps, reduced), CompressionType::Best)),
             reduced,
         }
     }
@@ -324,26 +326,12 @@ fn largest_of(steps: &GrayImage, reduced: u32) -> GrayImage {
     })
 }
 
-/// A PNG file with the best compression.
-fn encoded(picture: &DynamicImage) -> Option<Vec<u8>> {
-    use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-    let mut bytes = Vec::new();
-    let encoder =
-        PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive);
-    picture.write_with_encoder(encoder).ok()?;
-    Some(bytes)
-}
-
 /// Reads a picture of any format that povr reads.
 pub(super) fn open(path: &Path) -> Result<DynamicImage, CliError> {
     let cannot = |error: &dyn std::fmt::Display| {
         CliError::new(format!("cannot read `{}`: {error}", path.display()))
     };
-    let reader = image::ImageReader::open(path).map_err(|error| cannot(&error))?;
-    let reader = reader
-        .with_guessed_format()
-        .map_err(|error| cannot(&error))?;
-    reader.decode().map_err(|error| {
+    picture_file::open(path).map_err(|error| {
         cannot(&error).with_hint(
             "Pictures are PNG, EXR, HDR, JPEG, TGA, BMP, TIFF, GIF and PNM files; scenes end in .pov.",
         )

@@ -7,9 +7,12 @@ use std::path::Path;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use image::codecs::png::CompressionType;
+
 use super::{Entry, OVERVIEW, failed};
 use crate::app::batch::{escaped, page, pasted};
 use crate::app::cli::options::error::CliError;
+use crate::app::picture_file::png;
 
 /// Maximum width of each picture on the sheet.
 const MAX_WIDTH: u32 = 160;
@@ -50,8 +53,7 @@ pub(super) fn write(
     }
     let sheet = pasted(&pictures, width.min(MAX_WIDTH));
     let path = folder.join("sheet.png");
-    sheet
-        .save(&path)
+    fs::write(&path, png(&sheet, CompressionType::Default))
         .map_err(|error| failed("write", &path, &error))?;
     let about = "Transforms of one object. x is blue, y is yellow, z is red.";
     super::write(&folder.join("sheet.html"), &page(shape, about, &figures))

@@ -8,6 +8,7 @@ use super::failed;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::long_options::Size;
 use crate::app::compare::{Picture, Renderer, compare};
+use crate::app::picture_file;
 
 /// The folder of POV-Ray's pictures, inside the folder of the sheet.
 const FOLDER: &str = "povray";
@@ -73,7 +74,8 @@ impl Comparer {
         if !ended.status.is_some_and(|status| status.success()) {
             return Ok(Verdict::NoPicture);
         }
-        let open = |path: &Path| image::open(path).map_err(|error| failed("read", path, &error));
+        let open =
+            |path: &Path| picture_file::open(path).map_err(|error| failed("read", path, &error));
         let ours = folder.join(format!("{name}.png"));
         let Ok(comparison) = compare(&open(&theirs)?, &open(&ours)?) else {
             return Ok(Verdict::NoPicture);
