@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+use fast_glob::glob_match;
 
 use super::BatchError;
 
@@ -14,8 +14,8 @@ const DEEPEST: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub struct Globs {
     /// Only these, if there are any.
-    only: Option<GlobSet>,
-    except: GlobSet,
+    only: Option<Patterns>,
+    except: Patterns,
 }
 
 impl Globs {
@@ -27,36 +27,52 @@ impl Globs {
     /// When a pattern is malformed.
     pub fn new(only: &[String], except: &[String]) -> Result<Self, BatchError> {
         Ok(Globs {
-            only: (!only.is_empty()).then(|| set(only)).transpose()?,
-            except: set(except)?,
+            only: (!only.is_empty())
+                .then(|| Patterns::new(only))
+                .transpose()?,
+            except: Patterns::new(except)?,
         })
     }
 
     /// True if a file is selected, by its path below its folder.
     #[must_use]
     pub fn has(&self, path: &Path) -> bool {
-        let is_in = |set: &GlobSet| {
-            path.ancestors()
-                .any(|part| set.is_match(part) || part.file_name().is_some_and(|n| set.is_match(n)))
+        let is_in = |patterns: &Patterns| {
+            path.ancestors().any(|part| {
+                let name = part.file_name().map(Path::new);
+                patterns.match_any(part) || name.is_some_and(|name| patterns.match_any(name))
+            })
         };
         self.only.as_ref().is_none_or(is_in) && !is_in(&self.except)
     }
 }
 
-fn set(patterns: &[String]) -> Result<GlobSet, BatchError> {
-    let mut builder = GlobSetBuilder::new();
-    for pattern in patterns {
-        let text = pattern.strip_prefix("./").unwrap_or(pattern);
-        let glob = GlobBuilder::new(text.trim_end_matches('/'))
-            .literal_separator(true)
-            .build();
-        builder.add(glob.map_err(|error| {
-            BatchError::new(format!("`{pattern}` is not a pattern: {}", error.kind()))
-        })?);
+/// Patterns that one path is matched against.
+#[derive(Clone, Debug, Default)]
+struct Patterns(Vec<String>);
+
+impl Patterns {
+    fn new(patterns: &[String]) -> Result<Self, BatchError> {
+        let checked = patterns.iter().map(|pattern| {
+            let text = pattern.strip_prefix("./").unwrap_or(pattern);
+            let text = text.trim_end_matches('/');
+            // A `!` before the pattern would negate it.
+            let escape = if text.starts_with('!') { "\\" } else { "" };
+            let glob = format!("{escape}{text}");
+            match fast_glob::validate(&glob) {
+                Ok(()) => Ok(glob),
+                Err(error) => Err(BatchError::new(format!(
+                    "`{pattern}` is not a pattern: {error}"
+                ))),
+            }
+        });
+        Ok(Patterns(checked.collect::<Result<_, _>>()?))
     }
-    builder
-        .build()
-        .map_err(|error| BatchError::new(format!("these patterns are too much: {error}")))
+
+    fn match_any(&self, path: &Path) -> bool {
+        let path = path.as_os_str().as_encoded_bytes();
+        self.0.iter().any(|glob| glob_match(glob, path))
+    }
 }
 
 /// The files with the ending `.pov` in a folder and the folders inside it, sorted. Folders whose names begin with a dot
@@ -106,6 +122,9 @@ mod tests {
             ("", "a/old", "b/old/c.pov", true),
             ("", "*_test.pov", "a/x_test.pov", false),
             ("a/**", "**/b*", "a/b.pov", false),
+            ("{a,c}/[b-d]?.pov", "", "a/b1.pov", true),
+            ("!b.pov", "", "a/b.pov", false),
+            ("!b.pov", "", "a/!b.pov", true),
         ] {
             let list = |text: &str| match text {
                 "" => Vec::new(),
