@@ -9,8 +9,8 @@ use super::photons::PhotonMapping;
 use super::primitive::Leaf;
 use super::surface::{Surface, SurfaceSummary};
 use crate::base::color::{Color, Gamma, Rgb};
-use crate::base::math::Bounds;
 use crate::base::math::noise::NoiseGenerator;
+use crate::base::math::{Bounds, Ray};
 use crate::base::options::TMinRule;
 use crate::scene::RadiositySettings;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
@@ -18,7 +18,7 @@ use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
 use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use smallvec::SmallVec;
 
 /// Global shading settings.
@@ -198,8 +198,7 @@ impl World {
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut items = self.model.bvh.around(point);
-        let is_bounded =
-            |number: u32| self.ties_by_box && self.boxes[number as usize].bounds().is_finite();
+        let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
         let mut surfaces = Vec::new();
         for item in items {
@@ -289,25 +288,56 @@ impl World {
     }
 }
 
-/// A box in single precision, rounded to the nearest.
+/// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SingleBox([[f32; 3]; 2]);
+pub(super) struct SingleBox {
+    lower: Vec3,
+    size: Vec3,
+}
 
 impl SingleBox {
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "POV-Ray keeps boxes in single precision"
-    )]
     pub(super) fn new(bounds: &Bounds) -> Self {
-        // Spelt out: `map` is not always inlined.
-        let single = |end: DVec3| [end.x as f32, end.y as f32, end.z as f32];
-        SingleBox([single(bounds.min), single(bounds.max)])
+        SingleBox {
+            lower: bounds.min.as_vec3(),
+            size: (bounds.max - bounds.min).as_vec3(),
+        }
     }
 
     /// The box in double precision.
     pub(super) fn bounds(&self) -> Bounds {
-        let [min, max] = self.0.map(|end| DVec3::from(end.map(f64::from)));
-        Bounds { min, max }
+        let min = self.lower.as_dvec3();
+        Bounds {
+            min,
+            max: min + self.size.as_dvec3(),
+        }
+    }
+
+    /// Returns true if no side is infinite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.lower.is_finite() && self.size.is_finite()
+    }
+
+    /// The distance at which the line of a ray enters the box, with POV-Ray's roundings to single precision; not
+    /// clamped at the ray's origin.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "POV-Ray computes in single precision here"
+    )]
+    pub(super) fn entry(&self, ray: &Ray) -> f64 {
+        (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
+            let d = ray.dir[axis];
+            if d == 0.0 {
+                return entry;
+            }
+            let per_unit = (1.0 / d) as f32;
+            let lower = f64::from((self.lower[axis] - ray.origin[axis] as f32) * per_unit);
+            let near = if d > 0.0 {
+                lower
+            } else {
+                lower + f64::from(self.size[axis] * per_unit)
+            };
+            entry.max(near)
+        })
     }
 }
 

@@ -22,6 +22,7 @@ pub(crate) fn clip_to_planes(leaves: &[Leaf], factors: &Factors, around: Bounds)
     let mut limited = around;
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
+        limited = limited.intersection(&of_plane(leaf, is_inverse));
         if leaf.shape.limited(&limited, is_inverse).is_some() {
             let in_world = of_unbounded(leaf, is_inverse, leaves, factors, &limited);
             limited = limited.intersection(&in_world);
@@ -66,6 +67,19 @@ fn of_unbounded(
         max: here.max + slack,
     };
     wide.transformed(&world_from_object)
+}
+
+/// A half-space, as POV-Ray bounds intersections with it: everything if its plane is not exactly axis-aligned.
+fn of_plane(leaf: &Leaf, is_inverse: bool) -> Bounds {
+    match (leaf.shape.half_space(), &leaf.object_from_world) {
+        (Some((normal, distance)), None)
+            if (0..3).filter(|&axis| normal[axis] != 0.0).count() == 1 =>
+        {
+            let sign = if is_inverse { -1.0 } else { 1.0 };
+            half_space(normal, distance, sign, &DAffine3::IDENTITY)
+        }
+        _ => Bounds::EVERYTHING,
+    }
 }
 
 /// A half-space in object space, as a box; everything if its plane is not axis-aligned there.

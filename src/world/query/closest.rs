@@ -6,8 +6,8 @@ use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
 use super::{ClosestHit, QueryScratch};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
+use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
-use crate::base::math::{Bounds, Ray};
 use crate::base::options::TMinRule;
 use crate::scene::shape::Root;
 use crate::world::compiled::World;
@@ -365,12 +365,9 @@ impl World {
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
             let entry = |item: u32| {
-                let bounds = &self.boxes[item as usize].bounds();
-                if bounds.is_finite() {
-                    slab_entry(bounds, ray)
-                } else {
-                    f64::NEG_INFINITY
-                }
+                let item_box = &self.boxes[item as usize];
+                let entry = item_box.is_finite().then(|| item_box.entry(ray));
+                entry.unwrap_or(f64::NEG_INFINITY)
             };
             let (entry_a, entry_b) = (entry(a), entry(b));
             if entry_a != entry_b {
@@ -403,20 +400,4 @@ impl World {
             spawn_surface: departure,
         }
     }
-}
-
-/// Distance at which the line of a ray enters a box, not clamped at its origin.
-fn slab_entry(bounds: &Bounds, ray: &Ray) -> f64 {
-    (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
-        let d = ray.dir[axis];
-        if d == 0.0 {
-            return entry;
-        }
-        let near = if d > 0.0 {
-            bounds.min[axis]
-        } else {
-            bounds.max[axis]
-        };
-        entry.max((near - ray.origin[axis]) / d)
-    })
 }
