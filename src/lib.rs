@@ -237,6 +237,7 @@ fn unfinished(
         quality,
         alpha,
         t_min_rule: least_distance,
+        has_clean_cuts,
         random_order,
         sampling,
         ..
@@ -244,7 +245,7 @@ fn unfinished(
     let size = (render.width, render.height);
     // All options that affect the pixels; the number of threads does not.
     let all = format!(
-        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {random_order:?} {sampling:?} \
+        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {has_clean_cuts} {random_order:?} {sampling:?} \
          {declares:?} {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
         keep.build
     );

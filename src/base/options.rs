@@ -164,6 +164,8 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// The rule for the smallest hit distance.
     pub t_min_rule: TMinRule,
+    /// True if coincident faces in CSG are cut cleanly, where POV-Ray leaves a skin.
+    pub has_clean_cuts: bool,
     /// The order in which pixels draw random numbers.
     pub random_order: RandomOrder,
     /// True to collect the statistics of the lowered scene ([`Plan`]).
@@ -485,6 +487,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             t_min_rule: TMinRule::default(),
+            has_clean_cuts: false,
             random_order: RandomOrder::default(),
             statistics: false,
             sampling: Sampling::Centres,

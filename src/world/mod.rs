@@ -58,6 +58,7 @@ pub fn compile_dropping(
         solid_of: Some(solid_of),
         ..scene.pattern_settings()
     });
+    flat.has_clean_cuts = options.has_clean_cuts;
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // Objects are freed as they are lowered: large scenes need the memory.

@@ -41,6 +41,8 @@ pub(crate) fn by_povr(text: &str, size: (u32, u32)) -> Drawn {
         height,
         columns: 0..width,
         rows: 0..height,
+        // As the oracle has it.
+        has_clean_cuts: true,
         ..RenderOptions::default()
     };
     let said = Mutex::new(String::new());

@@ -144,6 +144,20 @@ pub enum Start {
     Inside,
 }
 
+/// Side of a solid to which the points on its surface count where surfaces coincide in CSG: as POV-Ray, whose points are
+/// off the surface by rounding, decides with the tolerance of each shape (measured with shapes cut by themselves).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceSide {
+    /// Inside, outside of the inverse.
+    Inside,
+    /// Outside, inside of the inverse.
+    Outside,
+    /// Inside, also of the inverse.
+    Both,
+    /// Inside, unless no surface is shown then: POV-Ray has no tolerance, and speckles.
+    Rounded,
+}
+
 /// Operations of a shape, all in its own object space.
 pub trait Geometry {
     /// Appends all roots on the whole line of `ray` to `roots`, sorted by `t`; enter and leave alternate. Returns the
@@ -314,6 +328,11 @@ pub trait Geometry {
         false
     }
 
+    /// The side to which points on the surface count.
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Rounded
+    }
+
     /// True if [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
@@ -456,6 +475,9 @@ macro_rules! shapes {
             }
             fn has_one_side(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.has_one_side()),+ }
+            }
+            fn surface_side(&self) -> SurfaceSide {
+                match self { $(Shape::$name(shape) => shape.surface_side()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }

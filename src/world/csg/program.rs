@@ -7,13 +7,15 @@
 //! n-ary, with one sort).
 //!
 //! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
-//! other children; an intersection those inside all its other children. Surfaces at exactly the same `t` are taken
-//! together, and one is shown if the ray enters or leaves the node as a whole there: no double surface, no hole.
+//! other children; an intersection those inside all its other children. Surfaces at the same `t`, up to rounding, are
+//! taken together, and each counts as inside or outside the solids of the others by [`SurfaceSide`]: coincident faces leave a
+//! skin as in POV-Ray. Where POV-Ray leaves speckles, and with clean cuts everywhere, one surface is shown if the ray
+//! enters or leaves the node as a whole there: no double surface, no hole.
 
 use super::inside::{InsideInit, InsideState};
 use crate::base::accel::Bvh;
 use crate::base::math::Ray;
-use crate::scene::shape::{Crossing, Geometry, Root, Start};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide};
 use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;
 use glam::DVec3;
@@ -30,6 +32,9 @@ pub(crate) enum Combine {
     /// Shows surfaces inside the other children; inside where all children are.
     Intersection,
 }
+
+/// Relative difference of the distances of surfaces that coincide: roundings of different transforms.
+const COINCIDENT: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// The parent of the root.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -100,6 +105,8 @@ pub(crate) struct CsgProgram {
     pub(crate) turned: SmallVec<[u32; 4]>,
     /// The order in which operands are intersected.
     pub(crate) order: OperandOrder,
+    /// True if coincident faces are cut cleanly, where POV-Ray leaves a skin.
+    pub(crate) has_clean_cuts: bool,
 }
 
 /// A ray in a sweep through a program.
@@ -115,6 +122,13 @@ struct SweepContext<'a> {
 pub(crate) struct RayInterval {
     pub(crate) from: f64,
     pub(crate) to: f64,
+}
+
+/// The factors that give the ends of an interval around a distance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Widening {
+    pub(crate) down: f64,
+    pub(crate) up: f64,
 }
 
 impl RayInterval {
@@ -148,7 +162,13 @@ pub(crate) struct Sweep {
     roots: Vec<Root>,
     events: Vec<Event>,
     state: InsideState,
+    /// Counts of the nodes before several roots at the same `t`.
     before: Vec<u32>,
+    /// For each of these roots, true if the ray was inside its operand before them.
+    was_in: Vec<bool>,
+    /// Same, after them.
+    is_in: Vec<bool>,
+    /// Same, true if its surface is shown.
     shown: Vec<bool>,
     /// Operands whose boxes are hit.
     near: Vec<u32>,
@@ -198,6 +218,16 @@ impl CsgProgram {
         }
     }
 
+    /// The distances within which surfaces coincide. Clean cuts need equal ones: they keep the thinnest walls.
+    #[inline(always)]
+    pub(crate) fn widening(&self) -> Widening {
+        let share = if self.has_clean_cuts { 0.0 } else { COINCIDENT };
+        Widening {
+            down: 1.0 - share,
+            up: 1.0 + share,
+        }
+    }
+
     /// Indices of its leaves.
     pub(crate) fn leaves(&self) -> Range<u32> {
         self.first..self.first + self.len()
@@ -218,28 +248,29 @@ impl CsgProgram {
         sweep: &mut Sweep,
         mut wanted: impl FnMut(&RawHit) -> bool,
     ) -> Option<RawHit> {
-        let from = interval.from;
         let context = SweepContext {
             leaves,
             ray,
             departure,
         };
+        let widening = self.widening();
         let to = self.collect(context, interval, sweep)?;
         sort(&mut sweep.events);
         let mut at = 0;
         while at < sweep.events.len() {
-            let t = sweep.events[at].root.t;
+            let mut t = sweep.events[at].root.t;
             if t > to {
                 return None;
             }
             let mut end = at + 1;
-            while end < sweep.events.len() && sweep.events[end].root.t == t {
+            while end < sweep.events.len() && sweep.events[end].root.t <= t * widening.up {
+                t = sweep.events[end].root.t;
                 end += 1;
             }
             if end == at + 1 {
                 let event = sweep.events[at];
                 let is_hidden = self.operands[event.leaf as usize].is_hidden;
-                if t > from && event.root.is_visible && !is_hidden {
+                if t > interval.from && event.root.is_visible && !is_hidden {
                     self.step(at, sweep);
                 } else {
                     self.toggle(&event, &mut sweep.state);
@@ -247,18 +278,19 @@ impl CsgProgram {
                     continue;
                 }
             } else {
-                self.step_together(at, end, sweep);
+                self.step_together(at, end, leaves, sweep);
             }
-            for index in (at..end).rev() {
-                let event = sweep.events[index];
-                let is_seen = sweep.shown[index - at] && event.root.is_visible && t > from;
-                let leaf = self.first + event.leaf;
+            for index in at..end {
+                let Event { root, leaf } = sweep.events[index];
+                let is_within = interval.from < root.t && root.t <= interval.to;
+                let number = self.first + leaf;
                 let hit = RawHit {
-                    root: event.root,
-                    leaf,
-                    surface: leaves[leaf as usize].surface,
+                    root,
+                    leaf: number,
+                    surface: leaves[number as usize].surface,
                 };
-                if is_seen && !self.operands[event.leaf as usize].is_hidden && wanted(&hit) {
+                let is_seen = root.is_visible && is_within;
+                if is_seen && !self.operands[leaf as usize].is_hidden && wanted(&hit) {
                     return Some(hit);
                 }
             }
@@ -281,15 +313,16 @@ impl CsgProgram {
         if !self.try_gates(context.leaves, context.ray, sweep) {
             return None;
         }
-        let RayInterval { mut from, mut to } = interval;
+        let Widening { down, up } = self.widening();
+        let (mut from, mut to) = (interval.from * down, interval.to * up);
         for &number in &self.order.required {
             let start = self.add_roots(number, context, RayInterval { from, to }, sweep);
             let (before, after) = sides(&sweep.roots, start);
             if !before {
-                from = from.max(sweep.roots.first()?.t);
+                from = from.max(sweep.roots.first()?.t * down);
             }
             if !after {
-                to = to.min(sweep.roots.last()?.t);
+                to = to.min(sweep.roots.last()?.t * up);
             }
             if from > to {
                 return None;
@@ -451,49 +484,118 @@ impl CsgProgram {
             Crossing::Leave => false,
         };
         let operand = &self.operands[event.leaf as usize];
-        let is_in = enters != operand.is_inverse;
-        if state.leaf_in[event.leaf as usize] != is_in {
-            state.set(event.leaf, is_in);
-            self.climb(operand.parent, is_in, state);
+        self.put(event.leaf, enters != operand.is_inverse, state);
+    }
+
+    /// Puts the ray inside an operand or outside.
+    #[inline(always)]
+    fn put(&self, operand: u32, is_in: bool, state: &mut InsideState) {
+        if state.leaf_in[operand as usize] != is_in {
+            state.set(operand, is_in);
+            self.climb(self.operands[operand as usize].parent, is_in, state);
         }
     }
 
-    /// Handles a single root at its `t`: it is shown if every ancestor lets it through.
+    /// Handles a single root at its `t`: hides it unless every ancestor lets it through.
     fn step(&self, at: usize, sweep: &mut Sweep) {
-        let event = sweep.events[at];
-        self.toggle(&event, &mut sweep.state);
-        let mut child_in = sweep.state.leaf_in[event.leaf as usize];
-        let mut node = self.operands[event.leaf as usize].parent;
+        let event = &mut sweep.events[at];
+        self.toggle(event, &mut sweep.state);
+        event.root.is_visible &= self.lets_through(event.leaf, &sweep.state);
+    }
+
+    /// Returns true if every ancestor of an operand lets its surface through.
+    #[inline(always)]
+    fn lets_through(&self, operand: u32, state: &InsideState) -> bool {
+        let mut child_in = state.leaf_in[operand as usize];
+        let mut node = self.operands[operand as usize].parent;
         let mut is_shown = true;
         let nodes = &self.nodes[..];
         while is_shown && let Some(own) = nodes.get(node as usize) {
-            let count = sweep.state.counts[node as usize];
+            let count = state.counts[node as usize];
             is_shown = own.lets_through(count, child_in);
             child_in = own.holds(count);
             node = own.parent;
         }
-        sweep.shown.clear();
-        sweep.shown.push(is_shown);
+        is_shown
     }
 
-    /// Handles several roots at the same `t`. At a node whose other children change there too, a surface is shown if
-    /// the ray enters or leaves the node as a whole, and then only the last of them.
-    fn step_together(&self, at: usize, end: usize, sweep: &mut Sweep) {
+    /// Handles several roots at the same `t`: hides those not shown, and puts the last operand first, which wins as in
+    /// POV-Ray.
+    fn step_together(&self, at: usize, end: usize, leaves: &[Leaf], sweep: &mut Sweep) {
         sweep.before.clear();
         sweep.before.extend_from_slice(&sweep.state.counts);
-        let was_in: Vec<bool> = sweep.events[at..end]
-            .iter()
-            .map(|event| sweep.state.leaf_in[event.leaf as usize])
-            .collect();
-        for index in at..end {
-            let event = sweep.events[index];
-            self.toggle(&event, &mut sweep.state);
+        sweep.was_in.clear();
+        for event in &sweep.events[at..end] {
+            let was_in = sweep.state.leaf_in[event.leaf as usize];
+            sweep.was_in.push(was_in);
         }
+        for event in &sweep.events[at..end] {
+            self.toggle(event, &mut sweep.state);
+        }
+        if self.has_clean_cuts || !self.show_on_surfaces(at, end, leaves, sweep) {
+            self.show_clean_cuts(at, end, sweep);
+        }
+        let events = &mut sweep.events[at..end];
+        for (event, is_shown) in events.iter_mut().zip(&sweep.shown) {
+            event.root.is_visible &= is_shown;
+        }
+        events.reverse();
+        events.sort_by(|a, b| b.leaf.cmp(&a.leaf).then(a.root.t.total_cmp(&b.root.t)));
+    }
+
+    /// Selects the surfaces shown among several at the same `t` as POV-Ray does: those whose points every ancestor lets
+    /// through. Returns false if there are none and rounding decides it in POV-Ray, which then leaves speckles.
+    fn show_on_surfaces(&self, at: usize, end: usize, leaves: &[Leaf], sweep: &mut Sweep) -> bool {
+        let Sweep {
+            events,
+            state,
+            shown,
+            is_in,
+            ..
+        } = sweep;
+        let events = &events[at..end];
+        is_in.clear();
+        is_in.extend(
+            events
+                .iter()
+                .map(|event| state.leaf_in[event.leaf as usize]),
+        );
+        let mut is_certain = true;
+        for event in events {
+            if event.root.crossing == Crossing::Touch {
+                continue;
+            }
+            let side = leaves[(self.first + event.leaf) as usize]
+                .shape
+                .surface_side();
+            is_certain &= side != SurfaceSide::Rounded;
+            let is_inverse = self.operands[event.leaf as usize].is_inverse;
+            let on_surface = match side {
+                SurfaceSide::Inside | SurfaceSide::Rounded => !is_inverse,
+                SurfaceSide::Outside => is_inverse,
+                SurfaceSide::Both => is_inverse == self.is_inverse(event.leaf),
+            };
+            self.put(event.leaf, on_surface, state);
+        }
+        shown.clear();
+        for event in events {
+            let is_shown = self.lets_through(event.leaf, state);
+            is_certain |= is_shown && !self.operands[event.leaf as usize].is_hidden;
+            shown.push(is_shown);
+        }
+        for (event, is_in) in events.iter().zip(is_in) {
+            self.put(event.leaf, *is_in, state);
+        }
+        is_certain
+    }
+
+    /// Selects the surfaces shown among several at the same `t` so that they bound the solid: at a node whose other
+    /// children change there too, a surface is shown if the ray enters or leaves the node as a whole.
+    fn show_clean_cuts(&self, at: usize, end: usize, sweep: &mut Sweep) {
         sweep.shown.clear();
         for index in at..end {
-            let event = sweep.events[index];
-            let leaf = event.leaf as usize;
-            let mut in_before = was_in[index - at];
+            let leaf = sweep.events[index].leaf as usize;
+            let mut in_before = sweep.was_in[index - at];
             let mut in_after = sweep.state.leaf_in[leaf];
             let mut node = self.operands[leaf].parent;
             let mut is_shown = true;

@@ -31,6 +31,8 @@ pub(crate) struct Lowering {
     pub(crate) keeps_uv: bool,
     /// True if the insides of objects are needed, which may be larger than their surfaces.
     pub(crate) needs_insides: bool,
+    /// True if coincident faces are cut cleanly, where POV-Ray leaves a skin.
+    pub(crate) has_clean_cuts: bool,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) interiors: Interiors,
     /// Scene-wide settings for patterns.

@@ -64,6 +64,7 @@ const KEYS: &[(&str, Set)] = &[
     ("BSP_ISectCost", IDLE),
     ("BSP_MaxDepth", IDLE),
     ("BSP_MissChance", IDLE),
+    ("Clean_Cuts", |t, v, s| { t.has_clean_cuts = flag(t, v, s); Ok(()) }),
     ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
     ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),

@@ -49,6 +49,9 @@ pub(crate) struct LongOptions {
     /// Use POV-Ray's minimum distances, dropping very thin surfaces as it does
     #[arg(long)]
     pov_distances: bool,
+    /// Cut coincident faces in CSG cleanly, where POV-Ray leaves a skin
+    #[arg(long)]
+    clean_cuts: bool,
     /// Match POV-Ray's random numbers in large images as well (renders on one thread)
     #[arg(long)]
     pov_random: bool,
@@ -148,6 +151,7 @@ impl LongOptions {
         if self.pov_distances {
             raw_args.least_distance = TMinRule::PovRay;
         }
+        raw_args.has_clean_cuts |= self.clean_cuts;
         if self.pov_random {
             raw_args.random_order = RandomOrder::PovRay;
         }

@@ -55,6 +55,7 @@ pub(crate) struct RawArgs {
     pub(crate) stats: bool,
     pub(crate) json: bool,
     pub(crate) least_distance: TMinRule,
+    pub(crate) has_clean_cuts: bool,
     pub(crate) random_order: RandomOrder,
     /// True to continue from a checkpoint.
     pub(crate) continues: bool,
@@ -136,6 +137,7 @@ impl Default for RawArgs {
             stats: false,
             json: false,
             least_distance: TMinRule::default(),
+            has_clean_cuts: false,
             random_order: RandomOrder::default(),
             continues: false,
             is_antialiased: false,

@@ -196,6 +196,7 @@ fn render_options(raw_args: &RawArgs) -> Result<RenderOptions, CliError> {
         threads: raw_args.threads,
         alpha: raw_args.alpha,
         t_min_rule: raw_args.least_distance,
+        has_clean_cuts: raw_args.has_clean_cuts,
         random_order: raw_args.random_order,
         statistics: raw_args.stats || raw_args.json || raw_args.keeps_statistics(),
         sampling: sampling(raw_args),

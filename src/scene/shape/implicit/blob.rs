@@ -22,7 +22,7 @@ use crate::base::math::simd::with_widest;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
-    Crossings, FaceTexture, Geometry, Root, Start, TextureWeight, TextureWeights,
+    Crossings, FaceTexture, Geometry, Root, Start, SurfaceSide, TextureWeight, TextureWeights,
 };
 use crate::scene::shape::{first_visible, read};
 use glam::DVec3;
@@ -391,6 +391,10 @@ impl Geometry for Blob {
         self.0
             .around(point, |component| field += component.field(point));
         self.0.is_inside(field)
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Inside
     }
 
     fn bounds(&self) -> Bounds {

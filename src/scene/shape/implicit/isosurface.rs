@@ -22,7 +22,7 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::function::{self, Function};
 use crate::scene::shape::container::Container;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, read};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, read};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -373,6 +373,10 @@ impl Geometry for Isosurface {
 
     fn contains(&self, point: DVec3) -> bool {
         self.0.container.contains(point) && self.0.value(point) <= 0.0
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Inside
     }
 
     fn bounds(&self) -> Bounds {

@@ -25,7 +25,7 @@ mod packet;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read};
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
 use inside_test::{BATCH, Lookahead, to_complex_pair};
@@ -436,6 +436,10 @@ impl Geometry for JuliaFractal {
             && fractal
                 .states(&Ray::new(point, DVec3::X), &[0.0; BATCH])
                 .is_inside(0)
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Inside
     }
 
     fn bounds(&self) -> Bounds {

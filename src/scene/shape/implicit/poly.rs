@@ -15,7 +15,9 @@ use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between, value};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
+use crate::scene::shape::{
+    Crossings, Geometry, Root, Start, SurfaceSide, alternate, first_visible, read,
+};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -355,6 +357,10 @@ impl Geometry for Poly {
 
     fn contains(&self, point: DVec3) -> bool {
         self.0.value(point) <= 0.0
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Inside
     }
 
     fn bounds(&self) -> Bounds {

@@ -16,7 +16,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, first_visible, original_span, read};
+use crate::scene::shape::{Geometry, Root, Start, SurfaceSide, first_visible, original_span, read};
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
@@ -252,6 +252,14 @@ impl Geometry for Cone {
             above >= 0.0 && below >= 0.0 && distance <= radius
         } else {
             above > 0.0 && below > 0.0 && distance < radius
+        }
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        if self.is_open {
+            SurfaceSide::Inside
+        } else {
+            SurfaceSide::Outside
         }
     }
 

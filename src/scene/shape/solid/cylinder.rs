@@ -18,7 +18,8 @@ use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, Start, first_visible, original_span, push_span, read,
+    CLEAR_MARGIN, Crossing, Geometry, Root, Start, SurfaceSide, first_visible, original_span,
+    push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -219,6 +220,14 @@ impl Geometry for Cylinder {
             above >= 0.0 && below >= 0.0 && radial_sq <= 1.0
         } else {
             above > 0.0 && below > 0.0 && radial_sq < 1.0
+        }
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        if self.is_open {
+            SurfaceSide::Inside
+        } else {
+            SurfaceSide::Outside
         }
     }
 

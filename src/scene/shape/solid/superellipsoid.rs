@@ -30,7 +30,7 @@ use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{IntervalFunction, first_below_zero, sign_changes};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -354,6 +354,10 @@ impl Geometry for Superellipsoid {
 
     fn contains(&self, point: DVec3) -> bool {
         self.size(point.abs()) <= 1.0
+    }
+
+    fn surface_side(&self) -> SurfaceSide {
+        SurfaceSide::Inside
     }
 
     fn bounds(&self) -> Bounds {

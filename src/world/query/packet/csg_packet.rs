@@ -4,7 +4,7 @@ use super::rays::RayPacket4;
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, SpanPacket};
 use crate::world::csg::packet_strategy::{MAX_OPERANDS, Numbers};
-use crate::world::csg::program::CsgProgram;
+use crate::world::csg::program::{CsgProgram, Widening};
 use crate::world::primitive::Leaf;
 use crate::world::query::closest::SKIN;
 
@@ -31,7 +31,8 @@ pub(in crate::world) struct CsgPacketHits {
     pub(in crate::world) unknown: u32,
 }
 
-/// The interval of each ray inside all required operands, in which something may show.
+/// The interval of each ray inside all required operands, in which something may show, wider by the distance within
+/// which surfaces coincide.
 pub(in crate::world) struct ClipInterval<F> {
     pub(in crate::world) low: F,
     pub(in crate::world) high: F,
@@ -61,12 +62,13 @@ impl<F: F64Lanes> End<F> {
         }
     }
 
-    /// Takes the end of an operand into account, which replaces the current one where `is_new`.
+    /// Takes the end of an operand, within `around` of its distance, into account, which replaces the current one where
+    /// `is_new`.
     #[inline(always)]
-    fn extend(&mut self, t: F, operand: F, is_new: F::Mask) {
+    fn extend(&mut self, t: F, around: (F, F), operand: F, is_new: F::Mask) {
         let [zero, one] = [F::splat(0.0), F::splat(1.0)];
-        let tied = F::select(t.eq(self.t), one, self.tied);
-        self.tied = F::select(is_new, zero, tied);
+        let tied = F::select(is_new, zero, self.tied);
+        self.tied = F::select(around.0.le(self.t) & self.t.le(around.1), one, tied);
         self.operand = F::select(is_new, operand, self.operand);
         self.t = F::select(is_new, t, self.t);
     }
@@ -129,30 +131,35 @@ impl SimdKernel for CsgPacket<'_> {
                 best = self.nearer(&clip, cuts, ends.1, best);
             }
         }
-        let mut at = NearestEnd::none();
+        let mut at = NearestEnd::new(best, self.around(best));
         for end in [&clip.enter, &clip.leave] {
-            at.add_tie(F::splat(0.0).lt(end.tied) & end.t.eq(best));
-            at.add(end.t.eq(best), end.operand);
+            at.add_tie(F::splat(0.0).lt(end.tied), end.t);
+            at.add(end.t, end.operand);
         }
         for (ends, &number) in cuts.iter().zip(self.others) {
-            at.add(ends.0.eq(best), F::splat(f64::from(number)));
-            at.add(ends.1.eq(best), F::splat(f64::from(number)));
+            at.add(ends.0, F::splat(f64::from(number)));
+            at.add(ends.1, F::splat(f64::from(number)));
         }
-        at.answer(best, unknown, self.active)
+        at.answer(self.rays, unknown, self.active)
     }
 }
 
 /// The operand whose end is the closest shown.
 pub(in crate::world) struct NearestEnd<F: F64Lanes> {
+    best: F,
+    around: (F, F),
     pub(crate) operand: F,
     pub(crate) once: F::Mask,
     pub(crate) twice: F::Mask,
 }
 
 impl<F: F64Lanes> NearestEnd<F> {
+    /// Of no operand yet, at `best`; ends within `around` coincide with it.
     #[inline(always)]
-    pub(in crate::world) fn none() -> Self {
+    pub(in crate::world) fn new(best: F, around: (F, F)) -> Self {
         NearestEnd {
+            best,
+            around,
             operand: F::splat(0.0),
             once: F::mask_from_bits(0),
             twice: F::mask_from_bits(0),
@@ -160,21 +167,30 @@ impl<F: F64Lanes> NearestEnd<F> {
     }
 
     #[inline(always)]
-    pub(in crate::world) fn add(&mut self, is_best: F::Mask, operand: F) {
+    pub(in crate::world) fn add(&mut self, t: F, operand: F) {
+        let is_best = self.around.0.le(t) & t.le(self.around.1);
         self.twice = self.twice | (self.once & is_best);
         self.once = self.once | is_best;
         self.operand = F::select(is_best, operand, self.operand);
     }
 
     #[inline(always)]
-    fn add_tie(&mut self, is_tied: F::Mask) {
-        self.twice = self.twice | is_tied;
+    fn add_tie(&mut self, is_tied: F::Mask, t: F) {
+        self.twice = self.twice | (is_tied & t.eq(self.best));
     }
 
     /// The hits, with the closest surface shown at `best`, or at infinity.
     #[inline(always)]
-    pub(in crate::world) fn answer(&self, best: F, unknown: u32, active: u32) -> CsgPacketHits {
-        let hit_mask = F::bitmask(best.lt(F::splat(f64::INFINITY))) & active;
+    pub(in crate::world) fn answer(
+        &self,
+        rays: &RayPacket4,
+        unknown: u32,
+        active: u32,
+    ) -> CsgPacketHits {
+        let best = self.best;
+        let is_within = best.le(F::from_array(&rays.t_max));
+        let is_hit = best.lt(F::splat(f64::INFINITY)) & is_within;
+        let hit_mask = F::bitmask(is_hit) & active;
         let unknown = unknown | F::bitmask(self.twice) & hit_mask;
         CsgPacketHits {
             t: best.to_array(),
@@ -195,6 +211,13 @@ impl CsgPacketHits {
 }
 
 impl CsgPacket<'_> {
+    /// The distances within which an end coincides with one at `t`.
+    #[inline(always)]
+    pub(in crate::world) fn around<F: F64Lanes>(&self, t: F) -> (F, F) {
+        let Widening { down, up } = self.program.widening();
+        (t * F::splat(down), t * F::splat(up))
+    }
+
     /// The intersection of the required operands; `None` if no active ray is left in it.
     #[inline(always)]
     pub(in crate::world) fn narrowed<F: F64Lanes>(
@@ -202,8 +225,8 @@ impl CsgPacket<'_> {
         rays: &RayPacket<F>,
     ) -> Option<ClipInterval<F>> {
         let mut clip = ClipInterval {
-            low: F::from_array(&self.rays.t_min),
-            high: F::from_array(&self.rays.t_max),
+            low: self.around(F::from_array(&self.rays.t_min)).0,
+            high: self.around(F::from_array(&self.rays.t_max)).1,
             enter: End::at(f64::NEG_INFINITY),
             leave: End::at(f64::INFINITY),
             unknown: 0,
@@ -217,10 +240,13 @@ impl CsgPacket<'_> {
                 f64::from(number)
             };
             let operand = F::splat(operand);
-            clip.enter.extend(enter, operand, clip.enter.t.lt(enter));
-            clip.leave.extend(leave, operand, leave.lt(clip.leave.t));
-            clip.low = clip.low.lane_max(enter);
-            clip.high = clip.high.lane_min(leave);
+            let (around_enter, around_leave) = (self.around(enter), self.around(leave));
+            let is_new = clip.enter.t.lt(enter);
+            clip.enter.extend(enter, around_enter, operand, is_new);
+            let is_new = leave.lt(clip.leave.t);
+            clip.leave.extend(leave, around_leave, operand, is_new);
+            clip.low = clip.low.lane_max(around_enter.0);
+            clip.high = clip.high.lane_min(around_leave.1);
             let is_open = F::bitmask(clip.low.le(clip.high)) | clip.unknown;
             if is_open & self.active == 0 {
                 return None;
@@ -239,8 +265,10 @@ impl CsgPacket<'_> {
     ) -> Option<CsgPacketHits> {
         let t = clip.enter.shown();
         let passes = F::bitmask(clip.high.lt(clip.low));
-        let is_plain = (F::from_array(&self.rays.t_min).lt(t) & t.lt(clip.high))
-            & (t.eq(clip.low) & clip.enter.tied.eq(F::splat(0.0)));
+        let around = self.around(t);
+        let is_alone = around.1.lt(clip.leave.t) & clip.enter.tied.eq(F::splat(0.0));
+        let (t_min, t_max) = (&self.rays.t_min, &self.rays.t_max);
+        let is_plain = (F::from_array(t_min).lt(t) & t.le(F::from_array(t_max))) & is_alone;
         let mut clear = F::bitmask(is_plain) & !passes;
         for &number in self.others {
             if (clear | passes) & self.active != self.active {
@@ -268,13 +296,14 @@ impl CsgPacket<'_> {
     #[inline(always)]
     fn nearer<F: F64Lanes>(&self, clip: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
         let from = F::from_array(&self.rays.t_min);
+        let around = self.around(t);
         let is_within = clip.low.le(t) & t.le(clip.high);
         let mut is_shown = (from.lt(t) & is_within) & t.lt(best);
         if F::bitmask(is_shown) & self.active == 0 {
             return best;
         }
         for (enter, leave) in cuts {
-            is_shown = is_shown & (t.le(*enter) | leave.le(t));
+            is_shown = is_shown & (around.0.le(*enter) | leave.le(around.1));
         }
         F::select(is_shown, t, best)
     }

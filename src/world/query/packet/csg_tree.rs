@@ -116,13 +116,13 @@ impl SimdKernel for CsgTreePacket<'_> {
                 }
             }
         }
-        let mut at = NearestEnd::none();
+        let mut at = NearestEnd::new(best, packet.around(best));
         for part in parts {
             let number = F::splat(f64::from(part.number));
-            at.add(part.ends.0.eq(best), number);
-            at.add(part.ends.1.eq(best), number);
+            at.add(part.ends.0, number);
+            at.add(part.ends.1, number);
         }
-        at.answer(best, unknown, packet.active)
+        at.answer(packet.rays, unknown, packet.active)
     }
 }
 
@@ -157,6 +157,7 @@ impl CsgTreePacket<'_> {
         rest: &[[u32; 2]; MAX_NODES],
     ) -> F::Mask {
         let program = self.0.program;
+        let (low, high) = self.0.around(t);
         let nodes = program.nodes.iter().take(MAX_NODES).enumerate();
         let mut sides = [InsideMasks::<F>::of_nothing(Combine::Union); MAX_NODES];
         for (at, node) in nodes.clone() {
@@ -175,8 +176,8 @@ impl CsgTreePacket<'_> {
             let operand = &program.operands[part.number as usize];
             let (enter, leave) = part.ends;
             let side = InsideMasks {
-                inside: enter.lt(t) & t.lt(leave),
-                outside: t.lt(enter) | leave.lt(t),
+                inside: enter.lt(low) & high.lt(leave),
+                outside: high.lt(enter) | leave.lt(low),
             };
             let combine = program.nodes[operand.parent as usize].combine;
             let parent = operand.parent as usize % MAX_NODES;
