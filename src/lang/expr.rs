@@ -67,7 +67,20 @@ impl Reader<'_> {
     }
 
     fn read_full(&mut self) -> Parse<Number> {
-        let test = self.logic()?;
+        let left = self.comparison()?;
+        self.full_after(left)
+    }
+
+    /// A whole expression of which the first sum may be replayed by itself.
+    pub(super) fn full_of_sum(&mut self) -> Parse<Number> {
+        let sum = self.sum()?;
+        let left = self.comparison_after(sum)?;
+        self.full_after(left)
+    }
+
+    /// The rest of a whole expression, after its first comparison.
+    fn full_after(&mut self, left: Number) -> Parse<Number> {
+        let test = self.logic_after(left)?;
         if !self.take_mark('?')? {
             return Ok(test);
         }
@@ -85,8 +98,7 @@ impl Reader<'_> {
         })
     }
 
-    fn logic(&mut self) -> Parse<Number> {
-        let mut left = self.comparison()?;
+    fn logic_after(&mut self, mut left: Number) -> Parse<Number> {
         while let Some(binary) = self.binary(|mark| match mark {
             '&' => Some(Binary::And),
             '|' => Some(Binary::Or),
@@ -103,7 +115,11 @@ impl Reader<'_> {
             self.discard_recording();
             return self.string_comparison();
         }
-        let mut left = self.sum()?;
+        let left = self.sum()?;
+        self.comparison_after(left)
+    }
+
+    fn comparison_after(&mut self, mut left: Number) -> Parse<Number> {
         while let Some(relation) = self.relation()? {
             let right = self.sum()?;
             left = self.combined(relation, left, right);

@@ -5,6 +5,7 @@ use crate::base::source::{Code, Diagnostic};
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
+use crate::lang::syntax::Kind;
 use std::rc::Rc;
 
 impl Reader<'_> {
@@ -74,6 +75,10 @@ impl Reader<'_> {
     }
 
     pub(crate) fn run_version(&mut self) -> Parse<()> {
+        let next = self.raw();
+        if next.kind == Kind::Name && self.source_text(self.here_span()) == "unofficial" {
+            self.pass();
+        }
         // It holds at once, for a directive after it as well.
         self.statement.is_in_version = true;
         let version = self.float();

@@ -47,6 +47,11 @@ impl Reader<'_> {
     pub(crate) fn object_of_tokens(&mut self, word: Word) -> Parse<Option<Arc<Object>>> {
         let mut object = match word {
             Word::Union => self.csg(Operation::Union)?,
+            Word::Composite => {
+                let text = "`composite` is the old word for `union`";
+                self.warning(Diagnostic::warning(self.here_span(), text));
+                self.csg(Operation::Union)?
+            }
             Word::Merge => self.csg(Operation::Merge)?,
             Word::Intersection => self.csg(Operation::Intersection)?,
             Word::Difference => self.csg(Operation::Difference)?,
@@ -201,10 +206,10 @@ impl Reader<'_> {
                 fold_steps(object);
                 continue;
             }
-            let word = self.peek()?.word();
-            let is_known = match word {
+            let token = self.peek()?;
+            let is_known = match token.word() {
                 Some(word) => self.modifier(object, word)?,
-                None => false,
+                None => token.kind == Tok::Name && self.unused_color()?,
             };
             if !is_known {
                 return Err(self.unknown_modifier(of));
@@ -291,6 +296,7 @@ impl Reader<'_> {
             | Word::SplitUnion
             | Word::Sturm => {
                 self.pass();
+                self.warn_of_idle_switch(object, word);
                 let is_on = self.float_or(1.0)? != 0.0;
                 match word {
                     Word::NoImage => object.flags.no_image = is_on,
@@ -308,18 +314,53 @@ impl Reader<'_> {
                 object.photons_mut().read(self)?;
                 return Ok(true);
             }
-            _ if word.class() == Class::Color => {
-                let at = self.here_span();
-                self.color_value()?;
-                self.warning(
-                    Diagnostic::warning(at, "a colour of an object itself has no effect here")
-                        .with_hint("Put it into `pigment { }`."),
-                );
-                return Ok(true);
-            }
-            _ => return Ok(false),
+            _ => return self.unused_color(),
         }
         self.pass();
+        Ok(true)
+    }
+
+    /// Warns of a switch without effect on an object of a kind for which POV-Ray rejects it.
+    fn warn_of_idle_switch(&mut self, object: &Object, word: Word) {
+        let is_suited = match (word, &object.kind) {
+            (Word::Sturm, Kind::Shape(shape)) => matches!(
+                **shape,
+                Shape::Blob(_)
+                    | Shape::Lathe(_)
+                    | Shape::Ovus(_)
+                    | Shape::Poly(_)
+                    | Shape::Prism(_)
+                    | Shape::Sor(_)
+                    | Shape::Torus(_)
+            ),
+            (Word::Hierarchy, Kind::Shape(shape)) => {
+                matches!(
+                    **shape,
+                    Shape::Blob(_) | Shape::HeightField(_) | Shape::Mesh(_)
+                )
+            }
+            (Word::SplitUnion, Kind::Csg { operation, .. }) => {
+                matches!(operation, Operation::Union | Operation::Merge)
+            }
+            (Word::Sturm | Word::Hierarchy | Word::SplitUnion, _) => false,
+            _ => true,
+        };
+        if !is_suited {
+            let text = format!("`{word}` has no effect on this object; POV-Ray rejects it here");
+            self.warning(Diagnostic::warning(self.taken_span(), text));
+        }
+    }
+
+    /// Reads a colour of the object itself, which has no effect; false if none is next.
+    fn unused_color(&mut self) -> Parse<bool> {
+        let at = self.here_span();
+        if self.color_if_begun()?.is_none() {
+            return Ok(false);
+        }
+        self.warning(
+            Diagnostic::warning(at, "a colour of an object itself has no effect here")
+                .with_hint("Put it into `pigment { }`."),
+        );
         Ok(true)
     }
 

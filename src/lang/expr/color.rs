@@ -30,7 +30,7 @@ impl Reader<'_> {
 
     fn color_parts(&mut self) -> Parse<[f64; 5]> {
         let mut sum = [0.0; 5];
-        let mut has_begun = false;
+        let (mut has_begun, mut has_word) = (false, false);
         loop {
             let token = self.peek()?;
             let word = token.word().filter(|word| word.class() == Class::Color);
@@ -38,7 +38,10 @@ impl Reader<'_> {
                 Some(word) if has_begun && !is_component(word) => {
                     return Ok(sum);
                 }
-                Some(Word::Color | Word::Colour) => self.pass(),
+                Some(Word::Color | Word::Colour) => {
+                    self.pass();
+                    has_word = true;
+                }
                 Some(Word::Red) => self.color_part(&mut sum[0])?,
                 Some(Word::Green) => self.color_part(&mut sum[1])?,
                 Some(Word::Blue) => self.color_part(&mut sum[2])?,
@@ -53,6 +56,11 @@ impl Reader<'_> {
                     self.pass();
                     sum = self.color_vector(word)?;
                 }
+                None if !has_begun && self.is_missing_value(has_word)? => {
+                    let text = "a colour without a value is black";
+                    self.warning(Diagnostic::warning(self.here_span(), text));
+                    return Ok(sum);
+                }
                 None if !has_begun => sum = self.sum_of_five()?,
                 None => return Ok(sum),
             }
@@ -60,6 +68,18 @@ impl Reader<'_> {
                 has_begun = true;
             }
         }
+    }
+
+    /// True if the next token is a word or mark that ends an expression; the entry of a map ends only after `color`.
+    fn is_missing_value(&mut self, has_word: bool) -> Parse<bool> {
+        let token = self.peek()?;
+        let ends = match token.kind {
+            Kind::Word => !self.begins_number()?,
+            Kind::Mark if token.is_mark(']') => has_word,
+            Kind::Mark => "},;".contains(char::from_u32(token.value).unwrap_or(' ')),
+            _ => false,
+        };
+        Ok(ends)
     }
 
     /// Warns of `alpha`, the next token, in versions where it is deprecated.
@@ -85,7 +105,7 @@ impl Reader<'_> {
         if !self.begins_number()? {
             return Err(self.expected_here("a colour"));
         }
-        Ok(self.sum()?.promoted(5).v)
+        Ok(self.full_of_sum()?.promoted(5).v)
     }
 
     /// The components after `rgb`, `rgbf`, `srgbt` and their like, in the order red, green, blue, filter, transmit.
@@ -96,7 +116,7 @@ impl Reader<'_> {
             Word::Rgbft | Word::Srgbft => 5,
             _ => 4,
         };
-        let number = self.sum()?;
+        let number = self.full_of_sum()?;
         if number.len > wanted {
             self.warning(Diagnostic::warning(
                 self.span_from(at),

@@ -83,7 +83,7 @@ impl Reader<'_> {
         let text = match word {
             Word::Concat => {
                 let mut text = self.string()?;
-                while self.take_mark(',')? {
+                while self.take_mark(',')? || self.at_string()? {
                     text.push_str(&self.string()?);
                     self.take_memory(text.len() as u64, name)?;
                     if text.len() > limits::STRING {

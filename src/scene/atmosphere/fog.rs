@@ -91,6 +91,13 @@ impl Fog {
                 .transform_vector3(self.up);
             return Ok(());
         }
+        if args.at_expression()? {
+            self.distance = args.float()?;
+            let text = "a number alone in `fog` is its distance";
+            let warning = Diagnostic::warning(args.last_span(), text);
+            args.warn(warning.with_hint("Write `distance` before it."));
+            return Ok(());
+        }
         let Some(word) = args.word()? else {
             return Err(args.expected("a parameter of `fog` or `}`"));
         };

@@ -93,6 +93,8 @@ impl Mesh {
                 read_triangle(args, &mut builder, Shading::Flat)?;
             } else if args.accept(Word::SmoothTriangle)? {
                 read_triangle(args, &mut builder, Shading::Smooth)?;
+            } else if args.word()? == Some(Word::InsideVector) {
+                read_inside_vector(args, &mut builder)?;
             } else {
                 break;
             }
@@ -100,7 +102,6 @@ impl Mesh {
         if builder.corners.is_empty() {
             return Err(args.expected("`triangle` or `smooth_triangle` in `mesh`"));
         }
-        read_inside_vector(args, &mut builder)?;
         let mesh = builder.build();
         if mesh.corners.is_empty() {
             return Err(Box::new(Diagnostic::error(

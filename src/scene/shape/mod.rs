@@ -515,8 +515,8 @@ shapes! {
     Prism from Prism,
     /// `lathe`
     Lathe from Lathe,
-    /// `poly`, `cubic` and `quartic`
-    Poly from Poly or Cubic by read_cubic or Quartic by read_quartic,
+    /// `poly`, `polynomial`, `cubic` and `quartic`
+    Poly from Poly or Polynomial by read_polynomial or Cubic by read_cubic or Quartic by read_quartic,
     /// `sor`
     Sor from Sor,
     /// `polygon`

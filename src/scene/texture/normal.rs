@@ -125,7 +125,9 @@ impl Normal {
 
     /// Reads an optional name, which replaces `base`, and an optional pattern.
     fn begin(args: &mut dyn Args, at: Span, base: Option<&Normal>) -> Parse<Normal> {
-        let mut normal = match (declared::<Arc<Normal>>(args)?, base) {
+        let known = declared::<Arc<Normal>>(args)?;
+        let is_named = known.is_some();
+        let mut normal = match (known, base) {
             (Some(known), _) => Normal::clone(&known),
             (None, Some(base)) => base.clone(),
             (None, None) => Normal {
@@ -139,6 +141,9 @@ impl Normal {
         };
         normal.at = at;
         let Some(word) = args.word()? else {
+            if is_named {
+                normal.amount = args.float_or(normal.amount)?;
+            }
             return Ok(normal);
         };
         if word == Word::UvMapping {

@@ -44,9 +44,9 @@ impl Reflection {
         }
         self.min = args.color()?.rgb;
         self.max = self.min;
-        let has_comma = args.comma()?;
+        args.comma()?;
         let mut has_max = true;
-        if has_comma || args.at_expression()? {
+        if args.at_expression()? {
             self.max = args.color()?.rgb;
         } else if let Some(max) = args.color_if_any()? {
             self.max = max.rgb;

@@ -8,9 +8,9 @@
 //!
 //! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
 //! other children; an intersection those inside all its other children. Surfaces at the same `t`, up to rounding, are
-//! taken together, and each counts as inside or outside the solids of the others by [`SurfaceSide`]: coincident faces leave a
-//! skin as in POV-Ray. Where POV-Ray leaves speckles, and with clean cuts everywhere, one surface is shown if the ray
-//! enters or leaves the node as a whole there: no double surface, no hole.
+//! taken together, and each counts as inside or outside the solids of the others by [`SurfaceSide`]: coincident faces
+//! leave a skin as in POV-Ray. Where POV-Ray leaves speckles, and with clean cuts everywhere, one surface is shown if
+//! the ray enters or leaves the node as a whole there: no double surface, no hole.
 
 use super::inside::{InsideInit, InsideState};
 use crate::base::accel::Bvh;

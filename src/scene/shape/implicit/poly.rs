@@ -1,5 +1,5 @@
-//! `poly { order, <coefficients> }`, `cubic { <20 coefficients> }`, `quartic { <35 coefficients> }`: the zero set of a
-//! polynomial in x, y and z; solid where the polynomial is not positive.
+//! `poly { order, <coefficients> }`, `polynomial { order, xyz(2, 0, 0): 1, ... }`, `cubic { <20 coefficients> }` and
+//! `quartic { <35 coefficients> }`: the zero set of a polynomial in x, y and z; solid where it is not positive.
 //!
 //! Coefficients are ordered by falling power of x, of y within that, and of z within that. Restriction to a ray gives a
 //! polynomial in one variable `u`, by Horner's rule over lines instead of numbers, about the point of the ray nearest
@@ -9,7 +9,7 @@
 //! the terms over the slope, for a torus written as a quartic 2 roundings of the problem's size (`shape/roundings.rs`).
 //! `sturm` is accepted and ignored; there is one solver.
 
-use crate::base::args::{Args, Parse};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between, value};
@@ -57,17 +57,55 @@ impl Poly {
     /// # Errors
     /// Malformed or non-finite parameters, an order out of range, a wrong number of coefficients.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
-        let at = args.span();
-        let given = read::number(args, "the order of the poly")?.trunc();
-        let Some((order, _)) = ORDERS.zip(2_u32..).find(|(_, n)| f64::from(*n) == given) else {
-            let message = format!("the order of a poly is between 2 and 35, found {given}");
-            return Err(Box::new(Diagnostic::error(
-                at.to(args.last_span()),
-                message,
-            )));
-        };
+        let order = Poly::read_order(args)?;
         args.comma()?;
         Poly::read_coefficients(args, order)
+    }
+
+    /// Reads the order and the terms of `polynomial`: `xyz(powers): coefficient`. The last of equal terms counts.
+    ///
+    /// # Errors
+    /// As [`Poly::read`], and a term of a higher degree.
+    pub fn read_polynomial(args: &mut dyn Args) -> Parse<Self> {
+        let order = Poly::read_order(args)?;
+        let mut c = vec![0.0; (order + 1) * (order + 2) * (order + 3) / 6];
+        args.comma()?;
+        while args.accept(Word::Xyz)? {
+            let at = args.last_span();
+            expect(args, '(')?;
+            let mut powers = [None; 3];
+            for power in &mut powers {
+                let given = read::number(args, "the power of a coordinate")?.trunc();
+                let mut known = (0..=order).zip(0_u32..);
+                *power = known
+                    .find(|(_, n)| f64::from(*n) == given)
+                    .map(|(power, _)| power);
+            }
+            expect(args, ')')?;
+            expect(args, ':')?;
+            let coefficient = read::number(args, "a coefficient of the polynomial")?;
+            let Some(index) = powers_of(order).position(|known| known.map(Some) == powers) else {
+                let message =
+                    format!("a term of this polynomial has a degree between 0 and {order}");
+                return Err(Box::new(Diagnostic::error(
+                    at.to(args.last_span()),
+                    message,
+                )));
+            };
+            c[index] = coefficient;
+            args.comma()?;
+        }
+        Ok(Poly(Arc::new(Polynomial::new(order, c))))
+    }
+
+    fn read_order(args: &mut dyn Args) -> Parse<usize> {
+        let at = args.span();
+        let given = read::number(args, "the order of the poly")?.trunc();
+        let order = ORDERS.zip(2_u32..).find(|(_, n)| f64::from(*n) == given);
+        order.map(|(order, _)| order).ok_or_else(|| {
+            let message = format!("the order of a poly is between 2 and 35, found {given}");
+            Box::new(Diagnostic::error(at.to(args.last_span()), message))
+        })
     }
 
     /// Reads the coefficients of `cubic`.
@@ -110,7 +148,8 @@ impl Poly {
 impl Polynomial {
     fn new(order: usize, c: Vec<f64>) -> Self {
         let mut largest = vec![0.0_f64; order + 1];
-        for (degree, c) in degrees(order).zip(&c) {
+        for (powers, c) in powers_of(order).zip(&c) {
+            let degree = powers.iter().sum::<usize>();
             largest[degree] = largest[degree].max(c.abs());
         }
         let top = largest.iter().rposition(|c| *c != 0.0).unwrap_or(0);
@@ -277,12 +316,20 @@ impl<const COUNT: usize> OnLine<COUNT> {
     }
 }
 
-/// Degree of each coefficient, in their order.
-fn degrees(order: usize) -> impl Iterator<Item = usize> {
+/// Takes a punctuation mark of a term.
+fn expect(args: &mut dyn Args, mark: char) -> Parse<()> {
+    if args.accept_mark(mark)? {
+        return Ok(());
+    }
+    Err(args.expected(&format!("`{mark}` of a term `xyz(0, 0, 0): 1`")))
+}
+
+/// Powers of x, y and z of each coefficient, in their order.
+fn powers_of(order: usize) -> impl Iterator<Item = [usize; 3]> {
     (0..=order).rev().flat_map(move |i| {
         (0..=order - i)
             .rev()
-            .flat_map(move |j| (0..=order - i - j).rev().map(move |k| i + j + k))
+            .flat_map(move |j| (0..=order - i - j).rev().map(move |k| [i, j, k]))
     })
 }
 
