@@ -42,7 +42,8 @@ const LAYERS: &[&[&str]] = &[
         "scene::texture",
         "scene::function",
     ],
-    &["output", "app::compare"],
+    &["output", "app::picture_file"],
+    &["app::compare"],
     &["scene"],
     &["lang", "world::ray", "world::index"],
     &[
