@@ -11,9 +11,9 @@
 //! Error bound: within [`TOLERANCE`] of a reported root the state changes (`tests/stability`); missed surfaces have no
 //! bound.
 //!
-//! Hypercomplex numbers are pairs of complex numbers, to each of which every function is applied separately. For
-//! functions other than `sqr` and `cube`, POV-Ray 3.7 halves its steps with a wrong third coordinate, so that its
-//! surfaces are rough; here they are smooth.
+//! Hypercomplex numbers are pairs of complex numbers, to each of which every function is applied separately. For most
+//! of them POV-Ray 3.7 halves its steps with another inside test than that of its search, and takes the function for
+//! its derivative ([`Function`]). Its surfaces are rough, therefore, and scenes look like that: the same is done here.
 //!
 //! In a CSG object that is transformed as a whole, POV-Ray 3.7 forgets that a `julia_fractal` is inverse or subtracted,
 //! so that a difference shows what an intersection would; here it stays a difference.
@@ -28,8 +28,9 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read};
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
-use inside_test::{BATCH, Lookahead, to_complex_pair};
+use inside_test::{BATCH, Lookahead, gradient, to_complex_pair};
 use smallvec::SmallVec;
+use std::f64::consts::SQRT_2;
 
 /// Length at which the halving of a step ends, in object units; POV-Ray's value.
 const TOLERANCE: f64 = 1e-8;
@@ -41,6 +42,10 @@ const HYPERCOMPLEX_RADIUS: f64 = 4.0;
 const QUATERNION_RADIUS: f64 = 2.0;
 /// Longest step outside a hypercomplex fractal, in minimum steps.
 const MAX_STEP_RATIO: f64 = 30.0;
+/// Bits of the mantissa of a double.
+const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+/// Bound on the relative rounding error of the length of a unit vector.
+const UNIT_LOSS: f64 = 4.0 * f64::EPSILON;
 /// Limit of steps of one ray through the bounding sphere; a precision that needs more is refused.
 const MAX_STEPS: f64 = 1e7;
 /// The lowest precision; POV-Ray raises lower ones to this.
@@ -234,21 +239,33 @@ impl Fractal {
         let gradient = match self.rule {
             Rule::QuaternionSquare => self.quaternion_gradient(start, square, square_adjoint),
             Rule::QuaternionCube => self.quaternion_gradient(start, cube, cube_adjoint),
-            Rule::Hypercomplex(function) => {
-                let (mut z, c) = (to_complex_pair(start), to_complex_pair(self.c));
-                let mut slope = [Complex::ONE; 2];
-                for _ in 0..self.max_iteration {
-                    for i in [0, 1] {
-                        slope[i] = function.derivative(z[i]) * slope[i];
-                        z[i] = function.value(z[i]) + c[i];
-                    }
-                }
-                let [a, b] = [0, 1].map(|i| z[i].conjugate() * slope[i]);
-                DVec4::new(a.re + b.re, -a.im - b.im, b.im - a.im, b.re - a.re)
-            }
+            Rule::Hypercomplex(function) => return self.hypercomplex_gradient(function, point),
         };
         // POV-Ray 3.7 omits the change of the fourth coordinate of a slanted slice.
         gradient.truncate()
+    }
+
+    /// POV-Ray takes the orbit of its inside test until that leaves the bounding sphere, and from there on the orbit of
+    /// its search (measured).
+    fn hypercomplex_gradient(&self, function: Function, point: DVec3) -> DVec3 {
+        let mut z = self.tested_start(function, point);
+        let mut searched = self.start(point);
+        let mut is_bounded = true;
+        let mut slope = to_complex_pair(z);
+        for iteration in 0..self.max_iteration {
+            let pair = to_complex_pair(z);
+            if iteration > 0 {
+                slope = [0, 1].map(|i| slope[i] * function.factor(pair[i]));
+            }
+            is_bounded &= self.is_in_sphere(z);
+            searched = self.next(function, to_complex_pair(searched));
+            z = if is_bounded {
+                self.next(function, pair)
+            } else {
+                searched
+            };
+        }
+        gradient(to_complex_pair(z), slope)
     }
 
     fn quaternion_gradient(
@@ -344,19 +361,32 @@ impl Fractal {
         if is_inside { depth } else { depth + step }
     }
 
+    /// Normalises the direction of a ray; also returns its length before.
+    fn unit(&self, ray: &Ray) -> (Ray, f64) {
+        let length = ray.dir.length();
+        if self.scalar_function().is_none() {
+            return (Ray::new(ray.origin, ray.dir / length), length);
+        }
+        // As POV-Ray rounds it: see `chord`. It leaves the rays of untransformed objects as they are; so are those here
+        // whose length is a power of two but for rounding.
+        let power = f64::from_bits((length * SQRT_2).to_bits() & !MANTISSA);
+        let is_unit = (length / power - 1.0).abs() < UNIT_LOSS;
+        let length = if is_unit { power } else { length };
+        (Ray::new(ray.origin, ray.dir * length.recip()), length)
+    }
+
     /// Interval of a ray of unit direction in the bounding sphere.
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let middle = -ray.origin.dot(ray.dir);
-        let away_sq = ray.at(middle).length_squared();
-        let half_sq = self.radius * self.radius - away_sq;
+        let radius_sq = self.radius * self.radius;
+        let half_sq = if self.scalar_function().is_some() {
+            // As POV-Ray rounds it: the search begins on the sphere, where the last bit decides if that is inside.
+            radius_sq - ray.origin.length_squared() + middle * middle
+        } else {
+            radius_sq - ray.at(middle).length_squared()
+        };
         (half_sq > 0.0).then(|| (middle - half_sq.sqrt(), middle + half_sq.sqrt()))
     }
-}
-
-/// Normalises the direction of a ray; also returns its length before.
-fn unit(ray: &Ray) -> (Ray, f64) {
-    let length = ray.dir.length();
-    (Ray::new(ray.origin, ray.dir / length), length)
 }
 
 fn root(t: f64, crossing: Crossing, is_visible: bool) -> Root {
@@ -370,7 +400,7 @@ fn root(t: f64, crossing: Crossing, is_visible: bool) -> Root {
 
 impl Geometry for JuliaFractal {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let (ray, length) = unit(ray);
+        let (ray, length) = self.0.unit(ray);
         let Some((enter, leave)) = self.0.chord(&ray) else {
             return Start::Outside;
         };
@@ -391,7 +421,7 @@ impl Geometry for JuliaFractal {
             self.roots(ray, &mut roots);
             return first_visible(&roots, from, to);
         }
-        let (ray, length) = unit(ray);
+        let (ray, length) = self.0.unit(ray);
         let mut hit = None;
         let from = from * length;
         let enter = self.0.chord(&ray)?.0;
@@ -410,7 +440,7 @@ impl Geometry for JuliaFractal {
     /// The surface is where the steps of another ray hit it, and a ray that leaves it may hit it again. POV-Ray
     /// searches for one hit only, and ignores it if it is too near.
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
-        let (unit, length) = unit(ray);
+        let (unit, length) = self.0.unit(ray);
         let min_t = from.max(self.0.unit * SHADOW_TOLERANCE);
         let mut hit = None;
         self.0.march(&unit, TOLERANCE, &mut |t, crossing| {

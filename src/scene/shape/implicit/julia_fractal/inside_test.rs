@@ -5,7 +5,7 @@ use super::complex::{Complex, Function};
 use super::{Fractal, MAX_STEP_RATIO, Rule, TOLERANCE};
 use crate::base::math::Ray;
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 /// Points evaluated together.
 pub(super) const BATCH: usize = 8;
@@ -51,20 +51,25 @@ impl PointStates {
 impl Fractal {
     /// Number of points that [`Self::states`] evaluates.
     pub(super) fn batch_size(&self) -> usize {
+        if self.scalar_function().is_some() {
+            1
+        } else {
+            BATCH
+        }
+    }
+
+    /// The function of an iteration, if it has no kernel.
+    pub(super) fn scalar_function(&self) -> Option<Function> {
         match self.rule {
-            Rule::QuaternionSquare
-            | Rule::QuaternionCube
-            | Rule::Hypercomplex(Function::Square) => BATCH,
-            Rule::Hypercomplex(_) => 1,
+            Rule::Hypercomplex(function) if function != Function::Square => Some(function),
+            _ => None,
         }
     }
 
     /// States of the first points of `depths` on a ray of unit direction.
     pub(super) fn states(&self, ray: &Ray, depths: &[f64; BATCH]) -> PointStates {
-        if let Rule::Hypercomplex(function) = self.rule
-            && function != Function::Square
-        {
-            let is_inside = self.is_bounded(self.start(ray.at(depths[0])), function);
+        if let Some(function) = self.scalar_function() {
+            let is_inside = self.is_bounded(function, ray.at(depths[0]));
             return PointStates {
                 inside_mask: u32::from(is_inside),
                 ..PointStates::ESCAPED
@@ -90,18 +95,62 @@ impl Fractal {
         )
     }
 
-    /// True if the orbit of a hypercomplex number stays in the bounding sphere.
-    fn is_bounded(&self, start: DVec4, function: Function) -> bool {
-        let exit_sq = self.radius * self.radius;
-        let (mut z, c) = (to_complex_pair(start), to_complex_pair(self.c));
-        for _ in 0..self.max_iteration {
-            let norm = 0.5 * (z[0].norm_sq() + z[1].norm_sq());
-            if norm > exit_sq || norm.is_nan() {
-                return false;
+    /// The inside test of POV-Ray.
+    fn is_bounded(&self, function: Function, point: DVec3) -> bool {
+        let mut z = self.tested_start(function, point);
+        (0..self.max_iteration).all(|_| {
+            let is_bounded = self.is_in_sphere(z);
+            z = self.next(function, to_complex_pair(z));
+            is_bounded
+        })
+    }
+
+    /// The number at a point from which the inside test starts.
+    pub(super) fn tested_start(&self, function: Function, point: DVec3) -> DVec4 {
+        self.start(if function.is_tested_aside() {
+            point.with_z(point.y)
+        } else {
+            point
+        })
+    }
+
+    pub(super) fn is_in_sphere(&self, z: DVec4) -> bool {
+        z.length_squared() <= self.radius * self.radius
+    }
+
+    /// An iteration.
+    pub(super) fn next(&self, function: Function, z: [Complex; 2]) -> DVec4 {
+        from_complex_pair(z.map(|z| function.value(z))) + self.c
+    }
+
+    /// State at a point of a ray of unit direction in the search for a change.
+    fn searched_state(&self, function: Function, ray: &Ray, depth: f64) -> PointState {
+        let mut z = self.start(ray.at(depth));
+        let mut slope = to_complex_pair(z);
+        for iteration in 0..self.max_iteration {
+            let pair = to_complex_pair(z);
+            if !self.is_in_sphere(z) {
+                let rise = gradient(pair, slope).dot(ray.dir);
+                return PointState {
+                    is_inside: false,
+                    step: self.useful_step(z.length_squared() / (-2.0 * rise)),
+                };
             }
-            z = [0, 1].map(|i| function.value(z[i]) + c[i]);
+            if iteration > 0 {
+                slope = [0, 1].map(|i| slope[i] * function.factor(pair[i]));
+            }
+            z = self.next(function, pair);
         }
-        true
+        PointState {
+            is_inside: true,
+            step: self.min_step,
+        }
+    }
+
+    /// The step outside a hypercomplex fractal: `step` where the ray approaches the set, otherwise the minimum step.
+    fn useful_step(&self, step: f64) -> f64 {
+        let is_useful = self.min_step < step && step < MAX_STEP_RATIO * self.min_step;
+        if is_useful { step } else { self.min_step }
     }
 
     /// Step length of a ray from a point.
@@ -109,13 +158,7 @@ impl Fractal {
         let (norm, denominator) = (states.norms[number], states.denominators[number]);
         match self.rule {
             _ if states.is_inside(number) => self.min_step,
-            Rule::Hypercomplex(Function::Square) => {
-                // Only useful where the ray approaches the set.
-                let step = norm / denominator.max(TOLERANCE);
-                let is_useful = self.min_step < step && step < MAX_STEP_RATIO * self.min_step;
-                if is_useful { step } else { self.min_step }
-            }
-            Rule::Hypercomplex(_) => self.min_step,
+            Rule::Hypercomplex(_) => self.useful_step(norm / denominator.max(TOLERANCE)),
             Rule::QuaternionSquare | Rule::QuaternionCube => {
                 let distance = states.scales[number] * (norm / denominator).sqrt() * norm.ln();
                 distance.max(self.min_step)
@@ -130,6 +173,15 @@ pub(super) fn to_complex_pair(z: DVec4) -> [Complex; 2] {
         Complex::new(z.x - z.w, z.y + z.z),
         Complex::new(z.x + z.w, z.y - z.z),
     ]
+}
+
+fn from_complex_pair([a, b]: [Complex; 2]) -> DVec4 {
+    0.5 * DVec4::new(a.re + b.re, a.im + b.im, a.im - b.im, b.re - a.re)
+}
+
+/// The gradient of half the squared norm of `z`, if `slope` is the derivative.
+pub(super) fn gradient(z: [Complex; 2], slope: [Complex; 2]) -> DVec3 {
+    from_complex_pair([0, 1].map(|i| z[i] * slope[i].conjugate())).truncate()
 }
 
 /// States of points ahead on a ray, evaluated in batches as if each step were the minimum step.
@@ -154,6 +206,9 @@ impl<'f> Lookahead<'f> {
 
     /// The state at `depth`.
     pub(super) fn state_at(&mut self, depth: f64) -> PointState {
+        if let Some(function) = self.fractal.scalar_function() {
+            return self.fractal.searched_state(function, self.ray, depth);
+        }
         if self.next == self.fractal.batch_size() || self.depths[self.next] != depth {
             let mut next = depth;
             for depth in &mut self.depths {
@@ -437,7 +492,6 @@ fn derivative_step<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
 
     #[test]
     fn batches_agree_with_single_points() {

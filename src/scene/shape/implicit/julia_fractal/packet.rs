@@ -5,7 +5,7 @@
 
 use super::complex::Function;
 use super::inside_test::{Orbit, Pair, PointStates, Quaternion};
-use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE, unit};
+use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{add, scale};
@@ -162,7 +162,7 @@ impl PacketSearch<'_> {
         result: &mut NearestResult4,
     ) {
         let query = self.query;
-        let (ray, length) = unit(&query.ray(lane));
+        let (ray, length) = self.fractal.unit(&query.ray(lane));
         let hit_depth = self.fractal.bisect(&ray, depth, step, false);
         let t = hit_depth / length;
         let is_first = if query.left >> lane & 1 == 1 {
