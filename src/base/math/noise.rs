@@ -383,6 +383,34 @@ mod tests {
     }
 
     #[test]
+    fn beyond_32_bits_noise_is_that_of_pov_ray() {
+        // Printed by POV-Ray 3.7: `f_noise_generator` of all three generators.
+        for (point, expected) in [
+            ([3e9, 0.3, 0.7], [0.0, 0.0, 1.0]),
+            ([-3e9, 0.3, 0.7], [0.0, 0.0, 1.0]),
+            ([0.3, 3e9, 0.7], [1.0, 1.0, 0.0]),
+            ([0.3, 0.7, 3e9], [0.0, 0.0, 1.0]),
+            ([5e9, 0.2, 1e10], [1.0, 1.0, 0.0]),
+            ([-2_147_483_650.3, -5e9, 0.7], [1.0, 1.0, 0.0]),
+        ] {
+            let noise = [1.0, 2.0, 3.0]
+                .map(|number| NoiseGenerator::of_number(number).noise(DVec3::from_array(point)));
+            assert_eq!(noise, expected, "{point:?}");
+        }
+        let octaves = Octaves {
+            count: 1,
+            ..Octaves::default()
+        };
+        let expected = DVec3::new(
+            -298_425_193_156_625_021_097_013_622_513_648_795_648.0,
+            -188_251_134_514_334_579_553_265_391_215_512_125_440.0,
+            592_472_055_067_682_947_529_764_017_684_227_293_184.0,
+        );
+        let value = vector_turbulence(DVec3::new(2_147_483_648.3, 0.3, 0.7), &octaves);
+        assert!((value / expected - 1.0).abs().max_element() < 1e-14);
+    }
+
+    #[test]
     fn points_far_out_have_a_value() {
         for point in [DVec3::splat(1e17), DVec3::splat(f64::MAX), DVec3::NAN] {
             for number in [1.0, 2.0, 3.0] {

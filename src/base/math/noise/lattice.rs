@@ -143,14 +143,24 @@ fn cells<F: F64Lanes>(point: F) -> ([usize; 4], F) {
 
 /// [`cells`] for coordinates beyond [`FAR`] and NaN.
 #[cold]
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "the cast saturates; so far out there is no pattern left"
-)]
 fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
-    let whole = shifted.map(f64::trunc);
-    let cells = whole.map(|whole| wrapped((whole as i64).saturating_add(i64::from(ORIGIN))));
-    (cells, std::array::from_fn(|i| point[i] - whole[i]))
+    let cells = shifted.map(to_i32);
+    let moved = cells.map(|cell| wrapped(i64::from(cell) + i64::from(ORIGIN)));
+    (
+        moved,
+        std::array::from_fn(|i| point[i] - f64::from(cells[i])),
+    )
+}
+
+/// A number truncated to an integer. What does not fit becomes the least integer, as the processor converts it for
+/// POV-Ray.
+#[allow(clippy::cast_possible_truncation, reason = "checked to fit")]
+pub(super) fn to_i32(number: f64) -> i32 {
+    if number.abs() < -f64::from(i32::MIN) {
+        number as i32
+    } else {
+        i32::MIN
+    }
 }
 
 /// The raw scalar noise: the sum over the corners of the cell.

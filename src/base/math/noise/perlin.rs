@@ -1,5 +1,6 @@
 //! Noise generator 3: Perlin's gradient noise ("An Image Synthesizer", SIGGRAPH 1985) with POV-Ray's tables.
 
+use super::lattice::to_i32;
 use super::smooth;
 use crate::base::math::rounding::floor;
 use crate::base::math::sampling::hash::{bits, next};
@@ -93,22 +94,12 @@ struct Axis {
 }
 
 impl Axis {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the value is cut to 0..2048"
-    )]
+    #[allow(clippy::cast_sign_loss, reason = "the low bits are wanted")]
     #[inline(always)]
     fn new(t: f64) -> Self {
-        /// Integral doubles below this convert to `i64` exactly.
-        const NEAR: f64 = 1e15;
-        let floor = floor(t);
-        let cell = if floor.abs() < NEAR {
-            (floor as i64).rem_euclid(COUNT as i64) as usize
-        } else {
-            (floor.rem_euclid(COUNT as f64) as usize).min(COUNT - 1)
-        };
-        let above = t - floor;
+        let floor = to_i32(floor(t));
+        let cell = floor as usize % COUNT;
+        let above = t - f64::from(floor);
         Axis {
             cell: [cell, (cell + 1) % COUNT],
             above: [above, above - 1.0],
