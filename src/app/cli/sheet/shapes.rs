@@ -62,6 +62,10 @@ pub(super) const SHAPES: &[Sample] = &[
         "poly { 2, <1, 0.8, 0, 0, 1, 0, 0, 2, 0, -0.7> }",
     ),
     sample(
+        "polynomial",
+        "polynomial { 2, xyz(2,0,0): 1, xyz(1,1,0): 0.8, xyz(0,2,0): 1, xyz(0,0,2): 2, xyz(0,0,0): -0.7 }",
+    ),
+    sample(
         "cubic",
         "cubic {
   <1, 0, 0, 0, 0, 0, 0, 0, 0, -0.6, 0, 0, 0, 0, 0, -1, 0, 0.4, 0, 0>

@@ -240,7 +240,7 @@ fn a_normal_without_direction_is_warned_of() {
 fn errors_of_mesh_name_the_fault() {
     assert_eq!(
         fault("inside_vector <0,1,0>"),
-        "expected `triangle` or `smooth_triangle` in `mesh`, found `inside_vector`"
+        "expected `triangle` or `smooth_triangle` in `mesh`, found the end of the text"
     );
     assert_eq!(
         fault("triangle { <0,0,0>, <1,1,1>, <2,2,2> }"),
