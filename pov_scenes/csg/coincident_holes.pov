@@ -1,5 +1,5 @@
 // Coincident faces that hide each other leave a hole: the ends of a cylinder are outside of it, so those that two cylinders
-// share are open in their intersection; the surface of a blob is inside, so a second equal cut closes the first.
+// share are open in their intersection; the surface of a blob is inside, so a second equal cut removes the surface of the first.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1.5, 5, -9> look_at .4*x angle 44 }
