@@ -1,6 +1,6 @@
 //! The compiled scene: prepared surfaces, the BVH over the objects, lights, camera, and global shading settings.
 
-use super::csg::program::RawHit;
+use super::csg::sweep::RawHit;
 use super::interiors::{InteriorId, Interiors};
 use super::light_buffers::LightBuffers;
 use super::lights::Lights;

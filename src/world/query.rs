@@ -9,7 +9,7 @@ mod projector;
 pub(super) mod ray_counts;
 pub(super) mod transmission;
 
-use super::csg::program::{RawHit, Sweep};
+use super::csg::sweep::{RawHit, Sweep};
 use super::model::IndexedItem;
 use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;

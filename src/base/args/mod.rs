@@ -99,6 +99,10 @@ pub trait Args {
     }
     /// Skips a comma if it is next, and returns true if it was.
     fn comma(&mut self) -> Parse<bool>;
+    /// Skips an optional comma, and returns true if another value must follow: after the comma, or without one.
+    fn has_next_value(&mut self) -> Parse<bool> {
+        Ok(self.comma()? || self.at_expression()?)
+    }
     /// The next token if it is a reserved word, without taking it.
     fn word(&mut self) -> Parse<Option<Word>>;
     /// Takes the next token if it is this reserved word.

@@ -95,7 +95,7 @@ impl Reader<'_> {
             Word::Brightness => settings.brightness = self.float()?,
             Word::Count => {
                 settings.count = count(self.checked(&POSITIVE)?);
-                if self.accept_mark(',')? || self.at_expression()? {
+                if self.has_next_value()? {
                     let at = self.span();
                     let directions = count(self.checked(&POSITIVE)?);
                     settings.directions = Some(directions);
@@ -115,7 +115,7 @@ impl Reader<'_> {
             Word::Subsurface => settings.has_subsurface = self.float()? != 0.0,
             Word::NearestCount => {
                 settings.nearest_count = count(self.checked(&UP_TO_TWENTY)?);
-                if self.accept_mark(',')? || self.at_expression()? {
+                if self.has_next_value()? {
                     let at = self.span();
                     settings.nearest_count_aim = count(self.checked(&COUNT)?);
                     if settings.nearest_count_aim > 0 {
@@ -182,7 +182,7 @@ impl Reader<'_> {
             Word::Media => {
                 self.pass();
                 settings.media.0 = count(self.checked(&COUNT)?);
-                if self.accept_mark(',')? || self.at_expression()? {
+                if self.has_next_value()? {
                     settings.media.1 = self.float()?;
                 }
             }
@@ -221,7 +221,7 @@ impl Reader<'_> {
         let [surface, media] = &mut settings.radius;
         let mut numbers = [surface.0, Some(surface.1), media.0, Some(media.1)];
         for (at, number) in numbers.iter_mut().enumerate() {
-            if at > 0 && !self.accept_mark(',')? && !self.at_expression()? {
+            if at > 0 && !self.has_next_value()? {
                 break;
             }
             if self.at_expression()? {

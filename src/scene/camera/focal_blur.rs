@@ -138,7 +138,7 @@ impl FocalBlur {
 /// Reads `blur_samples MAX` or `blur_samples MIN, MAX` after its keyword: minimum and maximum.
 fn samples(args: &mut dyn Args) -> Parse<[usize; 2]> {
     let first = sample_count(args)?;
-    if args.comma()? || args.at_expression()? {
+    if args.has_next_value()? {
         return Ok([first, sample_count(args)?]);
     }
     Ok([0, first])

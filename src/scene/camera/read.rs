@@ -163,8 +163,7 @@ impl Camera {
         args.accept(Word::Angle)?;
         let degrees = args.float()?;
         if let Projection::Spherical(vertical) = &mut self.projection {
-            let has_comma = args.comma()?;
-            *vertical = if has_comma || args.at_expression()? {
+            *vertical = if args.has_next_value()? {
                 args.float()?.to_radians()
             } else {
                 VERTICAL_FRACTION * degrees.to_radians()

@@ -279,7 +279,7 @@ impl Sampling {
             Word::AaLevel => self.aa_level = count(word, args)?,
             Word::Samples => {
                 let min = count(word, args)?;
-                let has_max = args.comma()? || args.at_expression()?;
+                let has_max = args.has_next_value()?;
                 self.samples = [
                     min,
                     if has_max {

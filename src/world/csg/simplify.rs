@@ -235,7 +235,8 @@ fn index(len: usize) -> u32 {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::super::program::{Operand, RayInterval, Sweep};
+    use super::super::program::Operand;
+    use super::super::sweep::{RayInterval, Sweep};
     use super::*;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::{Ray, Step};

@@ -11,7 +11,7 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
 use crate::scene::shape::Root;
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 

@@ -3,7 +3,7 @@
 use super::QueryScratch;
 use super::intersect::{HitPolicy, IndexBase, Search};
 use crate::base::math::simd::with_widest;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::Instance;
 use crate::world::ray::SpawnSurface;
 use glam::DVec3;

@@ -5,7 +5,7 @@ use super::packet::hits::NO_LEAF;
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
 use crate::scene::shape::{Geometry, Root};
-use crate::world::csg::program::{RawHit, RayInterval, hide_departure};
+use crate::world::csg::sweep::{RawHit, RayInterval, hide_departure};
 use crate::world::model::{Item, Model};
 use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;

@@ -6,7 +6,7 @@ use super::intersect::{HitPolicy, Search};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::ray::BLUR;

@@ -1,7 +1,7 @@
 //! Shadow rays to lights that are projected through an object (`projected_through`).
 
 use super::QueryScratch;
-use crate::world::csg::program::{RawHit, RayInterval};
+use crate::world::csg::sweep::{RawHit, RayInterval};
 use crate::world::lights::Lights;
 use crate::world::primitive::Leaf;
 use crate::world::ray::Query;

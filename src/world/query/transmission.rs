@@ -6,7 +6,7 @@ use crate::base::math::simd::with_widest;
 use crate::base::options::TMinRule;
 use crate::scene::shape::{Geometry, Root};
 use crate::world::compiled::World;
-use crate::world::csg::program::{RawHit, hide_departure};
+use crate::world::csg::sweep::{RawHit, hide_departure};
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::ray::BLUR;

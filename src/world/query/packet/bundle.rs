@@ -6,7 +6,7 @@ use crate::base::accel::{Bundle, MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::query::{ClosestHit, QueryScratch};

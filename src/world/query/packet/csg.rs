@@ -16,7 +16,8 @@ use crate::base::math::simd::SimdLevel;
 use crate::scene::shape::{Crossing, Root};
 use crate::world::compiled::World;
 use crate::world::csg::packet_strategy::{Numbers, PacketStrategy};
-use crate::world::csg::program::{CsgProgram, RawHit, hide_departure};
+use crate::world::csg::program::CsgProgram;
+use crate::world::csg::sweep::{RawHit, hide_departure};
 use crate::world::primitive::Leaf;
 use crate::world::query::QueryScratch;
 use crate::world::ray::Query;
@@ -168,8 +169,8 @@ mod tests {
     use super::*;
     use crate::base::math::sampling::random::Random;
     use crate::world::csg::program::Combine;
-    use crate::world::csg::program::{RayInterval, Sweep};
     use crate::world::csg::simplify::tests::{coarse, random_program};
+    use crate::world::csg::sweep::{RayInterval, Sweep};
     use glam::DVec3;
 
     #[test]

@@ -3,8 +3,9 @@
 use super::rays::RayPacket4;
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, SpanPacket};
+use crate::world::csg::coincidence::Widening;
 use crate::world::csg::packet_strategy::{MAX_OPERANDS, Numbers};
-use crate::world::csg::program::{CsgProgram, Widening};
+use crate::world::csg::program::CsgProgram;
 use crate::world::primitive::Leaf;
 use crate::world::query::closest::SKIN;
 

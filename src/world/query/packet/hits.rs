@@ -8,7 +8,7 @@ use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 use crate::base::memory::prefetch;
 use crate::scene::shape::Crossing;
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::query::ClosestHit;
 use crate::world::ray::BLUR;
 use crate::world::ray::{Hit, Occlusion, Query, RayKind, SpawnSurface};

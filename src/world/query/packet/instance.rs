@@ -7,7 +7,7 @@ use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, Root, Shape};
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::Instance;
 
 /// A ray packet and an instance. If `ANY`, any hit ends the search.

@@ -8,7 +8,7 @@ use crate::base::accel::LightBuffer;
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::query::{ClosestHit, QueryScratch};
 use crate::world::ray::{Occlusion, Query, RayKind};

@@ -9,7 +9,7 @@ use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::base::math::watertight::{RayFrame, RayFrames4};
 use crate::scene::shape::{Mesh, Shape};
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::model::Item;
 use crate::world::primitive::Leaf;

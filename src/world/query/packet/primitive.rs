@@ -6,7 +6,7 @@ use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root};
 use crate::world::compiled::World;
-use crate::world::csg::program::RawHit;
+use crate::world::csg::sweep::RawHit;
 use crate::world::primitive::Leaf;
 use crate::world::ray::Query;
 
