@@ -377,7 +377,11 @@ fn a_picture_without_time_is_still_complete() {
 }
 
 #[test]
-fn a_cutter_flush_with_a_face_cuts_like_a_protruding_one() {
+fn with_clean_cuts_a_flush_cutter_cuts_like_a_protruding_one() {
+    let clean = RenderOptions {
+        has_clean_cuts: true,
+        ..options()
+    };
     let transform = ["", "rotate <10, 20, 30>", "scale <1, .7, 1.3>"];
     let of_boxes = [
         "box { -1, 1 } box { <-.5, -.5, -.5>, <.5, TOP, .5> }",
@@ -397,7 +401,7 @@ fn a_cutter_flush_with_a_face_cuts_like_a_protruding_one() {
             let parts = parts.replace("TOP", top);
             drawn(
                 &scene.replace("PARTS", &parts).replace("PLACE", transform),
-                &options(),
+                &clean,
             )
         };
         // Every pixel of the pit and its shadows.
