@@ -442,7 +442,7 @@ fn read_scene(
     let scene = match file {
         Ok(file) => {
             let mut forward = |event: ReadEvent<'_>| match event {
-                ReadEvent::Said(text) => listen(Event::SceneOutput(text)),
+                ReadEvent::SceneOutput(text) => listen(Event::SceneOutput(text)),
                 ReadEvent::Finding(finding, sources) => report(finding, sources),
             };
             let mut probe = OwnObjects::default();

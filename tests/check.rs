@@ -169,7 +169,13 @@ fn json_is_an_object_a_line() {
     assert_eq!(
         types,
         [
-            "said", "finding", "file", "finding", "finding", "file", "total"
+            "scene_output",
+            "finding",
+            "file",
+            "finding",
+            "finding",
+            "file",
+            "total"
         ]
     );
     assert_eq!(

@@ -58,7 +58,7 @@ fn main() {
             let errors = truth.errors(&Linear::of_film(&picture.film, picture.working));
             let rmse = errors.rmse * STEPS;
             missed[number] += u32::from(rmse > error);
-            samples[number] += picture.statistics.samples_a_pixel;
+            samples[number] += picture.statistics.samples_per_pixel;
             line += &format!(
                 " {}{rmse:6.3} (est {:5.3}, p999 {:6.2}) {:6.1} |",
                 if rmse > error { '!' } else { ' ' },
@@ -67,7 +67,7 @@ fn main() {
                     .reached
                     .map_or(0.0, |reached| reached.rms),
                 errors.p999 * STEPS,
-                picture.statistics.samples_a_pixel,
+                picture.statistics.samples_per_pixel,
             );
         }
         println!("{line}");

@@ -325,7 +325,7 @@ pub struct Statistics {
     /// Number of rendered pixels.
     pub pixels: u64,
     /// Camera rays per pixel.
-    pub samples_a_pixel: f64,
+    pub samples_per_pixel: f64,
     /// Result of adaptive sampling, if it was used.
     pub reached: Option<AdaptiveOutcome>,
     /// Statistics of radiosity, if it was used.

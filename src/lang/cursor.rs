@@ -37,7 +37,7 @@ impl Reader<'_> {
     pub(super) fn peek(&mut self) -> Parse<Token> {
         let token = self.raw();
         match token.kind {
-            Kind::Name | Kind::Word | Kind::Directive | Kind::More | Kind::End => {
+            Kind::Name | Kind::Word | Kind::Directive | Kind::DataSegment | Kind::End => {
                 self.peek_word(token)
             }
             _ => Ok(token),
@@ -96,7 +96,7 @@ impl Reader<'_> {
                     self.discard_recording();
                     self.run_bare_directive(token)?;
                 }
-                Kind::More => {
+                Kind::DataSegment => {
                     self.discard_recording();
                     self.read_on();
                 }

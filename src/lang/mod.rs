@@ -33,7 +33,7 @@ use reader::Reader;
 #[derive(Clone, Copy, Debug)]
 pub enum ReadEvent<'a> {
     /// Text written by the scene.
-    Said(&'a str),
+    SceneOutput(&'a str),
     /// An error or warning, with the texts it refers to.
     Finding(&'a Diagnostic, &'a Sources),
 }

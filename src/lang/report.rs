@@ -52,7 +52,7 @@ impl<'a> Report<'a> {
 
     /// Writes text of `#debug` and the like; returns the number of bytes written so far.
     pub(super) fn say(&mut self, text: &str) -> usize {
-        (self.listener)(ReadEvent::Said(text));
+        (self.listener)(ReadEvent::SceneOutput(text));
         self.messages.push_str(text);
         self.messages.len()
     }

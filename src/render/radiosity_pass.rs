@@ -76,7 +76,7 @@ impl RadiosityPass {
         }
         let watcher = || {
             let mut scratch = BlockScratch::default();
-            scratch.single().radiosity = Some(Box::new(session.in_mode(Mode::Watch)));
+            scratch.single().radiosity = Some(Box::new(session.in_mode(Mode::Record)));
             scratch
         };
         let watched: Vec<(DrawnTile, Notes)> = tiles

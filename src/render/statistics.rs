@@ -52,7 +52,7 @@ fn processor_time() -> Duration {
 pub fn gather(watch: StageTimer, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistics {
     let rays = &drawn.rays;
     #[allow(clippy::cast_precision_loss, reason = "a mean has few digits")]
-    let samples_a_pixel = rays.camera as f64 / pixels.max(1) as f64;
+    let samples_per_pixel = rays.camera as f64 / pixels.max(1) as f64;
     Statistics {
         stages: watch.laps,
         rays: [
@@ -65,7 +65,7 @@ pub fn gather(watch: StageTimer, drawn: &Drawn, plan: Plan, pixels: u64) -> Stat
         ]
         .into(),
         pixels,
-        samples_a_pixel,
+        samples_per_pixel,
         reached: drawn.reached,
         radiosity: drawn.radiosity,
         photons: drawn.photons.as_ref().map(|shot| shot.taken),
@@ -100,7 +100,7 @@ impl fmt::Display for Statistics {
         writeln!(
             f,
             "pixels      {}, camera rays for each {:.2}",
-            self.pixels, self.samples_a_pixel
+            self.pixels, self.samples_per_pixel
         )?;
         if let Some(taken) = &self.radiosity {
             let gathering = self.rays.get("gathering").copied().unwrap_or(0);

@@ -30,8 +30,8 @@ impl Scene {
     /// media depend on world coordinates, so scenes with these stay unchanged, too.
     #[must_use]
     pub(crate) fn recentered(mut self) -> Scene {
-        let air = &self.atmosphere;
-        let is_position_dependent = !air.fogs.is_empty() || !air.media.is_empty();
+        let atmosphere = &self.atmosphere;
+        let is_position_dependent = !atmosphere.fogs.is_empty() || !atmosphere.media.is_empty();
         if is_position_dependent || !self.is_far() {
             return self;
         }

@@ -157,7 +157,7 @@ impl World {
 
     /// Returns true if there is neither fog nor a rainbow.
     #[must_use]
-    pub fn has_clear_air(&self) -> bool {
+    pub fn has_clear_atmosphere(&self) -> bool {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }
 

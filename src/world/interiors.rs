@@ -13,7 +13,7 @@ const UNNAMED: u32 = 1 << 31;
 
 impl InteriorId {
     /// The interior of objects without one.
-    pub const AIR: InteriorId = InteriorId(UNNAMED);
+    pub const NONE: InteriorId = InteriorId(UNNAMED);
 
     /// Returns true if the scene does not write it.
     pub(super) fn is_unnamed(self) -> bool {

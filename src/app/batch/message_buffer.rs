@@ -13,7 +13,7 @@ pub struct MessageBuffer {
 
 #[derive(Debug)]
 enum BufferedEvent {
-    Said(String),
+    SceneOutput(String),
     Finding(Box<Message>),
 }
 
@@ -21,14 +21,14 @@ impl MessageBuffer {
     /// Stores an event.
     pub fn push(&self, event: Event<'_>) {
         let buffered = match event {
-            Event::SceneOutput(text) => BufferedEvent::Said(text.to_owned()),
+            Event::SceneOutput(text) => BufferedEvent::SceneOutput(text.to_owned()),
             Event::Finding(message) => BufferedEvent::Finding(Box::new(message.clone())),
             _ => return,
         };
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
         // Merges successive texts: a scene may print a character at a time.
         match (all.last_mut(), buffered) {
-            (Some(BufferedEvent::Said(before)), BufferedEvent::Said(text)) => {
+            (Some(BufferedEvent::SceneOutput(before)), BufferedEvent::SceneOutput(text)) => {
                 before.push_str(&text)
             }
             (_, buffered) => all.push(buffered),
@@ -40,7 +40,7 @@ impl MessageBuffer {
         let all = self.all.into_inner();
         for buffered in all.unwrap_or_else(PoisonError::into_inner) {
             match &buffered {
-                BufferedEvent::Said(text) => listen(Event::SceneOutput(text)),
+                BufferedEvent::SceneOutput(text) => listen(Event::SceneOutput(text)),
                 BufferedEvent::Finding(message) => listen(Event::Finding(message)),
             }
         }

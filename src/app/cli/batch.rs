@@ -126,7 +126,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);
     }
-    batch::run(&pictures, &wanted.batch, &|news| teller.report(news)).map_err(list::refused)?;
+    batch::run(&pictures, &wanted.batch, &|news| teller.report(news))?;
     let failed = teller.finish();
     if wanted.has_sheet {
         let figures: Vec<Figure> = pictures
@@ -142,7 +142,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
                 },
             })
             .collect();
-        batch::write_index(&wanted.batch.out, &figures).map_err(list::refused)?;
+        batch::write_index(&wanted.batch.out, &figures)?;
     }
     Ok(if failed.is_empty() && refused.is_empty() {
         ExitCode::SUCCESS
@@ -173,7 +173,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
                 out = options.output.clone().or(out);
                 wanted.take_in(options);
             }
-            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
+            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
         }
         rest = others;
     }

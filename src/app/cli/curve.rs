@@ -143,7 +143,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.truth = options.truth.or(wanted.truth);
                 wanted.is_fresh |= options.fresh;
             }
-            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
+            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
         }
         rest = behind;
     }
@@ -289,7 +289,7 @@ fn summary(report: &Report, folder: &Path) -> String {
             format!("{program} {}", m.switches),
             m.processor.median,
             m.wall.median,
-            m.samples_a_pixel,
+            m.samples_per_pixel,
             m.errors.rmse,
             m.errors.max,
             m.errors.p999,
@@ -299,7 +299,7 @@ fn summary(report: &Report, folder: &Path) -> String {
     let truth = &report.truth;
     text += &format!(
         "reference image: {:.0} samples per pixel, estimated error {:.5} (root mean square), {:.5} at most\n{}",
-        truth.samples_a_pixel,
+        truth.samples_per_pixel,
         truth.rms,
         truth.largest,
         folder.join("index.html").display()

@@ -192,7 +192,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
             unfinished::forget(settings);
             written = write();
         }
-        written.map_err(refused)?;
+        written?;
         unfinished::forget(settings);
     }
     done::report(settings, started.elapsed());
@@ -215,15 +215,6 @@ pub(super) fn reporter(settings: &Settings) -> Reporter {
         settings.notes.iter().for_each(say);
     }
     reporter
-}
-
-/// Converts an error of the output module.
-pub(super) fn refused(refused: output::OutputError) -> CliError {
-    let error = CliError::new(refused.to_string());
-    match refused.hint() {
-        Some(hint) => error.with_hint(hint),
-        None => error,
-    }
 }
 
 /// Prints statistics for `--stats` and `--json`.

@@ -256,11 +256,11 @@ fn open(file: &Path) -> Result<DynamicImage, CheckError> {
 mod tests {
     use super::*;
 
-    fn refused(said: &str) -> CheckError {
+    fn refused(stderr: &str) -> CheckError {
         CheckError::Refused {
             program: "povr".to_owned(),
             status: "exit status: 1".to_owned(),
-            said: said.to_owned(),
+            stderr: stderr.to_owned(),
         }
     }
 

@@ -22,7 +22,7 @@ pub enum CheckError {
         /// Its exit status.
         status: String,
         /// Its complete output.
-        said: String,
+        stderr: String,
     },
     /// The program ended without a picture: its name, and its last output.
     NoPicture(String, String),
@@ -38,10 +38,10 @@ impl CheckError {
     /// The keywords that this program cannot render yet, if they were the only errors.
     #[must_use]
     pub fn missing(&self) -> Vec<String> {
-        let CheckError::Refused { said, .. } = self else {
+        let CheckError::Refused { stderr, .. } = self else {
             return Vec::new();
         };
-        let errors = said.lines().filter_map(|line| {
+        let errors = stderr.lines().filter_map(|line| {
             let (_, message) = line.split_once("Parse Error: ")?;
             Some(message.trim_end_matches('.'))
         });
@@ -61,9 +61,11 @@ impl CheckError {
     #[must_use]
     pub fn line(&self) -> String {
         match self {
-            CheckError::Refused { program, said, .. } => {
-                let error = said.lines().find(|line| line.contains("Error: "));
-                let line = error.or_else(|| said.lines().rfind(|line| !line.trim().is_empty()));
+            CheckError::Refused {
+                program, stderr, ..
+            } => {
+                let error = stderr.lines().find(|line| line.contains("Error: "));
+                let line = error.or_else(|| stderr.lines().rfind(|line| !line.trim().is_empty()));
                 format!(
                     "{program}: {}",
                     line.unwrap_or("an error without words").trim()
@@ -89,9 +91,11 @@ impl fmt::Display for CheckError {
             CheckError::Refused {
                 program,
                 status,
-                said,
-            } => write!(f, "{program} ended with {status}:\n{}", tail(said)),
-            CheckError::NoPicture(program, said) => write!(f, "{program} drew no picture:\n{said}"),
+                stderr,
+            } => write!(f, "{program} ended with {status}:\n{}", tail(stderr)),
+            CheckError::NoPicture(program, stderr) => {
+                write!(f, "{program} drew no picture:\n{stderr}")
+            }
             CheckError::File(path, why) => write!(f, "`{}`: {why}", path.display()),
         }
     }

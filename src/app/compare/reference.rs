@@ -81,7 +81,7 @@ pub(super) fn draw(renderer: &Renderer, picture: &Picture<'_>) -> Result<Duratio
         Some(status) if !status.success() => Err(CheckError::Refused {
             program: program(),
             status: status.to_string(),
-            said: stderr,
+            stderr,
         }),
         Some(_) if !picture.file.exists() => Err(CheckError::NoPicture(program(), tail(&stderr))),
         Some(_) => Ok(took),

@@ -35,7 +35,7 @@ pub struct Drawn {
     /// The error reached with adaptive sampling.
     pub reached: Option<AdaptiveOutcome>,
     /// Camera rays for each pixel.
-    pub samples_a_pixel: f64,
+    pub samples_per_pixel: f64,
     /// Seconds of tracing, over all processors.
     pub processor: f64,
     /// Seconds of tracing by the clock.
@@ -118,7 +118,7 @@ impl Drawn {
         Drawn {
             picture: Linear::of_film(&picture.film, working),
             reached: statistics.reached,
-            samples_a_pixel: statistics.samples_a_pixel,
+            samples_per_pixel: statistics.samples_per_pixel,
             processor: trace.map_or(0.0, |stage| stage.processor),
             wall: trace.map_or(0.0, |stage| stage.wall),
         }
@@ -210,7 +210,7 @@ impl Sweep {
                     Drawn {
                         picture: by.picture,
                         reached: None,
-                        samples_a_pixel: by.samples_a_pixel,
+                        samples_per_pixel: by.samples_per_pixel,
                         processor: by.processor,
                         wall: by.wall,
                     }
@@ -249,7 +249,7 @@ impl Sweep {
             file_stem: stem,
             processor: Spread::of(processor),
             wall: Spread::of(wall),
-            samples_a_pixel: drawn.samples_a_pixel,
+            samples_per_pixel: drawn.samples_per_pixel,
             estimated: drawn
                 .reached
                 .map(|reached| (reached.largest / 255.0, reached.rms / 255.0)),

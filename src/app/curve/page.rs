@@ -52,7 +52,7 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          Lines join the settings that no other of their kind betters.</p>\n\
          <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
         report.threads,
-        truth.samples_a_pixel,
+        truth.samples_per_pixel,
         truth.rms,
         summary(report),
     );
@@ -159,7 +159,7 @@ fn row(page: &mut String, m: &Measured, has_spread: bool) {
         name(m),
         seconds(&m.processor),
         seconds(&m.wall),
-        m.samples_a_pixel,
+        m.samples_per_pixel,
         e.rmse,
         e.p999,
         e.max,

@@ -18,7 +18,7 @@ pub(super) struct ByPovRay {
     pub(super) processor: f64,
     pub(super) wall: f64,
     /// Camera rays for each pixel, those of antialiasing included.
-    pub(super) samples_a_pixel: f64,
+    pub(super) samples_per_pixel: f64,
 }
 
 /// A rendering task for POV-Ray.
@@ -72,9 +72,9 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
                 "Install POV-Ray 3.7 (Debian: `apt-get install povray`), or leave `--povray` out.",
             )
         })?;
-    let said = ended.stderr;
+    let stderr = ended.stderr;
     if !ended.status.is_some_and(|status| status.success()) {
-        let last = said.lines().rev().find(|line| !line.trim().is_empty());
+        let last = stderr.lines().rev().find(|line| !line.trim().is_empty());
         return Err(CurveError::new(format!(
             "POV-Ray does not draw the scene with `{switches}`: {}",
             last.unwrap_or_default().trim()
@@ -100,18 +100,18 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
     // It has been read; the stored pictures lie in a folder of their own.
     let _ = std::fs::remove_file(&file);
     let pixels = f64::from(task.size.0) * f64::from(task.size.1);
-    let (processor, wall) = times(&said).ok_or_else(|| unread(&"it tells no times"))?;
+    let (processor, wall) = times(&stderr).ok_or_else(|| unread(&"it tells no times"))?;
     Ok(ByPovRay {
         picture,
         processor,
         wall,
-        samples_a_pixel: samples(&said).unwrap_or(0.0) / pixels.max(1.0),
+        samples_per_pixel: samples(&stderr).unwrap_or(0.0) / pixels.max(1.0),
     })
 }
 
 /// The seconds of tracing: over the processors, and by the clock.
-fn times(said: &str) -> Option<(f64, f64)> {
-    let trace = &said[said.rfind("Trace Time:")?..];
+fn times(stderr: &str) -> Option<(f64, f64)> {
+    let trace = &stderr[stderr.rfind("Trace Time:")?..];
     let wall = trace.split('(').nth(1)?.split(" seconds").next()?;
     let processor = trace.split(" with ").nth(1)?.split(" CPU-seconds").next()?;
     Some((processor.trim().parse().ok()?, wall.trim().parse().ok()?))
@@ -119,10 +119,10 @@ fn times(said: &str) -> Option<(f64, f64)> {
 
 /// The camera rays: `Pixels: 76800   Samples: 341234   Smpls/Pxl: 4.44` counts the initial samples of pixels separately
 /// from those of antialiasing.
-fn samples(said: &str) -> Option<f64> {
-    let line = &said[said
+fn samples(stderr: &str) -> Option<f64> {
+    let line = &stderr[stderr
         .rfind("Smpls/Pxl:")
-        .and_then(|end| said[..end].rfind("Pixels:"))?..];
+        .and_then(|end| stderr[..end].rfind("Pixels:"))?..];
     let number = |name: &str| -> Option<f64> {
         let behind = &line[line.find(name)? + name.len()..];
         behind.split_whitespace().next()?.parse().ok()
@@ -136,13 +136,13 @@ mod tests {
 
     #[test]
     fn times_and_samples_are_read_from_what_povray_says() {
-        let said = "  Bounding Time: 0 hours 0 minutes 0 seconds (0.001 seconds)\n\
+        let stderr = "  Bounding Time: 0 hours 0 minutes 0 seconds (0.001 seconds)\n\
              using 1 thread(s) with 0.000 CPU-seconds total\n\
              Pixels:            76800   Samples:          341234   Smpls/Pxl: 4.44\n\
              Trace Time:       0 hours  0 minutes  0 seconds (0.164 seconds)\n\
              using 1 thread(s) with 0.129 CPU-seconds total\n";
-        assert_eq!(times(said), Some((0.129, 0.164)));
-        assert_eq!(samples(said), Some(418_034.0));
+        assert_eq!(times(stderr), Some((0.129, 0.164)));
+        assert_eq!(samples(stderr), Some(418_034.0));
         assert_eq!(times("nothing"), None);
     }
 }

@@ -36,7 +36,7 @@ pub struct Measured {
     /// Seconds of tracing by the clock.
     pub wall: Spread,
     /// Camera rays for each pixel.
-    pub samples_a_pixel: f64,
+    pub samples_per_pixel: f64,
     /// The largest estimated error of a pixel and the root mean square over all pixels, in linear light, if it was
     /// estimated.
     pub estimated: Option<(f64, f64)>,
@@ -81,7 +81,7 @@ impl Report {
     #[must_use]
     pub fn csv(&self) -> String {
         let mut text = "program,switches,processor_s,processor_least_s,processor_most_s,wall_s,\
-            wall_least_s,wall_most_s,runs,samples_a_pixel,rmse,max,p999,flip,estimated_max,estimated_rms\n"
+            wall_least_s,wall_most_s,runs,samples_per_pixel,rmse,max,p999,flip,estimated_max,estimated_rms\n"
             .to_owned();
         for m in &self.measured {
             let program = match m.family {
@@ -105,7 +105,7 @@ impl Report {
                 w.least,
                 w.most,
                 p.runs,
-                m.samples_a_pixel,
+                m.samples_per_pixel,
                 e.rmse,
                 e.max,
                 e.p999,

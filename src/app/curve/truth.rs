@@ -29,7 +29,7 @@ pub struct Truth {
     /// The same of the worst pixel.
     pub largest: f64,
     /// Camera rays for each pixel.
-    pub samples_a_pixel: f64,
+    pub samples_per_pixel: f64,
     /// Seconds, over all processors.
     pub processor: f64,
 }
@@ -49,7 +49,7 @@ pub(super) fn stored_or_rendered(
     let Drawn {
         picture,
         reached,
-        samples_a_pixel,
+        samples_per_pixel,
         processor,
         ..
     } = draw(sampling)?;
@@ -59,7 +59,7 @@ pub(super) fn stored_or_rendered(
         size: (picture.width, picture.height),
         rms: rms / 255.0,
         largest: largest / 255.0,
-        samples_a_pixel,
+        samples_per_pixel,
         processor,
     };
     let values = picture.pixels.iter().flatten();

@@ -24,7 +24,7 @@ impl Reader<'_> {
             let token = self.raw();
             match token.kind {
                 Kind::End => return,
-                Kind::More => {
+                Kind::DataSegment => {
                     self.read_on();
                     continue;
                 }
@@ -55,7 +55,7 @@ impl Reader<'_> {
     }
 
     fn skip_token(&mut self) {
-        if !matches!(self.raw().kind, Kind::End | Kind::More) {
+        if !matches!(self.raw().kind, Kind::End | Kind::DataSegment) {
             self.pass();
         }
     }

@@ -76,7 +76,7 @@ impl Reader<'_> {
             match token.kind {
                 Kind::End => {}
                 // Data holds no directives.
-                Kind::More => self.leave_segment(),
+                Kind::DataSegment => self.leave_segment(),
                 _ => self.here.at += 1,
             }
         }

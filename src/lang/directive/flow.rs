@@ -351,7 +351,7 @@ impl Reader<'_> {
 
 /// True where the current text ends, or its next token is not all of it.
 fn ends_text(token: Token) -> bool {
-    matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
+    matches!(token.kind, Kind::End | Kind::DataSegment | Kind::Directive)
 }
 
 /// True if a directive may change the value of an expression.

@@ -83,7 +83,7 @@ impl Reader<'_> {
         let mut open = 0_usize;
         while open > 0 || tokens[at].is_mark('[') {
             match tokens[at].kind {
-                Kind::More | Kind::End => return false,
+                Kind::DataSegment | Kind::End => return false,
                 _ if tokens[at].is_mark('[') => open += 1,
                 _ if tokens[at].is_mark(']') => open -= 1,
                 _ => {}

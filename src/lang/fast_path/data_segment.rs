@@ -18,7 +18,7 @@ use std::sync::Arc;
 const MAX_PIECE: usize = 1 << 15;
 
 impl Reader<'_> {
-    /// At a [`Kind::More`]: goes on to the tokens of the next piece, or after the segment.
+    /// At a [`Kind::DataSegment`]: goes on to the tokens of the next piece, or after the segment.
     pub(crate) fn read_on(&mut self) {
         let (tokens, at, faults) =
             tokenize_more(&self.here.tokens, self.here.at, self.piece, &mut self.names);
@@ -38,13 +38,13 @@ impl Reader<'_> {
 
     /// True if objects and lists may be parsed from the text here.
     fn is_at_data(&self) -> bool {
-        self.raw().kind == Kind::More && self.usage.deprecated.is_empty()
+        self.raw().kind == Kind::DataSegment && self.usage.deprecated.is_empty()
     }
 
     /// The text with the data at the cursor, and their range in it.
     fn data(&self) -> Option<(Arc<String>, std::ops::Range<usize>)> {
         let tokens = &self.here.tokens;
-        let rest = tokens.more(self.here.at)?;
+        let rest = tokens.data_segment(self.here.at)?;
         let range = rest.start as usize..rest.end as usize;
         Some((Arc::clone(tokens.text()), range))
     }
@@ -145,7 +145,7 @@ impl Reader<'_> {
         len: usize,
         take: &mut dyn FnMut(&[f64]) -> bool,
     ) {
-        let has_comma = self.raw().is_mark(',') && self.raw_ahead(1).kind == Kind::More;
+        let has_comma = self.raw().is_mark(',') && self.raw_ahead(1).kind == Kind::DataSegment;
         self.here.at += usize::from(has_comma);
         let begins = if has_comma { "<" } else { "" };
         if !self.take_vectors_here(len, begins, take) {

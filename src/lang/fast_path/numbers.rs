@@ -52,7 +52,7 @@ fn ends_expression(behind: Token) -> bool {
         Kind::Word => !is_bare_directive(behind),
         Kind::Number | Kind::String => true,
         Kind::LessEqual | Kind::GreaterEqual | Kind::NotEqual => true,
-        Kind::Name | Kind::Directive | Kind::More | Kind::End => false,
+        Kind::Name | Kind::Directive | Kind::DataSegment | Kind::End => false,
     }
 }
 

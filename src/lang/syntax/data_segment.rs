@@ -21,18 +21,18 @@ impl Tokens {
         self.part.is_some()
     }
 
-    /// The range of the text that the [`Kind::More`] at an index stands for.
+    /// The range of the text that the [`Kind::DataSegment`] at an index stands for.
     #[must_use]
-    pub fn more(&self, at: usize) -> Option<Range<u32>> {
+    pub fn data_segment(&self, at: usize) -> Option<Range<u32>> {
         let token = self
             .tokens
             .get(at)
-            .filter(|token| token.kind == Kind::More)?;
+            .filter(|token| token.kind == Kind::DataSegment)?;
         self.segments.get(token.value as usize).cloned()
     }
 }
 
-/// The tokens of a whole text, and the index of its [`Kind::More`] that the one at `at` belongs to.
+/// The tokens of a whole text, and the index of its [`Kind::DataSegment`] that the one at `at` belongs to.
 fn home(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
     match &tokens.part {
         Some(part) => (Rc::clone(&part.whole), part.at),
@@ -40,7 +40,7 @@ fn home(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
     }
 }
 
-/// Tokenizes about `size` bytes of the [`Kind::More`] at `at`; returns the tokens, the index among them where reading
+/// Tokenizes about `size` bytes of the [`Kind::DataSegment`] at `at`; returns the tokens, the index among them where reading
 /// goes on, and the numbers with two points.
 #[must_use]
 pub fn tokenize_more(
@@ -50,7 +50,7 @@ pub fn tokenize_more(
     names: &mut Names,
 ) -> (Rc<Tokens>, usize, Vec<Diagnostic>) {
     let (whole, index) = home(tokens, at);
-    let rest = tokens.more(at).unwrap_or_default();
+    let rest = tokens.data_segment(at).unwrap_or_default();
     if rest.is_empty() {
         return (whole, index + 1, Vec::new());
     }
@@ -65,19 +65,19 @@ pub fn tokenize_more(
     (Rc::new(piece), 0, faults)
 }
 
-/// The tokens after the segment of the [`Kind::More`] at `at`, and the index among them where reading goes on.
+/// The tokens after the segment of the [`Kind::DataSegment`] at `at`, and the index among them where reading goes on.
 #[must_use]
 pub fn after_more(tokens: &Rc<Tokens>, at: usize) -> (Rc<Tokens>, usize) {
     let (whole, index) = home(tokens, at);
     (whole, index + 1)
 }
 
-/// The tokens to go on with after the text of the [`Kind::More`] at `at` was parsed up to `from` without tokens: the
-/// first token is the byte before `from`, and the second another [`Kind::More`].
+/// The tokens to go on with after the text of the [`Kind::DataSegment`] at `at` was parsed up to `from` without tokens: the
+/// first token is the byte before `from`, and the second another [`Kind::DataSegment`].
 #[must_use]
 pub fn more_from(tokens: &Rc<Tokens>, at: usize, from: usize) -> Rc<Tokens> {
     let (whole, index) = home(tokens, at);
-    let end = tokens.more(at).unwrap_or_default().end;
+    let end = tokens.data_segment(at).unwrap_or_default().end;
     let last = whole.text.as_bytes().get(from - 1).copied();
     let mut piece = Tokens {
         file: whole.file,
@@ -101,7 +101,7 @@ pub fn more_from(tokens: &Rc<Tokens>, at: usize, from: usize) -> Rc<Tokens> {
 fn end_piece(piece: &mut Tokens, whole: Rc<Tokens>, at: usize, start: usize, end: u32) {
     let start = offset(start);
     piece.tokens.push(Token {
-        kind: Kind::More,
+        kind: Kind::DataSegment,
         value: 0,
         start,
     });

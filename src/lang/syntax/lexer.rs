@@ -55,7 +55,7 @@ pub fn tokenize(
     tokenize_by(file, text, names, Data::Tokens)
 }
 
-/// The same, but long data segments become a [`Kind::More`] each, and their tokens are made when reading gets there, by
+/// The same, but long data segments become a [`Kind::DataSegment`] each, and their tokens are made when reading gets there, by
 /// [`super::tokenize_more`]. They hold no strings, comments and directives.
 ///
 /// # Errors
@@ -73,7 +73,7 @@ pub fn tokenize_around_data(
 enum Data {
     /// They are tokenized at once.
     Tokens,
-    /// They become one [`Kind::More`].
+    /// They become one [`Kind::DataSegment`].
     Deferred,
 }
 
@@ -266,7 +266,7 @@ impl<'a> Lexer<'a> {
 
     fn push_segment(&mut self, segment: Range<usize>) {
         let (start, end) = (offset(segment.start), offset(segment.end));
-        if let (Some(Kind::More), Some(last)) = (
+        if let (Some(Kind::DataSegment), Some(last)) = (
             self.out.tokens.last().map(|token| token.kind),
             self.out.segments.last_mut(),
         ) && last.end == start
@@ -275,7 +275,7 @@ impl<'a> Lexer<'a> {
             return;
         }
         let index = offset(self.out.segments.len());
-        self.push(Kind::More, index, segment.start);
+        self.push(Kind::DataSegment, index, segment.start);
         self.out.segments.push(start..end);
     }
 

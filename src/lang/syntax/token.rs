@@ -34,7 +34,7 @@ pub enum Kind {
     /// `!=`
     NotEqual,
     /// A long data segment, which is tokenized when reading gets there.
-    More,
+    DataSegment,
     /// The end of the text, always the last token and only that.
     End,
 }
@@ -46,7 +46,7 @@ pub struct Token {
     pub kind: Kind,
     /// `Number`: index into [`Tokens::numbers`]. `Word`: the word's number, see [`Word::from_index`]. `Name`: the
     /// number of its [`Symbol`]. `String`: for [`Tokens::string`]. `Directive`: index into [`Tokens::directives`].
-    /// `Mark`: the code of the character. `More`: for [`Tokens::more`]. Otherwise 0.
+    /// `Mark`: the code of the character. `DataSegment`: for [`Tokens::data_segment`]. Otherwise 0.
     pub value: u32,
     /// Its first byte.
     pub start: u32,
@@ -115,7 +115,7 @@ pub struct Tokens {
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) whole: Rc<Tokens>,
-    /// The index of [`Kind::More`] there.
+    /// The index of [`Kind::DataSegment`] there.
     pub(super) at: usize,
 }
 
@@ -135,7 +135,7 @@ impl Tokens {
             Kind::Directive => self.directives[token.value as usize].stop as usize - start,
             Kind::Mark => char::from_u32(token.value).map_or(1, char::len_utf8),
             Kind::LessEqual | Kind::GreaterEqual | Kind::NotEqual => 2,
-            Kind::More | Kind::End => 0,
+            Kind::DataSegment | Kind::End => 0,
         };
         let end = u32::try_from(start + len).unwrap_or(u32::MAX);
         Span::new(self.file, token.start, end)

@@ -120,12 +120,12 @@ fn power(depth: usize) -> f64 {
 /// The policy for new samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Add samples where there are too few, in POV-Ray's order.
-    Grow,
-    /// Add none: queries are recorded.
-    Watch,
-    /// Make samples where there are none, but do not store them: in any order.
-    Lone,
+    /// Take samples where the cache has too few, and store them: in POV-Ray's order.
+    Store,
+    /// Take none: queries are recorded.
+    Record,
+    /// Take samples where the cache has none, and do not store them: in any order.
+    Isolated,
 }
 
 /// The radiosity state of a thread.
@@ -139,7 +139,7 @@ pub struct Session {
     pub is_final: bool,
     /// The least quality of the light along the current ray.
     pub quality: f64,
-    /// Samples and queries recorded in mode `Watch`, or to be revised.
+    /// Samples and queries recorded in mode `Record`, or to be revised.
     pub notes: Notes,
     /// The next direction, by depth.
     next: Vec<usize>,
@@ -164,7 +164,7 @@ impl Session {
     pub fn new(radiosity: &Radiosity, unit: f64) -> Self {
         Session {
             cache: Arc::new(Cache::new(unit)),
-            mode: Mode::Grow,
+            mode: Mode::Store,
             is_final: false,
             quality: 1.0,
             notes: Notes::default(),
@@ -182,7 +182,7 @@ impl Session {
     /// Returns true if points of the picture must come in POV-Ray's order.
     #[must_use]
     pub fn order_dependent(&self) -> bool {
-        self.mode == Mode::Grow
+        self.mode == Mode::Store
     }
 
     /// A copy in another mode, for another thread.
@@ -222,18 +222,18 @@ impl Session {
     pub fn known(&mut self, radiosity: &Radiosity, query: &CacheQuery) -> CachedLight {
         self.has_queries = true;
         let mean = self.cache.mean(query);
-        if self.mode == Mode::Watch {
+        if self.mode == Mode::Record {
             self.notes.record(*query);
         }
         let is_enough = QUARTERS * mean.weight >= radiosity.needed(query.depth);
         let accepts_fewer = match self.mode {
-            Mode::Grow | Mode::Watch => self.is_final && !radiosity.settings.always_sample,
-            Mode::Lone => true,
+            Mode::Store | Mode::Record => self.is_final && !radiosity.settings.always_sample,
+            Mode::Isolated => true,
         };
         if is_enough || accepts_fewer && mean.weight > 0.0 {
             return CachedLight::Enough(mean);
         }
-        if self.mode == Mode::Watch {
+        if self.mode == Mode::Record {
             self.notes.is_short = true;
             return CachedLight::Unknown;
         }
@@ -253,7 +253,7 @@ impl Session {
 
     /// Starts the directions of a sample of a depth.
     pub fn begin(&mut self, depth: usize) {
-        if self.mode == Mode::Lone
+        if self.mode == Mode::Isolated
             && let Some(next) = self.next.get_mut(depth)
         {
             *next = 0;
@@ -270,9 +270,9 @@ impl Session {
         radiosity.directions[at]
     }
 
-    /// Stores a sample, in mode `Grow`.
+    /// Stores a sample, in mode `Store`.
     pub fn store(&mut self, radiosity: &Radiosity, sample: IrradianceSample) {
-        if self.mode == Mode::Grow {
+        if self.mode == Mode::Store {
             let reach = radiosity.reach(&sample);
             let number = self.cache.samples().len();
             Arc::make_mut(&mut self.cache).add(sample, reach);

@@ -1,4 +1,4 @@
-//! Air along a ray outside of solid objects: media, rainbows and fog.
+//! Atmosphere along a ray outside of solid objects: media, rainbows and fog.
 
 use super::{InteriorStack, Path, Sample, Tracer};
 use crate::base::math::Ray;
@@ -8,7 +8,7 @@ use crate::world::LightList;
 
 /// Attenuation and in-scattered light along a ray, in the order in which they apply.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AirTint {
+pub(super) struct AtmosphereTint {
     /// The media of the interiors around the ray.
     inside: Option<Tint>,
     rainbow: Option<Tint>,
@@ -17,7 +17,7 @@ pub(super) struct AirTint {
     fog: Option<Tint>,
 }
 
-/// The end of a ray's segment through the air.
+/// The end of a ray's segment through the atmosphere.
 #[derive(Clone, Copy)]
 pub(super) enum End {
     /// A surface at this distance, with the lights that media scatter before it.
@@ -28,16 +28,24 @@ pub(super) enum End {
 
 impl Tracer<'_> {
     /// Returns true if the scene has media, fog or rainbows.
-    pub(super) fn has_air(&self) -> bool {
-        self.features.has_media || !self.world.has_clear_air()
+    pub(super) fn has_atmosphere(&self) -> bool {
+        self.features.has_media || !self.world.has_clear_atmosphere()
     }
 
-    /// The effect of the air on light along a ray; `None` where it has none. A ray without a hit is affected by the
+    /// The effect of the atmosphere on light along a ray; `None` where it has none. A ray without a hit is affected by the
     /// media of the atmosphere, but not by those of the interiors around it (measured with POV-Ray).
     ///
-    /// An object that is not `hollow` keeps the air out, even if it is only the half-space of a plane.
-    pub(super) fn air(&self, path: &Path, end: End, scratch: &mut Scratch) -> Option<AirTint> {
-        if !self.has_air() || self.is_airless(path) || !self.is_in_air(&path.inside) {
+    /// An object that is not `hollow` keeps the atmosphere out, even if it is only the half-space of a plane.
+    pub(super) fn atmosphere(
+        &self,
+        path: &Path,
+        end: End,
+        scratch: &mut Scratch,
+    ) -> Option<AtmosphereTint> {
+        if !self.has_atmosphere()
+            || self.is_without_atmosphere(path)
+            || !self.is_outside_solids(&path.inside)
+        {
             return None;
         }
         let (inside, length, lights) = match end {
@@ -54,15 +62,15 @@ impl Tracer<'_> {
         let (rainbows, dir) = (self.world.rainbows.iter().rev(), path.ray.dir);
         let stream = &mut scratch.random.lights;
         let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
-        Some(AirTint {
+        Some(AtmosphereTint {
             inside,
             rainbow: mean_tint(arcs),
-            media: self.media_of_air(path, length, lights, scratch),
+            media: self.atmospheric_media(path, length, lights, scratch),
             fog: self.fog(&path.ray, length),
         })
     }
 
-    /// The effect of fog along a ray in the air.
+    /// The effect of fog along a ray in the atmosphere.
     pub(super) fn fog(&self, ray: &Ray, length: f64) -> Option<Tint> {
         let fogs = &self.world.fogs;
         let noise = self.world.globals.noise;
@@ -71,17 +79,24 @@ impl Tracer<'_> {
     }
 
     /// Returns true if no solid object is around a ray.
-    pub(super) fn is_in_air(&self, inside: &InteriorStack) -> bool {
+    pub(super) fn is_outside_solids(&self, inside: &InteriorStack) -> bool {
         let interiors = &self.world.interiors;
         inside.iter().all(|&id| interiors.is_hollow(id))
     }
 }
 
 impl Sample {
-    /// The sample behind the air.
-    pub(super) fn behind_air(self, air: Option<AirTint>) -> Sample {
-        let Some(air) = air else { return self };
-        let tints = [air.inside, air.rainbow, air.media, air.fog];
+    /// The sample behind the atmosphere.
+    pub(super) fn behind_atmosphere(self, atmosphere: Option<AtmosphereTint>) -> Sample {
+        let Some(atmosphere) = atmosphere else {
+            return self;
+        };
+        let tints = [
+            atmosphere.inside,
+            atmosphere.rainbow,
+            atmosphere.media,
+            atmosphere.fog,
+        ];
         tints.into_iter().flatten().fold(self, |seen, tint| Sample {
             rgb: tint.apply(seen.rgb),
             transmit: seen.transmit * tint.factor.grey(),

@@ -261,7 +261,7 @@ impl Tracer<'_> {
     ) -> Option<Sample> {
         let world = self.world;
         let is_even = self.fast_paths.packets
-            && !self.has_air()
+            && !self.has_atmosphere()
             && world.sky.is_none()
             && world.lens.is_none();
         if !is_even || self.stop.is_cancelled() {

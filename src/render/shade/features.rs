@@ -29,7 +29,7 @@ impl Features {
             needs_interiors: !world.is_opaque()
                 || world.has_fresnel()
                 || has_media
-                || !world.has_clear_air(),
+                || !world.has_clear_atmosphere(),
             has_media,
             light_fades: world.interiors.any_attenuates(),
             needs_backface_light,

@@ -69,15 +69,18 @@ impl Tracer<'_> {
         lights: LightList,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
-        if !self.features.has_media || path.inside.is_empty() || !self.is_in_air(&path.inside) {
+        if !self.features.has_media
+            || path.inside.is_empty()
+            || !self.is_outside_solids(&path.inside)
+        {
             return None;
         }
         let media = self.media_of(&path.inside);
         self.segment_tint(&media, path, length, lights, scratch)
     }
 
-    /// The effect of the media of the atmosphere over `length` of a ray in the air.
-    pub(super) fn media_of_air(
+    /// The effect of the media of the atmosphere over `length` of a ray in the atmosphere.
+    pub(super) fn atmospheric_media(
         &self,
         path: &Path,
         length: f64,
@@ -99,7 +102,7 @@ impl Tracer<'_> {
         inside: &InteriorStack,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if !self.features.has_media || inside.is_empty() || !self.is_in_air(inside) {
+        if !self.features.has_media || inside.is_empty() || !self.is_outside_solids(inside) {
             return Rgb::WHITE;
         }
         self.extinction(&self.media_of(inside), ray, length, scratch)
@@ -113,7 +116,7 @@ impl Tracer<'_> {
         inside: &InteriorStack,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if !self.is_in_air(inside) {
+        if !self.is_outside_solids(inside) {
             return Rgb::WHITE;
         }
         let media: Mixture = self.world.media.iter().collect();

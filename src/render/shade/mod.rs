@@ -1,4 +1,4 @@
-//! Recursive ray tracing: radiance along a ray from direct light, shadows, reflection, refraction and air.
+//! Recursive ray tracing: radiance along a ray from direct light, shadows, reflection, refraction and atmosphere.
 //!
 //! POV-Ray 3.7 is the model, down to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: a surface passed without refraction is one step of a loop. Only reflected and refracted rays recurse, at
@@ -31,7 +31,7 @@ use crate::base::options::CancelToken;
 use crate::render::photons::PhotonMaps;
 use crate::render::radiosity::{Mode, Radiosity, Session};
 use crate::world::{Hit, InteriorId, Query, RayKind, SpawnSurface, World};
-use atmosphere::{AirTint, End};
+use atmosphere::{AtmosphereTint, End};
 pub use block::{BLOCK, BlockScratch, FirstHit};
 use features::{FastPaths, Features};
 use glam::DVec3;
@@ -92,7 +92,7 @@ struct PassedSurface {
     factor: Rgb,
     transmit: f32,
     reflected: Rgb,
-    air: Option<AirTint>,
+    atmosphere: Option<AtmosphereTint>,
 }
 
 /// The ray tracer of one world at one quality.
@@ -168,7 +168,7 @@ impl<'w> Tracer<'w> {
     /// The same tracer with irradiance samples. It adds none, so points of the picture may be traced in any order.
     #[must_use]
     pub fn with_irradiance_cache(self, session: &Session) -> Self {
-        let session = Some(Box::new(session.in_mode(Mode::Lone)));
+        let session = Some(Box::new(session.in_mode(Mode::Isolated)));
         Tracer { session, ..self }
     }
 
@@ -270,34 +270,34 @@ impl<'w> Tracer<'w> {
                 )
             });
             let Some(hit) = hit else {
-                let air = self.air(&path, End::Nothing, scratch);
+                let atmosphere = self.atmosphere(&path, End::Nothing, scratch);
                 break self
                     .background_radiance(path.ray.dir, path.kind)
-                    .behind_air(air);
+                    .behind_atmosphere(atmosphere);
             };
             let lights = self.world.surfaces[hit.surface as usize].lights;
             let end = End::Surface(hit.t, lights);
             if let Some(sample) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
-                break sample.behind_air(self.air(&path, end, scratch));
+                break sample.behind_atmosphere(self.atmosphere(&path, end, scratch));
             }
-            // POV-Ray traces the light behind the air first, which matters only where it draws random numbers.
+            // POV-Ray traces the light behind the atmosphere first, which matters only where it draws random numbers.
             let is_last = scratch.order_dependent();
-            let air = (!is_last).then(|| self.air(&path, end, scratch));
+            let atmosphere = (!is_last).then(|| self.atmosphere(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
-            let air = air.unwrap_or_else(|| self.air(&path, end, scratch));
+            let atmosphere = atmosphere.unwrap_or_else(|| self.atmosphere(&path, end, scratch));
             let Some(transmission) = view.straight else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
                     transmit: view.transmit,
                 }
-                .behind_air(air);
+                .behind_atmosphere(atmosphere);
             };
             passed.push(PassedSurface {
                 rgb: view.rgb,
                 factor: transmission.factor,
                 transmit: transmission.transmit,
                 reflected: view.reflected,
-                air,
+                atmosphere,
             });
             // At the last level nothing is seen through a surface, refracted or not.
             if path.level + 1 >= self.world.globals.max_trace_level {
@@ -313,7 +313,7 @@ impl<'w> Tracer<'w> {
                 rgb: here.rgb + here.factor * behind.rgb + here.reflected,
                 transmit: here.transmit * behind.transmit,
             };
-            seen.behind_air(here.air)
+            seen.behind_atmosphere(here.atmosphere)
         })
     }
 

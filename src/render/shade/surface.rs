@@ -280,7 +280,7 @@ impl<'w> Tracer<'w> {
                 scratch,
             );
         }
-        if scratch.order_dependent() && (self.has_air() || !shaded.mirrors.is_empty()) {
+        if scratch.order_dependent() && (self.has_atmosphere() || !shaded.mirrors.is_empty()) {
             self.trace_unrefracted(&lit, hit, &mut view, scratch);
         }
         if !is_total {

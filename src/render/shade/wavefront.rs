@@ -3,7 +3,7 @@
 //! surfaces with several textures or reflections, and scenes with sequential random numbers are left to the scalar
 //! path.
 
-use super::atmosphere::{AirTint, End};
+use super::atmosphere::{AtmosphereTint, End};
 use super::bsdf::{ViewPoint, facing_normal};
 use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, ShadeBuffers, viewed};
@@ -103,8 +103,8 @@ struct Filters {
     on_behind: Rgb,
     /// The exponent of the reflection.
     exponent: f32,
-    /// The air before the surface.
-    air: Option<AirTint>,
+    /// The atmosphere before the surface.
+    atmosphere: Option<AtmosphereTint>,
 }
 
 impl Filters {
@@ -112,28 +112,28 @@ impl Filters {
         on_image: Rgb::WHITE,
         on_behind: Rgb::WHITE,
         exponent: 1.0,
-        air: None,
+        atmosphere: None,
     };
 }
 
 impl PendingSurface {
     /// The sample of the surface, once its secondary rays are traced.
     fn sample(&self, filters: &[Filters]) -> Sample {
-        let (mut image, mut behind, mut air) = (self.image, self.behind.rgb, None);
+        let (mut image, mut behind, mut atmosphere) = (self.image, self.behind.rgb, None);
         if let Some(filters) = self.filters.and_then(|number| filters.get(number as usize)) {
             image *= filters.on_image;
             if filters.exponent != 1.0 {
                 image = image.map(|c| c.powf(1.0 / filters.exponent));
             }
             behind *= filters.on_behind;
-            air = filters.air;
+            atmosphere = filters.atmosphere;
         }
         let reflected = Rgb::BLACK + image * self.reflectivity;
         Sample {
             rgb: self.own + self.factor * behind + reflected,
             transmit: self.transmit * self.behind.transmit,
         }
-        .behind_air(air)
+        .behind_atmosphere(atmosphere)
     }
 }
 
@@ -158,8 +158,8 @@ struct SurfaceLight<'t> {
     mirror: Option<&'t Mirror<'t>>,
     /// The film on the top layer.
     film: Option<&'t Irid>,
-    /// The air before it.
-    air: Option<AirTint>,
+    /// The atmosphere before it.
+    atmosphere: Option<AtmosphereTint>,
 }
 
 impl Wavefront {
@@ -324,7 +324,7 @@ impl Tracer<'_> {
             passing: (!self.is_opaque(0, filter)).then_some(filter),
             mirror: image.as_ref(),
             film: None,
-            air: self.air_before(
+            atmosphere: self.atmosphere_before(
                 hits,
                 lane,
                 || incoming.path(&wavefront.interior_stacks),
@@ -344,8 +344,8 @@ impl Tracer<'_> {
         light: &SurfaceLight,
     ) {
         let at = &from.at;
-        let mut filters = light.air.map(|air| Filters {
-            air: Some(air),
+        let mut filters = light.atmosphere.map(|atmosphere| Filters {
+            atmosphere: Some(atmosphere),
             ..Filters::NONE
         });
         let number = wavefront.pending.len();
@@ -566,7 +566,7 @@ impl Tracer<'_> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let end = End::Surface(hit.t, surface.lights);
         if let Some(plain) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
-            return Some(plain.behind_air(self.air(&path, end, scratch)));
+            return Some(plain.behind_atmosphere(self.atmosphere(&path, end, scratch)));
         }
         let textures = self.textures_at(surface, &hit, path.ray.dir, TextureUse::Drawn);
         let [only @ WeightedTexture { weight: 1.0, .. }] = textures.as_slice() else {
@@ -579,13 +579,13 @@ impl Tracer<'_> {
             shadow_cache: shadow_cache.as_ref(),
         };
         let (shaded, lit) = self.layers(&path, &hit, of, known, scratch);
-        let air = self.air(&path, end, scratch);
+        let atmosphere = self.atmosphere(&path, end, scratch);
         if !shaded.passes && shaded.mirrors.is_empty() {
             let sample = Sample {
                 rgb: shaded.rgb + Rgb::BLACK,
                 transmit: 0.0,
             };
-            return Some(sample.behind_air(air));
+            return Some(sample.behind_atmosphere(atmosphere));
         }
         if shaded.mirrors.len() > 1 {
             let again = incoming.path(&wavefront.interior_stacks);
@@ -603,7 +603,7 @@ impl Tracer<'_> {
             passing: shaded.passes.then_some(shaded.transmittance),
             mirror: shaded.mirrors.first(),
             film: shaded.film,
-            air,
+            atmosphere,
         };
         self.queue_secondary_rays(wavefront, incoming, &spawn_point, &light);
         None

@@ -38,7 +38,7 @@ pub struct Tint {
 }
 
 impl Tint {
-    /// Clear air.
+    /// No effect on light.
     pub const NONE: Tint = Tint {
         factor: Rgb::WHITE,
         added: Rgb::BLACK,

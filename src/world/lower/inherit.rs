@@ -196,7 +196,7 @@ impl Lowering {
             Some(cutaway) => cutaway.textures().iter().cloned().collect(),
             None => skins.iter().map(skin).collect(),
         };
-        let interior = attributes.interior.unwrap_or(InteriorId::AIR);
+        let interior = attributes.interior.unwrap_or(InteriorId::NONE);
         let flags = attributes
             .obeyed
             .as_ref()

@@ -146,7 +146,7 @@ fn pictures(
 
 /// The scenes named, in the order of their pictures, without duplicates.
 fn scenes(wanted: &Wanted) -> Result<Vec<BatchScene>, CliError> {
-    let globs = Globs::new(&wanted.only, &wanted.except).map_err(refused)?;
+    let globs = Globs::new(&wanted.only, &wanted.except)?;
     let roots: Vec<Root> = wanted.names.iter().map(|name| Root::of(name)).collect();
     let folders = roots.iter().filter(|root| root.is_folder()).count();
     let mut all = BTreeMap::new();
@@ -225,10 +225,10 @@ impl Root {
             |scene: &PathBuf, globs: &Globs| globs.has(scene.strip_prefix(folder).unwrap_or(scene));
         let mut scenes = match &self.what {
             What::Scene(name) => return Ok(vec![find_scene(name, &[])?]),
-            What::Folder | What::Pattern(_) => scenes_below(folder).map_err(refused)?,
+            What::Folder | What::Pattern(_) => scenes_below(folder)?,
         };
         if let What::Pattern(pattern) = &self.what {
-            let own = Globs::new(std::slice::from_ref(pattern), &[]).map_err(refused)?;
+            let own = Globs::new(std::slice::from_ref(pattern), &[])?;
             scenes.retain(|scene| meant(scene, &own));
         }
         scenes.retain(|scene| meant(scene, globs));
@@ -240,9 +240,4 @@ impl Root {
             false => scenes,
         })
     }
-}
-
-/// Converts an error of the batch module.
-pub(super) fn refused(error: crate::app::batch::BatchError) -> CliError {
-    CliError::new(error.to_string())
 }

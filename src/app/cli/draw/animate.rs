@@ -17,7 +17,7 @@ use super::interrupt;
 use super::progress::Progress;
 use super::report::{Reporter, say};
 use super::streams::Files;
-use super::{Draw, error_reached, pixels, progress_kind, refused, report_statistics, reporter};
+use super::{Draw, error_reached, pixels, progress_kind, report_statistics, reporter};
 use crate::RenderSession;
 use crate::app::batch::{MessageBuffer, in_order};
 use crate::app::cli::options::error::CliError;
@@ -294,7 +294,7 @@ impl Run<'_> {
                 Target::File(path) => Target::File(self.frames.path(number, path)),
                 Target::Stdout => Target::Stdout,
             };
-            output::put(&bytes.map_err(refused)?, &target).map_err(refused)?;
+            output::put(&bytes?, &target)?;
         }
         report_statistics(&drawn.statistics, verbosity, &self.reporter);
         self.console.drawn(settings, &drawn.statistics);

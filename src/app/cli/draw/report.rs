@@ -5,7 +5,7 @@
 //!   ("not-built", "undeclared", "missing-file", "author", "limit", "writes-files", "memory"), `file`, `line`, `column`,
 //!   `end` (`line` and `column` of the position after it); `labels` and `trace` (related positions, and the enclosing calls and includes,
 //!   innermost first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
-//! * `{"type":"said","text":...}`: the scene's `#debug` output.
+//! * `{"type":"scene_output","text":...}`: the scene's `#debug` output.
 //! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,
 //!   "errors":N,"warnings":N}`: the counts of `povr check`.
 //! * `{"type":"statistics", ...}`: the statistics of a rendering with `--json`, as in `options::Statistics`.
@@ -60,10 +60,10 @@ pub(crate) struct Counts {
 
 /// A line of `json`.
 #[derive(Serialize)]
-#[serde(tag = "type", rename_all = "lowercase")]
+#[serde(tag = "type", rename_all = "snake_case")]
 pub(crate) enum Line<'a> {
     Finding(&'a Message),
-    Said {
+    SceneOutput {
         text: &'a str,
     },
     File {
@@ -99,7 +99,7 @@ impl Reporter {
             _ => {}
         }
         match event {
-            Event::SceneOutput(text) if self.debugs => self.said(text),
+            Event::SceneOutput(text) if self.debugs => self.scene_output(text),
             Event::Finding(message) => self.write_finding(message),
             Event::Resumed(pixels) if self.warns => {
                 say(format_args!(
@@ -155,9 +155,9 @@ impl Reporter {
         }
     }
 
-    fn said(&self, text: &str) {
+    fn scene_output(&self, text: &str) {
         if self.format == MessageFormat::Json {
-            return self.json(&Line::Said { text });
+            return self.json(&Line::SceneOutput { text });
         }
         if let Some(last) = text.chars().last() {
             self.lock().is_within_line = last != '\n';

@@ -22,15 +22,15 @@ pub(crate) fn parse<CommandOptions: Parser>(
 
 /// The text that clap printed: an answer, or an error about an option of this command.
 pub(crate) fn printed<CommandOptions: CommandFactory>(
-    said: &clap::Error,
+    error: &clap::Error,
 ) -> Result<String, CliError> {
     if let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
-        (said.kind(), said.get(ContextKind::InvalidArg))
+        (error.kind(), error.get(ContextKind::InvalidArg))
     {
-        return Err(unknown::refused(option, &CommandOptions::command()));
+        return Err(unknown::unknown_option(option, &CommandOptions::command()));
     }
-    let text = said.render().to_string();
-    if said.use_stderr() {
+    let text = error.render().to_string();
+    if error.use_stderr() {
         let text = text.trim_end();
         Err(CliError::new(text.strip_prefix("error: ").unwrap_or(text)))
     } else {

@@ -3,6 +3,9 @@
 use std::fmt;
 use std::path::Path;
 
+use crate::app::batch::BatchError;
+use crate::output::OutputError;
+
 /// An error: message, position, and hint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CliError {
@@ -35,6 +38,22 @@ impl CliError {
         self.position
             .get_or_insert_with(|| format!("`{}` line {line}: ", file.display()));
         self
+    }
+}
+
+impl From<OutputError> for CliError {
+    fn from(error: OutputError) -> Self {
+        CliError {
+            message: error.to_string(),
+            position: None,
+            hint: error.hint(),
+        }
+    }
+}
+
+impl From<BatchError> for CliError {
+    fn from(error: BatchError) -> Self {
+        CliError::new(error.to_string())
     }
 }
 

@@ -208,12 +208,12 @@ pub(crate) fn set(
     reader: &mut Reader<'_>,
     key: &str,
     value: &str,
-    said: &str,
+    written: &str,
 ) -> Result<(), CliError> {
     if key.eq_ignore_ascii_case("Include_Ini") {
         reader.read_named(value)
     } else {
-        keys::set(reader.raw_args, key, value, said.trim())
+        keys::set(reader.raw_args, key, value, written.trim())
     }
 }
 

@@ -91,9 +91,9 @@ pub(crate) fn settle(
     environment: &Environment,
     command: &str,
 ) -> Result<Settings, CliError> {
-    if let Some((unbuilt, said)) = raw_args.unbuilt.first() {
+    if let Some((unbuilt, written)) = raw_args.unbuilt.first() {
         let (what, instead) = unbuilt.refusal();
-        return Err(CliError::new(format!("`{said}`: {what}")).with_hint(instead));
+        return Err(CliError::new(format!("`{written}`: {what}")).with_hint(instead));
     }
     let mut warnings = raw_args.doubts.clone();
     let render = render_options(&raw_args)?;
@@ -136,7 +136,7 @@ pub(crate) fn settle(
         notes: raw_args
             .idle
             .iter()
-            .map(|said| format!("povr: note: `{said}` has no effect here"))
+            .map(|written| format!("povr: note: `{written}` has no effect here"))
             .collect(),
     })
 }

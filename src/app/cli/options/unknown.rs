@@ -8,17 +8,17 @@ use super::nearest::nearest;
 use super::{keys, switches};
 use crate::app::cli::COMMANDS;
 
-/// The error for a long option that `own` does not have. `said` is the option as typed, with or without a value after
+/// The error for a long option that `own` does not have. `option` is the option as typed, with or without a value after
 /// `=`.
-pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
-    let said = said.split('=').next().unwrap_or(said);
+pub(crate) fn unknown_option(option: &str, own: &clap::Command) -> CliError {
+    let option = option.split('=').next().unwrap_or(option);
     let listed = format!("`{} --help` lists the options.", own.get_name());
-    let refusal = CliError::new(format!("unknown option `{said}`"));
-    let Some(name) = said.strip_prefix("--") else {
-        return CliError::new(format!("unexpected argument `{said}`")).with_hint(listed);
+    let refusal = CliError::new(format!("unknown option `{option}`"));
+    let Some(name) = option.strip_prefix("--") else {
+        return CliError::new(format!("unexpected argument `{option}`")).with_hint(listed);
     };
     if let Some(command) = commands_with(name, own).first() {
-        return CliError::new(format!("`{said}` is an option of `{command}`"));
+        return CliError::new(format!("`{option}` is an option of `{command}`"));
     }
     if let Some(near) = nearest(name, long_options(own)) {
         return refusal.with_hint(format!("Did you mean `--{near}`?"));
@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn options_of_other_commands_and_of_povray_are_named() {
         let own = LongOptions::command();
-        for (said, expected) in [
+        for (option, expected) in [
             ("--serve", "`--serve` is an option of `povr watch`"),
             ("--port=80", "`--port` is an option of `povr watch`"),
             (
@@ -123,11 +123,11 @@ mod tests {
                 "unknown option `--foo`\n  hint: `povr --help` lists the options.",
             ),
         ] {
-            assert_eq!(refused(said, &own).to_string(), expected);
+            assert_eq!(unknown_option(option, &own).to_string(), expected);
         }
         let watch = COMMANDS.iter().find(|command| command.name == "watch");
         let watch = (watch.expect("it is there").options)();
-        let refusal = refused("--threads", &watch).to_string();
+        let refusal = unknown_option("--threads", &watch).to_string();
         assert_eq!(refusal, "`--threads` is an option of `povr`");
     }
 }

@@ -7,7 +7,6 @@ use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
 use crate::RenderSession;
-use crate::app::cli::draw::refused;
 use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
@@ -149,6 +148,6 @@ impl Painter {
             working: picture.working,
             ..options.clone()
         };
-        output::write(&picture.film, target, &options).map_err(refused)
+        Ok(output::write(&picture.film, target, &options)?)
     }
 }

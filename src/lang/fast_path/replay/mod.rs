@@ -117,7 +117,7 @@ impl Reader<'_> {
     fn program(&self, recording: Recording, len: u8) -> Option<Program> {
         let behind = self.raw();
         let is_plain_token = match behind.kind {
-            Kind::Directive | Kind::More | Kind::End => false,
+            Kind::Directive | Kind::DataSegment | Kind::End => false,
             Kind::Word => !is_bare_directive(behind),
             _ => true,
         };

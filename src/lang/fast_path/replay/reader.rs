@@ -145,7 +145,7 @@ impl ReplayReader<'_> {
     fn peek(&self) -> Parse<Token> {
         let token = self.tokens.tokens[self.at];
         let is_plain_token = match token.kind {
-            Kind::Directive | Kind::More | Kind::End => false,
+            Kind::Directive | Kind::DataSegment | Kind::End => false,
             Kind::Name => !self.scopes.is_macro(Symbol(token.value)),
             Kind::Word => !is_bare_directive(token),
             _ => true,

@@ -35,12 +35,12 @@ pub(in crate::render::shade) fn supports(world: &World, quality: Quality) -> boo
     quality == Quality::FULL
         && globals.max_trace_level > 0
         && (0.0..=1.0).contains(&globals.adc_bailout)
-        && (world.has_clear_air() || air_affects_rays_only(world))
+        && (world.has_clear_atmosphere() || atmosphere_affects_rays_only(world))
         && lights.all(is_simple)
 }
 
 /// Returns true if fog and rainbows attenuate camera and secondary rays but no shadow rays, and draw no random numbers.
-fn air_affects_rays_only(world: &World) -> bool {
+fn atmosphere_affects_rays_only(world: &World) -> bool {
     let mut lights = world.lights.iter();
     !world.uses_random() && !lights.any(|light| light.media_attenuation)
 }

@@ -6,7 +6,7 @@ use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::render::shade::Scratch;
-use crate::render::shade::atmosphere::{AirTint, End};
+use crate::render::shade::atmosphere::{AtmosphereTint, End};
 use crate::render::shade::bsdf::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
 use crate::render::shade::shade_cache::{PlainMaterial, ShadeCache};
 use crate::render::shade::{Path, Sample, Tracer};
@@ -234,7 +234,7 @@ impl<'w> Tracer<'w> {
         let has_no_hit = there & hits.hit_mask == 0;
         if has_no_hit
             && self.world.sky.is_none()
-            && !self.has_air()
+            && !self.has_atmosphere()
             && let Some(kind) = rays.common_kind()
         {
             seen.set_all(self.background_of(kind).seen, there);
@@ -288,7 +288,7 @@ impl<'w> Tracer<'w> {
         self.attenuate(rays, hits, scratch, seen);
     }
 
-    /// Applies the air along the rays to the lanes that are complete.
+    /// Applies the atmosphere along the rays to the lanes that are complete.
     #[inline(always)]
     fn attenuate(
         &self,
@@ -297,27 +297,28 @@ impl<'w> Tracer<'w> {
         scratch: &mut Scratch,
         seen: &mut RadiancePacket4<'w>,
     ) {
-        if !self.has_air() {
+        if !self.has_atmosphere() {
             return;
         }
         each_lane(seen.known, |lane| {
-            let air = self.air_before(hits, lane, || rays.path(lane, hits.dir(lane)), scratch);
-            let Sample { rgb, transmit } = seen.known(lane).behind_air(air);
+            let atmosphere =
+                self.atmosphere_before(hits, lane, || rays.path(lane, hits.dir(lane)), scratch);
+            let Sample { rgb, transmit } = seen.known(lane).behind_atmosphere(atmosphere);
             put(&mut seen.rgb, lane, rgb);
             seen.transmit[lane] = transmit;
         });
     }
 
-    /// The effect of the air along the ray of a lane.
+    /// The effect of the atmosphere along the ray of a lane.
     #[inline]
-    pub(in crate::render::shade) fn air_before(
+    pub(in crate::render::shade) fn atmosphere_before(
         &self,
         hits: &HitPacket4,
         lane: usize,
         path: impl FnOnce() -> Path,
         scratch: &mut Scratch,
-    ) -> Option<AirTint> {
-        if !self.has_air() {
+    ) -> Option<AtmosphereTint> {
+        if !self.has_atmosphere() {
             return None;
         }
         let end = match hits.is_hit(lane) {
@@ -327,7 +328,7 @@ impl<'w> Tracer<'w> {
             }
             false => End::Nothing,
         };
-        self.air(&path(), end, scratch)
+        self.atmosphere(&path(), end, scratch)
     }
 
     /// The light from this light source that arrives at a hit through transparent surfaces.

@@ -1,4 +1,4 @@
-//! Shadow rays: the occlusion of a light, and the transmittance of transparent surfaces and air before it.
+//! Shadow rays: the occlusion of a light, and the transmittance of transparent surfaces and atmosphere before it.
 
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
@@ -37,7 +37,7 @@ impl Tracer<'_> {
         let known = lit.known.occlusion(light);
         match known {
             Some(Occlusion::Opaque) => return Rgb::BLACK,
-            Some(Occlusion::Clear) if !self.is_attenuated_by_air(light) => return arriving,
+            Some(Occlusion::Clear) if !self.is_attenuated_by_atmosphere(light) => return arriving,
             _ => {}
         }
         let ray = Ray::new(lit.at.point, arrival.to_light);
@@ -71,7 +71,7 @@ impl Tracer<'_> {
     }
 
     /// Returns true if fog or media attenuate a light.
-    fn is_attenuated_by_air(&self, light: u32) -> bool {
+    fn is_attenuated_by_atmosphere(&self, light: u32) -> bool {
         let source = self.world.lights.get(light);
         let by_fog = source.media_attenuation && !self.world.fogs.is_empty();
         by_fog || self.is_attenuated_by_media(source)
@@ -86,8 +86,8 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (query, light) = (&shadow_path.query, shadow_path.light);
         let source = self.world.lights.get(light);
-        let by_air = self.is_attenuated_by_media(source);
-        let is_attenuated = self.is_attenuated_by_air(light);
+        let by_media = self.is_attenuated_by_media(source);
+        let is_attenuated = self.is_attenuated_by_atmosphere(light);
         match shadow_path
             .known
             .unwrap_or_else(|| self.world.occlusion(query, light, &mut scratch.query))
@@ -129,12 +129,12 @@ impl Tracer<'_> {
                 let length = hit.map_or(left, |hit| hit.t);
                 if source.media_attenuation
                     && let Some(fog) = self.fog(&query.ray, length)
-                    && self.is_in_air(&inside)
+                    && self.is_outside_solids(&inside)
                 {
                     arriving *= fog.factor;
                 }
             }
-            if by_air {
+            if by_media {
                 let length = hit.map_or(left, |hit| hit.t);
                 arriving *= self.atmosphere_transmittance(&query.ray, length, &inside, scratch);
             }

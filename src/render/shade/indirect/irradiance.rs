@@ -143,7 +143,7 @@ impl Tracer<'_> {
         let session = scratch.radiosity.as_deref();
         depth == 0
             && count >= MIN_PARALLEL_RAYS
-            && session.is_some_and(|session| session.mode == Mode::Grow)
+            && session.is_some_and(|session| session.mode == Mode::Store)
             && rayon::current_num_threads() > 1
     }
 
@@ -166,7 +166,7 @@ impl Tracer<'_> {
             return;
         };
         let watching = || Scratch {
-            radiosity: Some(Box::new(session.in_mode(Mode::Watch))),
+            radiosity: Some(Box::new(session.in_mode(Mode::Record))),
             ..Scratch::default()
         };
         let watch = |scratch: &mut Scratch, &(number, dir): &(u32, DVec3)| {
@@ -216,7 +216,7 @@ impl Tracer<'_> {
         } = irradiance_point;
         if let Some(session) = scratch.radiosity.as_deref_mut() {
             session.quality = 1.0;
-            if session.mode == Mode::Watch {
+            if session.mode == Mode::Record {
                 session.notes.begin();
             }
         }

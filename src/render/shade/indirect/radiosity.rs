@@ -61,7 +61,7 @@ impl Tracer<'_> {
     }
 
     /// Returns true if a ray ignores fog and media.
-    pub(in crate::render::shade) fn is_airless(&self, path: &Path) -> bool {
+    pub(in crate::render::shade) fn is_without_atmosphere(&self, path: &Path) -> bool {
         let radiosity = self.radiosity.as_ref();
         path.irradiance_depth > 0
             && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
@@ -77,13 +77,13 @@ impl Tracer<'_> {
     ) -> Sample {
         if let Some(session) = &mut scratch.radiosity {
             match session.mode {
-                Mode::Watch => session.notes.begin(),
-                Mode::Grow => {
+                Mode::Record => session.notes.begin(),
+                Mode::Store => {
                     if let Some((rgb, transmit)) = session.notes.recall(x, y, &session.cache) {
                         return Sample { rgb, transmit };
                     }
                 }
-                Mode::Lone => {}
+                Mode::Isolated => {}
             }
         } else {
             scratch.radiosity.clone_from(&self.session);
@@ -91,7 +91,7 @@ impl Tracer<'_> {
         begin_sample(x, y, scratch);
         let sample = trace(scratch);
         if let Some(session) = &mut scratch.radiosity
-            && session.mode == Mode::Watch
+            && session.mode == Mode::Record
         {
             session.notes.end(x, y, (sample.rgb, sample.transmit));
         }

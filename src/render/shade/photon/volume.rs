@@ -58,7 +58,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         let inside = &photon.path.inside;
-        if !self.features.has_media || inside.is_empty() || !self.is_in_air(inside) {
+        if !self.features.has_media || inside.is_empty() || !self.is_outside_solids(inside) {
             return;
         }
         let media = self.media_of(inside);
