@@ -33,6 +33,10 @@ use crate::lang::syntax::{Class, Kind, Symbol};
 use glam::DVec3;
 use std::rc::Rc;
 
+/// The first language version with operators outside of parentheses and colours; POV-Ray compares hundredths, rounded.
+/// In older ones `<1 -1 0>` has three components.
+pub(super) const FIRST_WITH_OPERATORS: f64 = 1.495;
+
 impl Reader<'_> {
     /// A float at the additive level.
     pub(super) fn number_at_sum(&mut self) -> Parse<f64> {
@@ -67,15 +71,36 @@ impl Reader<'_> {
     }
 
     fn read_full(&mut self) -> Parse<Number> {
-        let left = self.comparison()?;
-        self.full_after(left)
+        self.with_operators(true, |reader| {
+            let left = reader.comparison()?;
+            reader.full_after(left)
+        })
+    }
+
+    /// Reads with or without operators in language versions before [`FIRST_WITH_OPERATORS`].
+    pub(super) fn with_operators<T>(
+        &mut self,
+        has_operators: bool,
+        read: impl FnOnce(&mut Self) -> Parse<T>,
+    ) -> Parse<T> {
+        let outer = std::mem::replace(&mut self.statement.has_operators, has_operators);
+        let value = read(self);
+        self.statement.has_operators = outer;
+        value
+    }
+
+    /// Returns true if an operator continues the sum being read.
+    fn has_operators(&self) -> bool {
+        self.statement.has_operators || self.draft.version >= FIRST_WITH_OPERATORS
     }
 
     /// A whole expression of which the first sum may be replayed by itself.
     pub(super) fn full_of_sum(&mut self) -> Parse<Number> {
-        let sum = self.sum()?;
-        let left = self.comparison_after(sum)?;
-        self.full_after(left)
+        self.with_operators(true, |reader| {
+            let sum = reader.sum()?;
+            let left = reader.comparison_after(sum)?;
+            reader.full_after(left)
+        })
     }
 
     /// The rest of a whole expression, after its first comparison.
@@ -180,6 +205,9 @@ impl Reader<'_> {
     }
 
     fn read_sum(&mut self) -> Parse<Number> {
+        if !self.has_operators() {
+            return self.factor();
+        }
         let mut left = self.product()?;
         while let Some(binary) = self.binary(|mark| match mark {
             '+' => Some(Binary::Add),
@@ -295,7 +323,9 @@ impl Reader<'_> {
                     self.note_constant(word, &number);
                     Ok(number)
                 }
-                Some(word) if word.class() == Class::Function => self.call_function(word),
+                Some(word) if word.class() == Class::Function => {
+                    self.with_operators(true, |reader| reader.call_function(word))
+                }
                 _ => Err(self.expected_here("a number, a vector or an expression")),
             },
             _ => Err(self.expected_here("a number, a vector or an expression")),
@@ -339,7 +369,7 @@ impl Reader<'_> {
                 let error = self.expected_here("`>` or a further component of the vector");
                 return Err(self.with_opened(error, '>', opened));
             }
-            let component = self.sum()?;
+            let component = self.with_operators(false, Self::sum)?;
             number.v[usize::from(number.len)] = self.only_float(component, start)?;
             number.len += 1;
             self.take_mark(',')?;

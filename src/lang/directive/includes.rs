@@ -2,6 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
+use crate::lang::expr::FIRST_WITH_OPERATORS;
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
@@ -94,8 +95,11 @@ impl Reader<'_> {
                 .with_hint("Write `#version 3.7;` if the scene uses nothing newer."),
             ));
         }
-        if (version < 3.5) != (self.draft.version < 3.5) {
-            // Macros after a number are parsed differently.
+        // Macros after a number are parsed differently before 3.5, and operators before 1.5.
+        if [3.5, FIRST_WITH_OPERATORS]
+            .iter()
+            .any(|first| (version < *first) != (self.draft.version < *first))
+        {
             self.replays.clear();
         }
         self.draft.version = version;
