@@ -271,7 +271,7 @@ impl World {
         &self.model.leaves
     }
 
-    /// Single-precision boxes of all objects: they may be smaller than the objects by a rounding.
+    /// Boxes around all objects, wider by the roundings to single precision.
     pub fn boxes(&self) -> impl Iterator<Item = Bounds> {
         self.boxes.iter().map(SingleBox::bounds)
     }
@@ -303,12 +303,13 @@ impl SingleBox {
         }
     }
 
-    /// The box in double precision.
+    /// A box around the object in double precision, wider by the roundings.
     pub(super) fn bounds(&self) -> Bounds {
-        let min = self.lower.as_dvec3();
+        let (lower, size) = (self.lower.as_dvec3(), self.size.as_dvec3());
+        let slack = f64::from(f32::EPSILON) * (lower.abs() + size);
         Bounds {
-            min,
-            max: min + self.size.as_dvec3(),
+            min: lower - slack,
+            max: lower + size + slack,
         }
     }
 

@@ -32,6 +32,7 @@ pub use surface::{OwnedOrShared, Surface};
 use crate::base::options::RenderOptions;
 use crate::scene::pattern::Settings;
 use crate::scene::{Object, Scene};
+use csg::coincidence::Widening;
 use lower::lowering::Lowering;
 use lower::parts::targets::Targets;
 use std::sync::Arc;
@@ -58,7 +59,9 @@ pub fn compile_dropping(
         solid_of: Some(solid_of),
         ..scene.pattern_settings()
     });
-    flat.has_clean_cuts = options.has_clean_cuts;
+    if options.has_clean_cuts {
+        flat.widening = Widening::NONE;
+    }
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // Objects are freed as they are lowered: large scenes need the memory.

@@ -2,6 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 
+/// Relative difference of coordinates or distances that are the same but for the roundings of different transforms, which
+/// are a few units in the last place (2^-52); this is 64 of them.
+pub const COINCIDENT: f64 = 1.0 / (1u64 << 46) as f64;
+
 /// An axis-aligned bounding box. It is empty if `min > max` on some axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -53,12 +57,15 @@ impl Bounds {
         }
     }
 
-    /// The overlap of both boxes, possibly empty.
+    /// The overlap of both boxes, possibly empty. Boxes whose sides coincide but for rounding overlap in a flat box.
     #[must_use]
     pub fn intersection(&self, other: &Bounds) -> Bounds {
+        let (min, max) = (self.min.max(other.min), self.max.min(other.max));
+        let touch = (min - max).cmple(COINCIDENT * min.abs().max(max.abs()));
+        let is_flat = min.cmpgt(max) & touch;
         Bounds {
-            min: self.min.max(other.min),
-            max: self.max.min(other.max),
+            min: DVec3::select(is_flat, max, min),
+            max: DVec3::select(is_flat, min, max),
         }
     }
 

@@ -16,7 +16,7 @@ mod spline;
 mod transform;
 pub(crate) mod watertight;
 
-pub use bounds::Bounds;
+pub use bounds::{Bounds, COINCIDENT};
 pub use ray::Ray;
 pub use sampling::halton::halton;
 pub use sampling::jitter::jitter;

@@ -3,32 +3,51 @@
 //! Surfaces at the same `t`, up to rounding, are taken together, and each counts as inside or outside the solids of the
 //! others by [`SurfaceSide`]: coincident faces leave a skin as in POV-Ray. Where POV-Ray leaves speckles, and with clean
 //! cuts everywhere, one surface is shown if the ray enters or leaves the node as a whole there: no double surface, no
-//! hole.
+//! hole. A packet of rays hands every ray with ends near each other to the sweep, see [`Widening::of_packets`].
 
 use super::program::CsgProgram;
 use super::sweep::Sweep;
+use crate::base::math::COINCIDENT;
 use crate::scene::shape::{Crossing, Geometry, SurfaceSide};
 use crate::world::primitive::Leaf;
 
-/// Relative difference of the distances of surfaces that coincide: roundings of different transforms.
-const COINCIDENT: f64 = 1.0 / (1u64 << 46) as f64;
-
-/// The factors that give the ends of an interval around a distance.
-#[derive(Clone, Copy, Debug)]
+/// Factors of a distance between which surfaces coincide with one there.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Widening {
     pub(crate) down: f64,
     pub(crate) up: f64,
 }
 
-impl CsgProgram {
-    /// The distances within which surfaces coincide. Clean cuts need equal ones: they keep the thinnest walls.
+impl Widening {
+    /// Equal distances alone: clean cuts keep the thinnest walls.
+    pub(crate) const NONE: Widening = Widening { down: 1.0, up: 1.0 };
+
+    /// Distances whose difference the roundings of different transforms may be.
+    pub(crate) const ROUNDINGS: Widening = Widening {
+        down: 1.0 - COINCIDENT,
+        up: 1.0 + COINCIDENT,
+    };
+
+    /// The factors for packets, which take the scalar path wherever ends may coincide: twice as far.
     #[inline(always)]
-    pub(crate) fn widening(&self) -> Widening {
-        let share = if self.has_clean_cuts { 0.0 } else { COINCIDENT };
+    pub(crate) fn of_packets(self) -> Widening {
         Widening {
-            down: 1.0 - share,
-            up: 1.0 + share,
+            down: self.down - (1.0 - self.down),
+            up: self.up + (self.up - 1.0),
         }
+    }
+}
+
+impl Default for Widening {
+    fn default() -> Self {
+        Widening::ROUNDINGS
+    }
+}
+
+impl CsgProgram {
+    /// Returns true if coincident faces are cut cleanly, where POV-Ray leaves a skin.
+    fn has_clean_cuts(&self) -> bool {
+        self.widening == Widening::NONE
     }
 
     /// Handles several roots at the same `t`: hides those not shown, and puts the last operand first, which wins as in
@@ -44,7 +63,7 @@ impl CsgProgram {
         for event in &sweep.events[at..end] {
             self.toggle(event, &mut sweep.state);
         }
-        if self.has_clean_cuts || !self.show_on_surfaces(at, end, leaves, sweep) {
+        if self.has_clean_cuts() || !self.show_on_surfaces(at, end, leaves, sweep) {
             self.show_clean_cuts(at, end, sweep);
         }
         let events = &mut sweep.events[at..end];
@@ -62,16 +81,9 @@ impl CsgProgram {
             events,
             state,
             shown,
-            is_in,
             ..
         } = sweep;
         let events = &events[at..end];
-        is_in.clear();
-        is_in.extend(
-            events
-                .iter()
-                .map(|event| state.leaf_in[event.leaf as usize]),
-        );
         let mut is_certain = true;
         for event in events {
             if event.root.crossing == Crossing::Touch {
@@ -95,8 +107,9 @@ impl CsgProgram {
             is_certain |= is_shown && !self.operands[event.leaf as usize].is_hidden;
             shown.push(is_shown);
         }
-        for (event, is_in) in events.iter().zip(is_in) {
-            self.put(event.leaf, *is_in, state);
+        // Back to the state after them.
+        for event in events {
+            self.toggle(event, state);
         }
         is_certain
     }

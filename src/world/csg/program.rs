@@ -1,5 +1,6 @@
 //! The CSG program: a tree of n-ary nodes over leaves, stored as a flat list, parents before children.
 
+use super::coincidence::Widening;
 use super::inside::InsideInit;
 use crate::base::accel::Bvh;
 use crate::world::primitive::Leaf;
@@ -87,8 +88,8 @@ pub(crate) struct CsgProgram {
     pub(crate) turned: SmallVec<[u32; 4]>,
     /// The order in which operands are intersected.
     pub(crate) order: OperandOrder,
-    /// True if coincident faces are cut cleanly, where POV-Ray leaves a skin.
-    pub(crate) has_clean_cuts: bool,
+    /// The distances at which surfaces coincide.
+    pub(crate) widening: Widening,
 }
 
 /// Operands that a ray can hit only if it hits a bounding object.

@@ -2,8 +2,8 @@
 //!
 //! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped). The roots
 //! are sorted by `t`, and a sweep toggles one leaf at a time; each toggle climbs only as far as something changes. No
-//! point is ever classified as inside or outside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting
-//! for modeling solids", CGIP 18; here n-ary, with one sort). Roots at the same `t` are decided in [`super::coincidence`].
+//! hit is tested for being inside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling
+//! solids", CGIP 18; here n-ary, with one sort). Coincident roots are decided in [`super::coincidence`].
 //!
 //! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
 //! other children; an intersection those inside all its other children.
@@ -58,9 +58,7 @@ pub(crate) struct Sweep {
     pub(super) before: Vec<u32>,
     /// For each of these roots, true if the ray was inside its operand before them.
     pub(super) was_in: Vec<bool>,
-    /// Same, after them.
-    pub(super) is_in: Vec<bool>,
-    /// Same, true if its surface is shown.
+    /// For each of these roots, true if its surface is shown.
     pub(super) shown: Vec<bool>,
     /// Operands whose boxes are hit.
     near: Vec<u32>,
@@ -99,24 +97,23 @@ impl CsgProgram {
             ray,
             departure,
         };
-        let widening = self.widening();
         let to = self.collect(context, interval, sweep)?;
         sort(&mut sweep.events);
         let mut at = 0;
         while at < sweep.events.len() {
-            let mut t = sweep.events[at].root.t;
-            if t > to {
+            let first = sweep.events[at].root.t;
+            if first > to {
                 return None;
             }
+            let coincident = first * self.widening.up;
             let mut end = at + 1;
-            while end < sweep.events.len() && sweep.events[end].root.t <= t * widening.up {
-                t = sweep.events[end].root.t;
+            while end < sweep.events.len() && sweep.events[end].root.t <= coincident {
                 end += 1;
             }
             if end == at + 1 {
                 let event = sweep.events[at];
                 let is_hidden = self.operands[event.leaf as usize].is_hidden;
-                if t > interval.from && event.root.is_visible && !is_hidden {
+                if first > interval.from && event.root.is_visible && !is_hidden {
                     self.step(at, sweep);
                 } else {
                     self.toggle(&event, &mut sweep.state);
@@ -128,16 +125,16 @@ impl CsgProgram {
             }
             for index in at..end {
                 let Event { root, leaf } = sweep.events[index];
-                let is_within = interval.from < root.t && root.t <= interval.to;
                 let number = self.first + leaf;
                 let hit = RawHit {
                     root,
                     leaf: number,
                     surface: leaves[number as usize].surface,
                 };
-                let is_seen = root.is_visible && is_within;
+                let is_seen = root.is_visible && interval.from < root.t;
                 if is_seen && !self.operands[leaf as usize].is_hidden && wanted(&hit) {
-                    return Some(hit);
+                    // The winner among coincident surfaces must not depend on hits found before.
+                    return (root.t <= interval.to).then_some(hit);
                 }
             }
             at = end;
@@ -159,7 +156,7 @@ impl CsgProgram {
         if !self.try_gates(context.leaves, context.ray, sweep) {
             return None;
         }
-        let around = self.widening();
+        let around = self.widening;
         let (mut from, mut to) = (interval.from * around.down, interval.to * around.up);
         for &number in &self.order.required {
             let start = self.add_roots(number, context, RayInterval { from, to }, sweep);

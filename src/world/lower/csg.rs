@@ -88,7 +88,7 @@ impl Lowering {
         let mut program = CsgProgram {
             nodes: smallvec![root],
             first: index(self.parts.leaves.len()),
-            has_clean_cuts: self.has_clean_cuts,
+            widening: self.widening,
             ..CsgProgram::default()
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);

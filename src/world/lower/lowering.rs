@@ -8,6 +8,7 @@ use crate::base::math::Bounds;
 use crate::scene::Object;
 use crate::scene::pattern::Settings;
 use crate::scene::texture::{PreparedTexture, Texture};
+use crate::world::csg::coincidence::Widening;
 use crate::world::csg::memo::CsgMemo;
 use crate::world::interiors::Interiors;
 use crate::world::lights::Lights;
@@ -31,8 +32,8 @@ pub(crate) struct Lowering {
     pub(crate) keeps_uv: bool,
     /// True if the insides of objects are needed, which may be larger than their surfaces.
     pub(crate) needs_insides: bool,
-    /// True if coincident faces are cut cleanly, where POV-Ray leaves a skin.
-    pub(crate) has_clean_cuts: bool,
+    /// The distances at which surfaces coincide in CSG.
+    pub(crate) widening: Widening,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) interiors: Interiors,
     /// Scene-wide settings for patterns.

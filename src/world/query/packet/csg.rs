@@ -2,7 +2,7 @@
 //!
 //! With few operands sorting does not pay. A surface is shown where the ray is inside all solids to be intersected and
 //! outside all those subtracted; each end of a span is tested against the other spans (Roth 1982, inverted: all ends,
-//! all spans, no order). Where two ends coincide, and where a shape is in doubt, the ray takes the scalar path: so the
+//! all spans, no order). Where two ends may coincide, and where a shape is in doubt, the ray takes the scalar path: so the
 //! hits are those of [`CsgProgram::nearest`], bit for bit.
 //!
 //! A program of many operands is reduced to those whose boxes some of the four rays hit, by the BVH over them: the

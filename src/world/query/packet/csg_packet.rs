@@ -63,8 +63,8 @@ impl<F: F64Lanes> End<F> {
         }
     }
 
-    /// Takes the end of an operand, within `around` of its distance, into account, which replaces the current one where
-    /// `is_new`.
+    /// Includes the end of another operand, which replaces the current one where `is_new`; both are tied where the current
+    /// one is within `around`.
     #[inline(always)]
     fn extend(&mut self, t: F, around: (F, F), operand: F, is_new: F::Mask) {
         let [zero, one] = [F::splat(0.0), F::splat(1.0)];
@@ -155,7 +155,7 @@ pub(in crate::world) struct NearestEnd<F: F64Lanes> {
 }
 
 impl<F: F64Lanes> NearestEnd<F> {
-    /// Of no operand yet, at `best`; ends within `around` coincide with it.
+    /// The closest end at `best`, before its operand is found; ends within `around` may coincide with it.
     #[inline(always)]
     pub(in crate::world) fn new(best: F, around: (F, F)) -> Self {
         NearestEnd {
@@ -189,10 +189,11 @@ impl<F: F64Lanes> NearestEnd<F> {
         active: u32,
     ) -> CsgPacketHits {
         let best = self.best;
-        let is_within = best.le(F::from_array(&rays.t_max));
-        let is_hit = best.lt(F::splat(f64::INFINITY)) & is_within;
+        let is_shown = best.lt(F::splat(f64::INFINITY));
+        // One of the others may be within the ray's interval even if this one is not.
+        let unknown = unknown | F::bitmask(self.twice & is_shown) & active;
+        let is_hit = is_shown & best.le(F::from_array(&rays.t_max));
         let hit_mask = F::bitmask(is_hit) & active;
-        let unknown = unknown | F::bitmask(self.twice) & hit_mask;
         CsgPacketHits {
             t: best.to_array(),
             operand: self.operand.to_array(),
@@ -212,10 +213,10 @@ impl CsgPacketHits {
 }
 
 impl CsgPacket<'_> {
-    /// The distances within which an end coincides with one at `t`.
+    /// The distances between which an end may coincide with one at `t`.
     #[inline(always)]
     pub(in crate::world) fn around<F: F64Lanes>(&self, t: F) -> (F, F) {
-        let Widening { down, up } = self.program.widening();
+        let Widening { down, up } = self.program.widening.of_packets();
         (t * F::splat(down), t * F::splat(up))
     }
 
@@ -292,7 +293,7 @@ impl CsgPacket<'_> {
         })
     }
 
-    /// The nearer of `best` and, where it is shown, an end at `t`; `cuts` are the spans subtracted. Not a closure,
+    /// The nearer of `best` and an end at `t`, where that is not certainly hidden; `cuts` are the spans subtracted. Not a closure,
     /// which would not be compiled for the wide lanes.
     #[inline(always)]
     fn nearer<F: F64Lanes>(&self, clip: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
