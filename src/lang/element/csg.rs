@@ -1,6 +1,6 @@
 //! `union`, `merge`, `intersection` and `difference`: blocks of objects.
 
-use crate::base::args::{Parse, Word};
+use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
 use crate::lang::expr::value::Value;
 use crate::lang::reader::Reader;
@@ -53,9 +53,6 @@ impl Reader<'_> {
     fn check_no_part_follows(&mut self, word: &str) -> Parse<()> {
         let token = self.peek()?;
         let is_part = match token.word() {
-            Some(Word::ClippedBy | Word::BoundedBy | Word::SplitUnion | Word::CutawayTextures) => {
-                false
-            }
             Some(found) => matches!(found.class(), Class::Shape | Class::Csg),
             None => {
                 let value = token.symbol().and_then(|name| self.scopes.get(name));

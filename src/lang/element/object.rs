@@ -10,7 +10,7 @@ use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind as Tok, Symbol};
 use crate::scene::interior::Interior;
-use crate::scene::shape::Shape;
+use crate::scene::shape::{Geometry, Shape};
 use crate::scene::texture::{Material, Texture};
 use crate::scene::{Kind, Object, Operation};
 use std::sync::Arc;
@@ -49,7 +49,8 @@ impl Reader<'_> {
             Word::Union => self.csg(Operation::Union)?,
             Word::Composite => {
                 let text = "`composite` is the old word for `union`";
-                self.warning(Diagnostic::warning(self.here_span(), text));
+                let warning = Diagnostic::warning(self.here_span(), text);
+                self.warning(warning.with_hint("Write `union` instead."));
                 self.csg(Operation::Union)?
             }
             Word::Merge => self.csg(Operation::Merge)?,
@@ -323,22 +324,8 @@ impl Reader<'_> {
     /// Warns of a switch without effect on an object of a kind for which POV-Ray rejects it.
     fn warn_of_idle_switch(&mut self, object: &Object, word: Word) {
         let is_suited = match (word, &object.kind) {
-            (Word::Sturm, Kind::Shape(shape)) => matches!(
-                **shape,
-                Shape::Blob(_)
-                    | Shape::Lathe(_)
-                    | Shape::Ovus(_)
-                    | Shape::Poly(_)
-                    | Shape::Prism(_)
-                    | Shape::Sor(_)
-                    | Shape::Torus(_)
-            ),
-            (Word::Hierarchy, Kind::Shape(shape)) => {
-                matches!(
-                    **shape,
-                    Shape::Blob(_) | Shape::HeightField(_) | Shape::Mesh(_)
-                )
-            }
+            (Word::Sturm, Kind::Shape(shape)) => shape.takes_sturm(),
+            (Word::Hierarchy, Kind::Shape(shape)) => shape.takes_hierarchy(),
             (Word::SplitUnion, Kind::Csg { operation, .. }) => {
                 matches!(operation, Operation::Union | Operation::Merge)
             }
@@ -347,7 +334,7 @@ impl Reader<'_> {
         };
         if !is_suited {
             let text = format!("`{word}` has no effect on this object; POV-Ray rejects it here");
-            self.warning(Diagnostic::warning(self.taken_span(), text));
+            self.warning(Diagnostic::warning(self.taken_span(), text).with_hint("Remove it."));
         }
     }
 

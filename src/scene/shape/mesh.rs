@@ -517,6 +517,10 @@ impl Geometry for Mesh {
     fn is_solid(&self) -> bool {
         self.0.inside.is_some()
     }
+
+    fn takes_hierarchy(&self) -> bool {
+        true
+    }
 }
 
 pub(super) mod attributes;

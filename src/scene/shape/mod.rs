@@ -144,17 +144,18 @@ pub enum Start {
     Inside,
 }
 
-/// Side of a solid to which the points on its surface count where surfaces coincide in CSG: as POV-Ray, whose points are
-/// off the surface by rounding, decides with the tolerance of each shape (measured with shapes cut by themselves).
+/// Side on which POV-Ray's inside test puts the points of a surface: it decides coincident surfaces in CSG. The tolerances
+/// of the tests differ by shape (measured with shapes cut by themselves).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceSide {
-    /// Inside, outside of the inverse.
+    /// Inside the solid, outside its inverse.
     Inside,
-    /// Outside, inside of the inverse.
+    /// Outside the solid, inside its inverse.
     Outside,
-    /// Inside, also of the inverse.
+    /// Inside both the solid and its inverse.
     Both,
-    /// Inside, unless no surface is shown then: POV-Ray has no tolerance, and speckles.
+    /// Either, by rounding: the test has no tolerance, and POV-Ray leaves speckles. Counts as inside; where nothing shows
+    /// then, the cut is a clean one.
     Rounded,
 }
 
@@ -328,9 +329,19 @@ pub trait Geometry {
         false
     }
 
-    /// The side to which points on the surface count.
+    /// The side of points on the surface.
     fn surface_side(&self) -> SurfaceSide {
         SurfaceSide::Rounded
+    }
+
+    /// True if the language has `sturm` for it; elsewhere POV-Ray rejects the word.
+    fn takes_sturm(&self) -> bool {
+        false
+    }
+
+    /// True if the language has `hierarchy` for it; elsewhere POV-Ray rejects the word.
+    fn takes_hierarchy(&self) -> bool {
+        false
     }
 
     /// True if [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
@@ -478,6 +489,12 @@ macro_rules! shapes {
             }
             fn surface_side(&self) -> SurfaceSide {
                 match self { $(Shape::$name(shape) => shape.surface_side()),+ }
+            }
+            fn takes_sturm(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.takes_sturm()),+ }
+            }
+            fn takes_hierarchy(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.takes_hierarchy()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }

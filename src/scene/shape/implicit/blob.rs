@@ -440,6 +440,14 @@ impl Geometry for Blob {
         }
         weights
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
+
+    fn takes_hierarchy(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -407,6 +407,10 @@ impl Geometry for HeightField {
     fn is_faceted(&self) -> bool {
         true
     }
+
+    fn takes_hierarchy(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -234,6 +234,10 @@ impl Geometry for Ovus {
         let rise = p.normalize_or_zero().y.clamp(-1.0, 1.0);
         Some([around, 0.5 + rise.asin() / PI])
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

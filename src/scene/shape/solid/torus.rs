@@ -432,6 +432,10 @@ impl Geometry for Torus {
     fn loses_uv(&self) -> bool {
         true
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

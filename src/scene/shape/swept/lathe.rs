@@ -125,6 +125,10 @@ impl Geometry for Lathe {
         });
         Some([around, along])
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -387,6 +387,10 @@ impl Geometry for Prism {
     fn absorb(&mut self, _: &Step) -> bool {
         false
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -377,6 +377,10 @@ impl Geometry for Sor {
         let share = (0.5 * (ring.param(point.y) + 1.0)).clamp(0.0, 1.0);
         Some([around, (count(number) + share) / count(profile.rings.len())])
     }
+
+    fn takes_sturm(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]
