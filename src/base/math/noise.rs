@@ -411,8 +411,8 @@ mod tests {
     }
 
     #[test]
-    fn points_far_out_have_a_value() {
-        for point in [DVec3::splat(1e17), DVec3::splat(f64::MAX), DVec3::NAN] {
+    fn points_far_out_do_not_panic() {
+        for point in [1e17, 1e100, f64::MAX, f64::NAN].map(DVec3::splat) {
             for number in [1.0, 2.0, 3.0] {
                 let _ = NoiseGenerator::of_number(number).noise(point);
             }

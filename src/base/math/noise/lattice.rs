@@ -153,7 +153,7 @@ fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
 }
 
 /// A number truncated to an integer. What does not fit becomes the least integer, as the processor converts it for
-/// POV-Ray.
+/// POV-Ray (docs/povray-facts.md, section 8.2).
 #[allow(clippy::cast_possible_truncation, reason = "checked to fit")]
 pub(super) fn to_i32(number: f64) -> i32 {
     if number.abs() < -f64::from(i32::MIN) {

@@ -8,12 +8,12 @@
 //! and surfaces that its steps miss must be missed here: a finer search would draw hairs that POV-Ray does not. The
 //! normal is the gradient of `|z|²` after the last iteration. Shadows differ in a few pixels of a thousand.
 //!
-//! Error bound: within [`TOLERANCE`] of a reported root the state changes (`tests/stability`); missed surfaces have no
-//! bound.
+//! Error bound of quaternions and of the hypercomplex `sqr`, `cube` and `reciprocal`: within [`TOLERANCE`] of a reported
+//! root the state changes (`tests/stability`); missed surfaces have no bound.
 //!
 //! Hypercomplex numbers are pairs of complex numbers, to each of which every function is applied separately. For most
 //! of them POV-Ray 3.7 halves its steps with another inside test than that of its search, and takes the function for
-//! its derivative ([`Function`]). Its surfaces are rough, therefore, and scenes look like that: the same is done here.
+//! its derivative ([`Function::factor`]), which makes its surfaces rough: the same is done here.
 //!
 //! In a CSG object that is transformed as a whole, POV-Ray 3.7 forgets that a `julia_fractal` is inverse or subtracted,
 //! so that a difference shows what an intersection would; here it stays a difference.
@@ -250,6 +250,7 @@ impl Fractal {
     fn hypercomplex_gradient(&self, function: Function, point: DVec3) -> DVec3 {
         let mut z = self.tested_start(function, point);
         let mut searched = self.start(point);
+        let tests_y_as_z = function.tests_y_as_z();
         let mut is_bounded = true;
         let mut slope = to_complex_pair(z);
         for iteration in 0..self.max_iteration {
@@ -257,8 +258,10 @@ impl Fractal {
             if iteration > 0 {
                 slope = [0, 1].map(|i| slope[i] * function.factor(pair[i]));
             }
-            is_bounded &= self.is_in_sphere(z);
-            searched = self.next(function, to_complex_pair(searched));
+            if tests_y_as_z {
+                is_bounded &= self.is_in_sphere(z);
+                searched = self.next(function, to_complex_pair(searched));
+            }
             z = if is_bounded {
                 self.next(function, pair)
             } else {
@@ -367,8 +370,8 @@ impl Fractal {
         if self.scalar_function().is_none() {
             return (Ray::new(ray.origin, ray.dir / length), length);
         }
-        // As POV-Ray rounds it: see `chord`. It leaves the rays of untransformed objects as they are; so are those here
-        // whose length is a power of two but for rounding.
+        // As POV-Ray rounds it: see `chord`. It does not normalise the rays of untransformed objects; neither are those
+        // normalised here whose length is a power of two but for rounding.
         let power = f64::from_bits((length * SQRT_2).to_bits() & !MANTISSA);
         let is_unit = (length / power - 1.0).abs() < UNIT_LOSS;
         let length = if is_unit { power } else { length };

@@ -92,7 +92,7 @@ impl Function {
     }
 
     /// True if POV-Ray's inside test takes the second coordinate for the third, too (measured).
-    pub(super) fn is_tested_aside(self) -> bool {
+    pub(super) fn tests_y_as_z(self) -> bool {
         !matches!(
             self,
             Function::Square | Function::Cube | Function::Reciprocal
@@ -116,7 +116,7 @@ impl Complex {
     }
 
     /// `1 - self`, with the sign of a zero that POV-Ray has on branch cuts (measured).
-    fn taken_from_one(self) -> Self {
+    fn one_minus(self) -> Self {
         Complex::new(1.0 - self.re, -self.im)
     }
 
@@ -159,7 +159,7 @@ impl Complex {
     }
 
     fn asin(self) -> Self {
-        let root = (self * self).taken_from_one().sqrt();
+        let root = (self * self).one_minus().sqrt();
         (self.times_i() + root).ln().times_i().neg()
     }
 
@@ -169,7 +169,7 @@ impl Complex {
     }
 
     fn atanh(self) -> Self {
-        let ln = ((Complex::ONE + self) / self.taken_from_one()).ln();
+        let ln = ((Complex::ONE + self) / self.one_minus()).ln();
         Complex::new(0.5 * ln.re, 0.5 * ln.im)
     }
 

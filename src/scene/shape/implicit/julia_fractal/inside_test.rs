@@ -1,5 +1,5 @@
-//! Inside test and step length at points of a ray: eight points at once for squares and cubes, whose chain of products
-//! and sums takes no longer for eight than for one.
+//! Inside test and step length at points of a ray: eight points at once for quaternions and hypercomplex
+//! squares, whose chain of products and sums takes no longer for eight than for one.
 
 use super::complex::{Complex, Function};
 use super::{Fractal, MAX_STEP_RATIO, Rule, TOLERANCE};
@@ -98,16 +98,18 @@ impl Fractal {
     /// The inside test of POV-Ray.
     fn is_bounded(&self, function: Function, point: DVec3) -> bool {
         let mut z = self.tested_start(function, point);
-        (0..self.max_iteration).all(|_| {
+        (1..=self.max_iteration).all(|iteration| {
             let is_bounded = self.is_in_sphere(z);
-            z = self.next(function, to_complex_pair(z));
+            if is_bounded && iteration < self.max_iteration {
+                z = self.next(function, to_complex_pair(z));
+            }
             is_bounded
         })
     }
 
     /// The number at a point from which the inside test starts.
     pub(super) fn tested_start(&self, function: Function, point: DVec3) -> DVec4 {
-        self.start(if function.is_tested_aside() {
+        self.start(if function.tests_y_as_z() {
             point.with_z(point.y)
         } else {
             point
@@ -139,7 +141,9 @@ impl Fractal {
             if iteration > 0 {
                 slope = [0, 1].map(|i| slope[i] * function.factor(pair[i]));
             }
-            z = self.next(function, pair);
+            if iteration + 1 < self.max_iteration {
+                z = self.next(function, pair);
+            }
         }
         PointState {
             is_inside: true,
