@@ -25,7 +25,7 @@ where
 {
     let mut file = Vec::new();
     let encoder = PngEncoder::new_with_quality(&mut file, compression, FilterType::Adaptive);
-    // Writing to memory cannot fail.
+    // Writing to memory cannot fail, and no picture of a command is empty.
     let _ = picture.write_with_encoder(encoder);
     file
 }

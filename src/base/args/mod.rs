@@ -99,7 +99,7 @@ pub trait Args {
     }
     /// Skips a comma if it is next, and returns true if it was.
     fn comma(&mut self) -> Parse<bool>;
-    /// Skips an optional comma, and returns true if another value must follow: after the comma, or without one.
+    /// Skips an optional comma; returns true if there was one, or if an expression is next.
     fn has_next_value(&mut self) -> Parse<bool> {
         Ok(self.comma()? || self.at_expression()?)
     }

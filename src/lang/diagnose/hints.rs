@@ -238,6 +238,7 @@ impl Reader<'_> {
             Word::Sor => "`sor { number of points, <r, y>, ... }`",
             Word::Polygon => "`polygon { number of points, <point>, ... }`",
             Word::Poly => "`poly { order, <coefficients> ... }`",
+            Word::Polynomial => "`polynomial { order, xyz(2, 0, 0): coefficient, ... }`",
             Word::Cubic => "`cubic { <20 coefficients> ... }`",
             Word::Quartic => "`quartic { <35 coefficients> ... }`",
             Word::Ovus => "`ovus { bottom radius, top radius ... }`",

@@ -58,7 +58,8 @@ impl Reader<'_> {
                 }
                 None if !has_begun && self.is_missing_value(has_word)? => {
                     let text = "a colour without a value is black";
-                    self.warning(Diagnostic::warning(self.here_span(), text));
+                    let warning = Diagnostic::warning(self.here_span(), text);
+                    self.warning(warning.with_hint("Write `rgb 0` for black."));
                     return Ok(sum);
                 }
                 None if !has_begun => sum = self.sum_of_five()?,

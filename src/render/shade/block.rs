@@ -349,8 +349,8 @@ impl Tracer<'_> {
         self.trace_wavefronts(&mut scratch.wavefront, buffers, &mut scratch.samples);
     }
 
-    /// The same where camera rays have no common origin, or some positions have none: the rays are traced as secondary
-    /// rays.
+    /// [`Self::trace_batch`] where camera rays have no common origin, or some positions have none: the rays are traced as
+    /// secondary rays.
     fn trace_without_common_origin(
         &self,
         positions: &[(f64, f64)],

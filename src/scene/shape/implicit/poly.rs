@@ -85,12 +85,13 @@ impl Poly {
             expect(args, ':')?;
             let coefficient = read::number(args, "a coefficient of the polynomial")?;
             let Some(index) = powers_of(order).position(|known| known.map(Some) == powers) else {
-                let message =
-                    format!("a term of this polynomial has a degree between 0 and {order}");
-                return Err(Box::new(Diagnostic::error(
-                    at.to(args.last_span()),
-                    message,
-                )));
+                let message = format!(
+                    "the powers of a term of order {order} are whole numbers from 0 whose sum is at most {order}"
+                );
+                let error = Diagnostic::error(at.to(args.last_span()), message);
+                return Err(Box::new(
+                    error.with_hint("Raise the order, or correct the powers."),
+                ));
             };
             c[index] = coefficient;
             args.comma()?;
@@ -416,6 +417,10 @@ impl Geometry for Poly {
 
     fn absorb(&mut self, _: &Step) -> bool {
         false
+    }
+
+    fn takes_sturm(&self) -> bool {
+        true
     }
 }
 
