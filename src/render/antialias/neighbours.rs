@@ -139,11 +139,14 @@ impl<'s, 'a> Neighbours<'s, 'a> {
                     continue;
                 }
                 let differ = [0, 1].map(|side| self.differs(at, side, neighbours[side], &made));
+                // Both neighbours before the pixel itself, as POV-Ray traces them (measured with radiosity).
                 for (differs, other) in differ.into_iter().zip(neighbours) {
                     if differs {
                         self.finish(other, &mut made);
-                        self.finish(at, &mut made);
                     }
+                }
+                if differ.contains(&true) {
+                    self.finish(at, &mut made);
                 }
             }
         }
