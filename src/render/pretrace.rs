@@ -85,16 +85,19 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
             let mut jitter = Jitter::of_block(pass, block);
             let amount = (0.5 * spacing).min(1.0);
             let middle = 0.5 * (spacing - 1.0);
+            let mut has_rays = false;
             for y in positions(&tile.rows, spacing) {
                 for x in positions(&tile.columns, spacing) {
                     let down = amount * jitter.next_number();
                     let right = amount * jitter.next_number();
                     let (x, y) = (x + middle + right, y + middle + down);
                     let _ = tracer.pixel(x, y, options.width, options.height, scratch);
+                    has_rays = true;
                 }
             }
             let session = scratch.radiosity.as_deref_mut();
-            *is_lit = session.is_some_and(Session::take_was_queried);
+            // A block between the rays of a wide spacing is not known to need none.
+            *is_lit = session.is_some_and(Session::take_was_queried) || !has_rays;
             if options.stop.is_cancelled() {
                 return;
             }

@@ -34,7 +34,7 @@ pub struct IrradianceSample {
     pub radius: f64,
     /// The distance of the nearest hit.
     pub nearest: f64,
-    /// The unit direction to it.
+    /// The unit direction to it; zero without a hit.
     pub to_nearest: DVec3,
     /// The quality of the light that was gathered, up to 1.
     pub quality: f64,

@@ -94,7 +94,7 @@ impl Tracer<'_> {
             weights: 0.0,
             nearness: 0.0,
             nearest: MISS_DISTANCE * self.world.globals.unit,
-            to_nearest: cache_query.normal,
+            to_nearest: DVec3::ZERO,
         };
         let random = (
             scratch.random.lights,
