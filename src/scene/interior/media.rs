@@ -1,7 +1,7 @@
 //! `media`: participating media that emit, absorb and scatter light, as the scene describes them.
 
 use crate::base::args::{Args, Parse, Word, declared, transform_step};
-use crate::base::color::{Color, Rgb};
+use crate::base::color::Rgb;
 use crate::base::math::Step;
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::pattern::{Keys, Map};
@@ -83,17 +83,11 @@ pub struct Sampling {
 }
 
 /// A density: a pigment whose colours scale the coefficients of its medium.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Density(pub Pigment);
 
-impl Default for Density {
-    fn default() -> Self {
-        Density(Pigment::plain(Color::opaque(Rgb::WHITE)))
-    }
-}
-
 impl Density {
-    /// Reads the block of a density; the default is white.
+    /// Reads the block of a density; without content it is black.
     ///
     /// # Errors
     /// A malformed value, or an unsupported keyword.

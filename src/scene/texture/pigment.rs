@@ -5,6 +5,7 @@ use crate::base::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::base::bitmap;
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
+use crate::base::source::Diagnostic;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
 
@@ -127,6 +128,14 @@ impl Pigment {
             kind: PigmentKind::Plain(color),
             quick_color: None,
             modifiers: BoxedDefault::default(),
+        }
+    }
+
+    /// The colour of a pigment of one colour.
+    fn plain_color(&self) -> Option<Color> {
+        match self.kind {
+            PigmentKind::Plain(color) => Some(color),
+            _ => None,
         }
     }
 
@@ -269,23 +278,45 @@ impl Pigment {
         let Some(word) = args.word()? else {
             return Ok(false);
         };
-        let is_known = self.read_own(word, args, family)?
+        let is_known = self.read_idle(word, args, family)?
+            || self.read_own(word, args, family)?
             || self
                 .modifiers
                 .change(|modifiers| modifiers.read(word, args))?
             || self.read_pattern(word, args, family)?;
         if !is_known && word == Word::UvMapping {
-            return Err(args.expected(match family {
-                PigmentSyntax::Pigment => {
-                    "`uv_mapping` at the start of the pigment, before its pattern"
-                }
-                PigmentSyntax::Density => "a pattern of space in `density`, which has no surface",
-            }));
+            let what = "`uv_mapping` at the start of the pigment, before its pattern";
+            return Err(args.expected(what));
         }
         if !is_known && pattern::is_pattern(word) {
             return Err(not_built(args, word));
         }
         Ok(is_known)
+    }
+
+    /// Reads a map without a pattern before it, or `uv_mapping` in a density: neither has an effect. False if none is
+    /// next.
+    fn read_idle(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
+        let is_color_map = matches!(word, Word::ColorMap | Word::ColourMap);
+        let is_map = is_color_map || word == family.map_word();
+        let is_unmapped = is_map && self.plain_color() == Some(Color::opaque(Rgb::BLACK));
+        if !is_unmapped && (word, family) != (Word::UvMapping, PigmentSyntax::Density) {
+            return Ok(false);
+        }
+        args.accept(word)?;
+        let at = args.last_span();
+        let hint = if !is_map {
+            "Remove it: a density has no surface."
+        } else if is_color_map {
+            Map::read_colors(args)?;
+            "Write a pattern before it, as `gradient y`."
+        } else {
+            family.read_map(Keys::Positions, args)?;
+            "Write a pattern before it, as `gradient y`."
+        };
+        let warning = Diagnostic::warning(at, format!("`{word}` has no effect here"));
+        args.warn(warning.with_hint(hint));
+        Ok(true)
     }
 
     fn read_own(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
@@ -562,7 +593,9 @@ mod tests {
     fn a_map_needs_a_pattern_that_takes_one() {
         let expected = "expected a pattern that takes a map before the map, found `color_map`";
         assert_eq!(error("{ checker color_map { [0 rgb 1] } }"), expected);
-        assert_eq!(error("{ color_map { [0 rgb 1] } }"), expected);
+        assert_eq!(error("{ rgb 1 color_map { [0 rgb 1] } }"), expected);
+        let idle = read("{ color_map { [0 rgb 1] } }").expect("a pigment");
+        assert_eq!(idle.plain_color(), Some(Color::opaque(Rgb::BLACK)));
         assert_eq!(
             error("{ average }"),
             "expected `pigment_map` after `average`, found the end of the text"
