@@ -24,8 +24,11 @@ impl Mesh {
             return Err(args.expected("`vertex_vectors` at the start of `mesh2`"));
         }
         read_vertices(args, &mut builder)?;
+        // Of lists that are written twice the last one counts.
         loop {
-            if args.accept(Word::NormalVectors)? {
+            if args.accept(Word::VertexVectors)? {
+                read_vertices(args, &mut builder)?;
+            } else if args.accept(Word::NormalVectors)? {
                 read_normals(args, &mut builder)?;
             } else if args.accept(Word::UvVectors)? {
                 read_uvs(args, &mut builder)?;
@@ -83,6 +86,7 @@ const UV_INDICES: List = List {
 fn read_vertices(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     let at = args.last_span();
     let vertices = &mut builder.vertices;
+    vertices.clear();
     list::<3>(args, &VERTICES, |point| {
         vertices.push(single(DVec3::from(point))?);
         Ok(())
