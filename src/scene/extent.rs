@@ -176,8 +176,13 @@ fn shape_box(shape: &Shape, steps: &[Step]) -> ExtentBox {
     if !bounds.is_finite() {
         return EVERYTHING;
     }
+    // The box of the shape itself is stored in single precision before it is transformed.
+    let limits = ExtentBox::new(&bounds);
+    if absorbed == steps.len() {
+        return limits;
+    }
     let rest = Transform::from_steps(&steps[absorbed..]);
-    ExtentBox::new(&bounds.transformed(&rest.world_from_object))
+    ExtentBox::new(&limits.bounds().transformed(&rest.world_from_object))
 }
 
 /// Returns true if a box is bounded on all sides.
