@@ -1,5 +1,4 @@
 // With one iteration or none nothing is seen of a fractal; a precision below one is one.
-// compare: channel<=130 pixels<=0.5% because "shadows of the surface on itself depend on how it was found"
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0.3, 1.2, -4> look_at 0 angle 50 }

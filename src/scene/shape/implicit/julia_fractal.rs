@@ -6,7 +6,7 @@
 //! of Hart, Sandin and Kauffman 1989 ("Ray tracing deterministic 3-D fractals", eq. 8), inside they are
 //! `1 / precision`; where the inside state changes, the step is halved down to [`TOLERANCE`]. POV-Ray does the same,
 //! and surfaces that its steps miss must be missed here: a finer search would draw hairs that POV-Ray does not. The
-//! normal is the gradient of `|z|²` after the last iteration. Shadows differ in a few pixels of a thousand.
+//! normal is the gradient of `|z|²` after the last iteration. Shadows differ in a few pixels of ten thousand.
 //!
 //! Error bound of quaternions and of the hypercomplex `sqr`, `cube` and `reciprocal`: within [`TOLERANCE`] of a reported
 //! root the state changes (`tests/stability`); missed surfaces have no bound.
@@ -33,7 +33,7 @@ use smallvec::SmallVec;
 use std::f64::consts::SQRT_2;
 
 /// Length at which the halving of a step ends, in object units; POV-Ray's value.
-const TOLERANCE: f64 = 1e-8;
+const TOLERANCE: f64 = 1e-7;
 /// Nearer occluders of a shadow ray are ignored; POV-Ray's value, in scene units.
 const SHADOW_TOLERANCE: f64 = 1e-3;
 /// Radius of the bounding sphere of a hypercomplex fractal.
@@ -449,7 +449,7 @@ impl Geometry for JuliaFractal {
         self.0.march(&unit, TOLERANCE, &mut |t, crossing| {
             hit =
                 Some(root(t / length, crossing, true)).filter(|root| min_t < root.t && root.t < to);
-            hit.is_none()
+            false
         });
         hit
     }
