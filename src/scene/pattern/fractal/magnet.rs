@@ -92,15 +92,29 @@ impl PatternEval for Magnet {
 }
 
 impl Model {
+    /// An iteration, rounded as POV-Ray rounds it (measured).
     fn next(self, z: Complex, c: Complex) -> Complex {
-        let c1 = c - Complex::ONE;
-        let c2 = c1 - Complex::ONE;
+        let (a, b) = (z.re, z.im);
+        let (a_sq, b_sq) = (a * a, b * b);
         let quotient = match self {
-            Model::First => (z.square() + c1) / (z * 2.0 + c2),
+            Model::First => {
+                let above = Complex::new(a_sq - b_sq + c.re - 1.0, 2.0 * a * b + c.im);
+                let below = Complex::new(2.0 * a + c.re - 2.0, 2.0 * b + c.im);
+                above / below
+            }
             Model::Second => {
-                let product = c1 * c2;
-                let above = z * z.square() + c1 * z * 3.0 + product;
-                let below = z.square() * 3.0 + c2 * z * 3.0 + product + Complex::ONE;
+                let (c1, c2) = (c - Complex::ONE, c - Complex::ONE * 2.0);
+                let product = Complex::new(c1.re * c2.re - c.im * c.im, (c1.re + c2.re) * c.im);
+                let linear = |c: Complex| {
+                    Complex::new(3.0 * (a * c.re - b * c.im), 3.0 * (a * c.im + b * c.re))
+                };
+                let above = Complex::new(a_sq * a - 3.0 * a * b_sq, 3.0 * a_sq * b - b_sq * b)
+                    + linear(c1)
+                    + product;
+                let below = Complex::new(3.0 * (a_sq - b_sq), 6.0 * a * b)
+                    + linear(c2)
+                    + product
+                    + Complex::ONE;
                 above / below
             }
         };
