@@ -50,6 +50,7 @@ const LAYERS: &[&[&str]] = &[
         "world::primitive",
         "world::interiors",
         "world::photons",
+        "world::slabs",
         "world::sphere_soa",
     ],
     &["world::csg"],

@@ -7,10 +7,11 @@ use super::lights::Lights;
 use super::model::{IndexedItem, Item, ItemBvh, Model};
 use super::photons::PhotonMapping;
 use super::primitive::Leaf;
+use super::slabs::{SingleBox, SlabTree};
 use super::surface::{Surface, SurfaceSummary};
 use crate::base::color::{Color, Gamma, Rgb};
+use crate::base::math::Bounds;
 use crate::base::math::noise::NoiseGenerator;
-use crate::base::math::{Bounds, Ray};
 use crate::base::options::TMinRule;
 use crate::scene::RadiositySettings;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
@@ -18,8 +19,9 @@ use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
 use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
+use std::sync::OnceLock;
 
 /// Global shading settings.
 #[derive(Clone, Debug)]
@@ -83,6 +85,8 @@ pub struct World {
     pub(super) meshes: Vec<IndexedItem>,
     /// Single-precision boxes of the items, which POV-Ray compares where two surfaces tie.
     pub(super) boxes: Vec<SingleBox>,
+    /// POV-Ray's tree of those boxes, built for the first tie that needs it.
+    pub(super) slab_tree: OnceLock<SlabTree>,
     pub(super) ties_by_box: bool,
     /// Properties of the surfaces as a whole.
     pub(super) summary: SurfaceSummary,
@@ -285,60 +289,6 @@ impl World {
     #[inline(always)]
     pub(super) fn is_seen(&self, hit: &RawHit, kind: RayKind) -> bool {
         !self.summary.hides_some || self.surfaces[hit.surface as usize].is_seen(kind)
-    }
-}
-
-/// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct SingleBox {
-    lower: Vec3,
-    size: Vec3,
-}
-
-impl SingleBox {
-    pub(super) fn new(bounds: &Bounds) -> Self {
-        SingleBox {
-            lower: bounds.min.as_vec3(),
-            size: (bounds.max - bounds.min).as_vec3(),
-        }
-    }
-
-    /// A box around the object in double precision, wider by the roundings.
-    pub(super) fn bounds(&self) -> Bounds {
-        let (lower, size) = (self.lower.as_dvec3(), self.size.as_dvec3());
-        let slack = f64::from(f32::EPSILON) * (lower.abs() + size);
-        Bounds {
-            min: lower - slack,
-            max: lower + size + slack,
-        }
-    }
-
-    /// Returns true if no side is infinite.
-    pub(super) fn is_finite(&self) -> bool {
-        self.lower.is_finite() && self.size.is_finite()
-    }
-
-    /// The distance at which the line of a ray enters the box, with POV-Ray's roundings to single precision; not
-    /// clamped at the ray's origin.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "POV-Ray computes in single precision here"
-    )]
-    pub(super) fn entry(&self, ray: &Ray) -> f64 {
-        (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
-            let d = ray.dir[axis];
-            if d == 0.0 {
-                return entry;
-            }
-            let per_unit = (1.0 / d) as f32;
-            let lower = f64::from((self.lower[axis] - ray.origin[axis] as f32) * per_unit);
-            let near = if d > 0.0 {
-                lower
-            } else {
-                lower + f64::from(self.size[axis] * per_unit)
-            };
-            entry.max(near)
-        })
     }
 }
 

@@ -5,12 +5,14 @@ use crate::base::color::{Color, Rgb};
 use crate::base::options::RenderOptions;
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
-use crate::world::compiled::{Globals, SingleBox, World};
+use crate::world::compiled::{Globals, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
+use crate::world::slabs::SingleBox;
 use crate::world::surface::SurfaceSummary;
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
 const TREE_FROM: usize = 3;
@@ -85,6 +87,7 @@ impl World {
                 PhotonMapping::new(settings, targets.into_list(), &scene.globals)
             }),
             boxes,
+            slab_tree: OnceLock::new(),
             lights: flat.lights,
             surfaces: flat.surfaces,
             interiors: flat.interiors,

@@ -14,6 +14,7 @@ use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
+use crate::world::slabs::SlabTree;
 
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
 /// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
@@ -360,7 +361,7 @@ impl World {
     }
 
     /// Tie rule for two items at exactly the same distance: unbounded ones come first, then the one whose box the ray
-    /// enters first, then the first in the file (docs/povray-facts.md, section 5.2).
+    /// enters first, then the one that POV-Ray's tree of boxes delivers first (docs/povray-facts.md, section 5.2).
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
@@ -372,6 +373,10 @@ impl World {
             let (entry_a, entry_b) = (entry(a), entry(b));
             if entry_a != entry_b {
                 return entry_a < entry_b;
+            }
+            if entry_a > f64::NEG_INFINITY {
+                let tree = self.slab_tree.get_or_init(|| SlabTree::new(&self.boxes));
+                return tree.comes_first(a, b, ray);
             }
         }
         a < b

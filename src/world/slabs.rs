@@ -1,0 +1,305 @@
+//! POV-Ray's boxes of objects and its tree of them ("bounding slabs", after Kay and Kajiya 1986, "Ray Tracing Complex
+//! Scenes"). povr does not traverse that tree; of surfaces at exactly one distance it shows the one that POV-Ray, which
+//! does, would meet first.
+
+use crate::base::math::{Bounds, Ray};
+use glam::{DVec3, Vec3};
+use smallvec::SmallVec;
+use std::ops::Range;
+
+/// Ranges of at most this many nodes are not divided.
+const LARGEST_CLUSTER: usize = 4;
+/// What a node costs besides its children, in children.
+const NODE_COST: f64 = 3.0;
+
+/// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SingleBox {
+    lower: Vec3,
+    size: Vec3,
+}
+
+impl SingleBox {
+    pub(super) fn new(bounds: &Bounds) -> Self {
+        SingleBox {
+            lower: bounds.min.as_vec3(),
+            size: (bounds.max - bounds.min).as_vec3(),
+        }
+    }
+
+    /// A box around the object in double precision, wider by the roundings.
+    pub(super) fn bounds(&self) -> Bounds {
+        let exact = self.exact();
+        let slack = f64::from(f32::EPSILON) * (exact.min.abs() + (exact.max - exact.min));
+        Bounds {
+            min: exact.min - slack,
+            max: exact.max + slack,
+        }
+    }
+
+    fn exact(&self) -> Bounds {
+        let (lower, size) = (self.lower.as_dvec3(), self.size.as_dvec3());
+        Bounds {
+            min: lower,
+            max: lower + size,
+        }
+    }
+
+    /// Returns true if no side is infinite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.lower.is_finite() && self.size.is_finite()
+    }
+
+    /// The distance at which the line of a ray enters the box, with POV-Ray's roundings to single precision; not
+    /// clamped at the ray's origin.
+    pub(super) fn entry(&self, ray: &Ray) -> f64 {
+        (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
+            self.slab(ray, axis)
+                .map_or(entry, |(near, _)| entry.max(near))
+        })
+    }
+
+    /// The distance of [`Self::entry`], if the ray meets the box.
+    fn met_at(&self, ray: &Ray) -> Option<f64> {
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            if let Some((near, far)) = self.slab(ray, axis) {
+                (enter, leave) = (enter.max(near), leave.min(far));
+            } else {
+                let offset = ray.origin[axis] - f64::from(self.lower[axis]);
+                if offset < 0.0 || f64::from(self.size[axis]) < offset {
+                    return None;
+                }
+            }
+        }
+        (enter <= leave && 0.0 <= leave).then_some(enter)
+    }
+
+    /// The distances at which the line of a ray passes the two planes across an axis, unless it is parallel to them.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "POV-Ray computes in single precision here"
+    )]
+    fn slab(&self, ray: &Ray, axis: usize) -> Option<(f64, f64)> {
+        let d = ray.dir[axis];
+        if d == 0.0 {
+            return None;
+        }
+        let per_unit = (1.0 / d) as f32;
+        let lower = f64::from((self.lower[axis] - ray.origin[axis] as f32) * per_unit);
+        let upper = lower + f64::from(self.size[axis] * per_unit);
+        Some(if d > 0.0 {
+            (lower, upper)
+        } else {
+            (upper, lower)
+        })
+    }
+}
+
+/// POV-Ray's tree over the bounded objects.
+#[derive(Clone, Debug)]
+pub(super) struct SlabTree {
+    nodes: Vec<Node>,
+    /// The children of all inner nodes.
+    children: Vec<u32>,
+    root: u32,
+}
+
+#[derive(Clone, Debug)]
+struct Node {
+    slabs: SingleBox,
+    content: Content,
+}
+
+#[derive(Clone, Debug)]
+enum Content {
+    Item(u32),
+    /// A range of [`SlabTree::children`].
+    Inner(Range<usize>),
+}
+
+impl SlabTree {
+    /// The tree of the finite ones among the boxes of the items. Levels are built from below: each round divides all
+    /// nodes of the last one where that lowers the estimated cost, and makes a node of each part.
+    pub(super) fn new(boxes: &[SingleBox]) -> SlabTree {
+        let mut tree = SlabTree {
+            nodes: Vec::new(),
+            children: Vec::new(),
+            root: 0,
+        };
+        for (number, slabs) in (0..).zip(boxes) {
+            if slabs.is_finite() {
+                tree.nodes.push(Node {
+                    slabs: *slabs,
+                    content: Content::Item(number),
+                });
+            }
+        }
+        let mut start = 0;
+        while tree.nodes.len() - start > 1 {
+            let mut level: Vec<u32> = (0..).take(tree.nodes.len()).skip(start).collect();
+            start = tree.nodes.len();
+            tree.add_level(&mut level);
+        }
+        tree.root = (0..).take(tree.nodes.len()).last().unwrap_or(0);
+        tree
+    }
+
+    fn add_level(&mut self, level: &mut [u32]) {
+        let mut parts: Vec<Range<usize>> = Vec::new();
+        parts.push(0..level.len());
+        while let Some(range) = parts.pop() {
+            let part = &mut level[range.clone()];
+            match self.division(part) {
+                Some(size) => {
+                    let middle = range.start + size;
+                    parts.push(middle..range.end);
+                    parts.push(range.start..middle);
+                }
+                None => self.add_node(part),
+            }
+        }
+    }
+
+    fn add_node(&mut self, part: &[u32]) {
+        let bounds = part.iter().fold(Bounds::EMPTY, |bounds, node| {
+            bounds.union(&self.bounds(*node))
+        });
+        let first = self.children.len();
+        self.children.extend_from_slice(part);
+        self.nodes.push(Node {
+            slabs: SingleBox::new(&bounds),
+            content: Content::Inner(first..self.children.len()),
+        });
+    }
+
+    fn bounds(&self, node: u32) -> Bounds {
+        self.nodes[node as usize].slabs.exact()
+    }
+
+    /// Sorts a part of a level along an axis. Returns the size of the first of the two parts into which to divide it,
+    /// or none where that does not pay: the cost is the sum of area times number (Goldsmith and Salmon 1987).
+    fn division(&self, part: &mut [u32]) -> Option<usize> {
+        if part.len() > 1 {
+            let axis = self.sorting_axis(part);
+            let twice_centre = |node: &u32| {
+                let bounds = self.bounds(*node);
+                bounds.min[axis] + bounds.max[axis]
+            };
+            part.sort_by(|a, b| twice_centre(a).total_cmp(&twice_centre(b)));
+        }
+        if part.len() <= LARGEST_CLUSTER {
+            return None;
+        }
+        let area_up_to = |bounds: &mut Bounds, node: &u32| {
+            *bounds = bounds.union(&self.bounds(*node));
+            let size = bounds.max - bounds.min;
+            Some(size.x * (size.y + size.z) + size.y * size.z)
+        };
+        let left: Vec<f64> = part.iter().scan(Bounds::EMPTY, area_up_to).collect();
+        let right: Vec<f64> = part.iter().rev().scan(Bounds::EMPTY, area_up_to).collect();
+        let cost = |size: usize| {
+            let rest = part.len() - size;
+            count(size) * left[size - 1] + count(rest) * right[rest - 1]
+        };
+        let undivided = left[part.len() - 1] * (count(part.len()) - NODE_COST);
+        let start = (undivided, None);
+        (1..part.len())
+            .fold(start, |best, size| {
+                let cost = cost(size);
+                if cost < best.0 {
+                    (cost, Some(size))
+                } else {
+                    best
+                }
+            })
+            .1
+    }
+
+    /// The axis along which the boxes spread most, by POV-Ray's measure: of boxes that reach beyond the last maximum
+    /// it notes the lower end.
+    fn sorting_axis(&self, part: &[u32]) -> usize {
+        let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for &node in part {
+            let bounds = self.bounds(node);
+            least = least.min(bounds.min);
+            most = DVec3::select(bounds.max.cmpgt(most), bounds.min, most);
+        }
+        let spread = most - least;
+        (1..3).fold(0, |best, axis| {
+            if spread[axis] > spread[best] {
+                axis
+            } else {
+                best
+            }
+        })
+    }
+
+    /// Returns true if POV-Ray, which takes nodes by the distance at which the ray enters them, comes to item `a` before
+    /// `b`. At equal distances its heap decides.
+    pub(super) fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
+        let mut heap = Heap::default();
+        let mut next = Some(self.root);
+        while let Some(node) = next {
+            match self.nodes.get(node as usize).map(|node| &node.content) {
+                Some(Content::Item(item)) if *item == a => return true,
+                Some(Content::Item(item)) if *item == b => return false,
+                Some(Content::Inner(range)) => {
+                    for &child in &self.children[range.clone()] {
+                        if let Some(entry) = self.nodes[child as usize].slabs.met_at(ray) {
+                            heap.push(entry, child);
+                        }
+                    }
+                }
+                _ => {}
+            }
+            next = heap.pop();
+        }
+        a < b
+    }
+}
+
+#[allow(
+    clippy::cast_precision_loss,
+    reason = "numbers of objects are far below 2^52"
+)]
+fn count(number: usize) -> f64 {
+    number as f64
+}
+
+/// A binary heap of nodes by distance. The order of equal ones is that of POV-Ray's, which the standard library's would
+/// not give.
+#[derive(Default)]
+struct Heap(SmallVec<[(f64, u32); 64]>);
+
+impl Heap {
+    fn push(&mut self, key: f64, node: u32) {
+        let mut at = self.0.len();
+        self.0.push((key, node));
+        while at > 0 && key < self.0[(at - 1) / 2].0 {
+            self.0.swap(at, (at - 1) / 2);
+            at = (at - 1) / 2;
+        }
+    }
+
+    fn pop(&mut self) -> Option<u32> {
+        if self.0.is_empty() {
+            return None;
+        }
+        let (_, first) = self.0.swap_remove(0);
+        let mut at = 0;
+        loop {
+            let (left, right) = (2 * at + 1, 2 * at + 2);
+            if left >= self.0.len() {
+                return Some(first);
+            }
+            let is_left = right >= self.0.len() || self.0[left].0 < self.0[right].0;
+            let child = if is_left { left } else { right };
+            if self.0[at].0 <= self.0[child].0 {
+                return Some(first);
+            }
+            self.0.swap(at, child);
+            at = child;
+        }
+    }
+}
