@@ -1,6 +1,6 @@
 //! POV-Ray's boxes of objects and its tree of them ("bounding slabs", after Kay and Kajiya 1986, "Ray Tracing Complex
 //! Scenes"). povr does not traverse that tree; of surfaces at exactly one distance it shows the one that POV-Ray, which
-//! does, would meet first.
+//! does, would hit first.
 
 use crate::base::math::{Bounds, Ray};
 use glam::{DVec3, Vec3};
@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Ranges of at most this many nodes are not divided.
 const LARGEST_CLUSTER: usize = 4;
-/// What a node costs besides its children, in children.
+/// The cost of a node besides its children, in children.
 const NODE_COST: f64 = 3.0;
 
 /// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
@@ -59,8 +59,8 @@ impl SingleBox {
         })
     }
 
-    /// The distance of [`Self::entry`], if the ray meets the box.
-    fn met_at(&self, ray: &Ray) -> Option<f64> {
+    /// The distance of [`Self::entry`], if the ray hits the box.
+    fn hit_at(&self, ray: &Ray) -> Option<f64> {
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
             if let Some((near, far)) = self.slab(ray, axis) {
@@ -246,7 +246,7 @@ impl SlabTree {
                 Some(Content::Item(item)) if *item == b => return false,
                 Some(Content::Inner(range)) => {
                     for &child in &self.children[range.clone()] {
-                        if let Some(entry) = self.nodes[child as usize].slabs.met_at(ray) {
+                        if let Some(entry) = self.nodes[child as usize].slabs.hit_at(ray) {
                             heap.push(entry, child);
                         }
                     }
