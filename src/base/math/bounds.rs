@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3};
 
 /// Relative difference of coordinates or distances that are the same but for the roundings of different transforms, which
-/// are a few units in the last place (2^-52); this is 64 of them.
+/// are a few units in the last digit (2^-52); this is 64 of them.
 pub const COINCIDENT: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// An axis-aligned bounding box. It is empty if `min > max` on some axis.

@@ -133,7 +133,7 @@ impl CsgProgram {
                 };
                 let is_seen = root.is_visible && interval.from < root.t;
                 if is_seen && !self.operands[leaf as usize].is_hidden && wanted(&hit) {
-                    // The winner among coincident surfaces must not depend on hits found before.
+                    // The surface shown among coincident ones must not depend on earlier hits.
                     return (root.t <= interval.to).then_some(hit);
                 }
             }
