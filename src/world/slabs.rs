@@ -2,6 +2,7 @@
 //! Scenes"). povr does not traverse that tree; of surfaces at exactly one distance it shows the one that POV-Ray, which
 //! does, would hit first.
 
+use super::index::index;
 use crate::base::math::{Bounds, Ray};
 use glam::{DVec3, Vec3};
 use smallvec::SmallVec;
@@ -11,6 +12,8 @@ use std::ops::Range;
 const LARGEST_CLUSTER: usize = 4;
 /// The cost of a node besides its children, in children.
 const NODE_COST: f64 = 3.0;
+/// Box tests for one tie, at most: of many equal objects each is tied with all others.
+const MOST_TESTS: usize = 512;
 
 /// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
 #[derive(Clone, Copy, Debug)]
@@ -137,11 +140,11 @@ impl SlabTree {
         }
         let mut start = 0;
         while tree.nodes.len() - start > 1 {
-            let mut level: Vec<u32> = (0..).take(tree.nodes.len()).skip(start).collect();
+            let mut level: Vec<u32> = (index(start)..index(tree.nodes.len())).collect();
             start = tree.nodes.len();
             tree.add_level(&mut level);
         }
-        tree.root = (0..).take(tree.nodes.len()).last().unwrap_or(0);
+        tree.root = index(tree.nodes.len().saturating_sub(1));
         tree
     }
 
@@ -236,15 +239,20 @@ impl SlabTree {
     }
 
     /// Returns true if POV-Ray, which takes nodes by the distance at which the ray enters them, comes to item `a` before
-    /// `b`. At equal distances its heap decides.
+    /// `b`. At equal distances its heap decides. Behind many boxes the first in the file wins.
     pub(super) fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         let mut heap = Heap::default();
         let mut next = Some(self.root);
+        let mut tests = 0;
         while let Some(node) = next {
             match self.nodes.get(node as usize).map(|node| &node.content) {
                 Some(Content::Item(item)) if *item == a => return true,
                 Some(Content::Item(item)) if *item == b => return false,
                 Some(Content::Inner(range)) => {
+                    tests += range.len();
+                    if tests > MOST_TESTS {
+                        break;
+                    }
                     for &child in &self.children[range.clone()] {
                         if let Some(entry) = self.nodes[child as usize].slabs.hit_at(ray) {
                             heap.push(entry, child);

@@ -57,15 +57,32 @@ impl Bounds {
         }
     }
 
-    /// The overlap of both boxes, possibly empty. Boxes whose sides coincide but for rounding overlap in a flat box.
+    /// The overlap of both boxes, possibly empty.
     #[must_use]
     pub fn intersection(&self, other: &Bounds) -> Bounds {
-        let (min, max) = (self.min.max(other.min), self.max.min(other.max));
-        let touch = (min - max).cmple(COINCIDENT * min.abs().max(max.abs()));
-        let is_flat = min.cmpgt(max) & touch;
         Bounds {
-            min: DVec3::select(is_flat, max, min),
-            max: DVec3::select(is_flat, min, max),
+            min: self.min.max(other.min),
+            max: self.max.min(other.max),
+        }
+    }
+
+    /// The overlap of both boxes; a flat box where they miss each other by no more than the roundings of their
+    /// coordinates.
+    #[must_use]
+    pub fn touching_intersection(&self, other: &Bounds) -> Bounds {
+        let shared = self.intersection(other);
+        if self.is_empty() || other.is_empty() || !shared.is_empty() {
+            return shared;
+        }
+        let finite =
+            |end: DVec3| DVec3::select(end.abs().cmplt(DVec3::INFINITY), end.abs(), DVec3::ZERO);
+        let ends = [self.min, self.max, other.min, other.max].map(finite);
+        let size = ends.into_iter().fold(DVec3::ZERO, DVec3::max);
+        let gap = shared.min - shared.max;
+        let is_flat = gap.cmpgt(DVec3::ZERO) & gap.cmple(COINCIDENT * size);
+        Bounds {
+            min: DVec3::select(is_flat, shared.max, shared.min),
+            max: DVec3::select(is_flat, shared.min, shared.max),
         }
     }
 
@@ -103,5 +120,33 @@ impl Bounds {
             );
             bounds.with_point(to_from.transform_point3(point))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_that_touch_but_for_rounding_share_a_flat_box() {
+        let low = Bounds::new(DVec3::ZERO, DVec3::new(1.0, 0.3, 1.0));
+        let high = Bounds::new(DVec3::new(0.0, 0.1 + 0.2, 0.0), DVec3::ONE);
+        let shared = low.touching_intersection(&high);
+        assert!(low.intersection(&high).is_empty() && !shared.is_empty());
+        assert_eq!((shared.min.y, shared.max.y), (0.3, 0.1 + 0.2));
+        let apart = Bounds::new(DVec3::new(0.0, 0.300_001, 0.0), DVec3::ONE);
+        assert!(low.touching_intersection(&apart).is_empty());
+    }
+
+    #[test]
+    fn nothing_shares_nothing() {
+        for other in [
+            Bounds::EVERYTHING,
+            Bounds::EMPTY,
+            Bounds::new(DVec3::ZERO, DVec3::ONE),
+        ] {
+            assert!(Bounds::EMPTY.touching_intersection(&other).is_empty());
+            assert!(other.touching_intersection(&Bounds::EMPTY).is_empty());
+        }
     }
 }

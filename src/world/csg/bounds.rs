@@ -22,10 +22,10 @@ pub(crate) fn clip_to_planes(leaves: &[Leaf], factors: &Factors, around: Bounds)
     let mut limited = around;
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
-        limited = limited.intersection(&of_plane(leaf, is_inverse));
+        limited = limited.touching_intersection(&of_plane(leaf, is_inverse));
         if leaf.shape.limited(&limited, is_inverse).is_some() {
             let in_world = of_unbounded(leaf, is_inverse, leaves, factors, &limited);
-            limited = limited.intersection(&in_world);
+            limited = limited.touching_intersection(&in_world);
         }
     }
     limited

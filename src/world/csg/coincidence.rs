@@ -11,7 +11,7 @@ use crate::base::math::COINCIDENT;
 use crate::scene::shape::{Crossing, Geometry, SurfaceSide};
 use crate::world::primitive::Leaf;
 
-/// Factors of a distance between which surfaces coincide with one there.
+/// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Widening {
     pub(crate) down: f64,
@@ -107,7 +107,7 @@ impl CsgProgram {
             is_certain |= is_shown && !self.operands[event.leaf as usize].is_hidden;
             shown.push(is_shown);
         }
-        // Back to the state after them.
+        // Back to the state after them: the last event of each operand decides, as in the first pass.
         for event in events {
             self.toggle(event, state);
         }

@@ -88,7 +88,7 @@ pub(crate) struct CsgProgram {
     pub(crate) turned: SmallVec<[u32; 4]>,
     /// The order in which operands are intersected.
     pub(crate) order: OperandOrder,
-    /// The distances at which surfaces coincide.
+    /// The rule by which surfaces coincide.
     pub(crate) widening: Widening,
 }
 

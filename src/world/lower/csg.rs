@@ -177,12 +177,12 @@ impl Lowering {
                 is_hidden: true,
             };
             let held = self.add_node(&clip.what, &around, program, slot);
-            bounds.shown = bounds.shown.intersection(&held.solid);
-            bounds.solid = bounds.solid.intersection(&held.solid);
+            bounds.shown = bounds.shown.touching_intersection(&held.solid);
+            bounds.solid = bounds.solid.touching_intersection(&held.solid);
         }
         let factors = factors(program, node, first);
         bounds.solid = clip_to_planes(&self.parts.leaves, &factors, bounds.solid);
-        bounds.shown = bounds.shown.intersection(&bounds.solid);
+        bounds.shown = bounds.shown.touching_intersection(&bounds.solid);
         bounds
     }
 
@@ -330,7 +330,7 @@ impl Lowering {
                 continue;
             }
             if is_product {
-                sum.solid = sum.solid.intersection(&child.solid);
+                sum.solid = sum.solid.touching_intersection(&child.solid);
                 sum.shown = sum.solid;
             } else {
                 sum.solid = sum.solid.union(&child.solid);

@@ -32,7 +32,7 @@ pub(crate) struct Lowering {
     pub(crate) keeps_uv: bool,
     /// True if the insides of objects are needed, which may be larger than their surfaces.
     pub(crate) needs_insides: bool,
-    /// The distances at which surfaces coincide in CSG.
+    /// The rule by which surfaces coincide in CSG.
     pub(crate) widening: Widening,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) interiors: Interiors,
