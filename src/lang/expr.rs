@@ -200,6 +200,8 @@ impl Reader<'_> {
     pub(super) fn sum(&mut self) -> Parse<Number> {
         match self.take_literal() {
             Some(number) => Ok(number),
+            // A recording holds for one reading: with operators or without.
+            None if self.draft.version < FIRST_WITH_OPERATORS => self.read_sum(),
             None => self.replayed(Level::Sum, Self::read_sum),
         }
     }

@@ -19,7 +19,8 @@ pub(super) struct StatementState {
     /// The end of the number being declared, if a directive follows it: a `;` is missing there. With the position of
     /// the directive and the number of frames open.
     pub(super) without_semicolon: Option<(Span, Position, usize)>,
-    /// True within parentheses and colours, where expressions have operators in every language version.
+    /// True within parentheses, conditions, arguments and colours, where expressions have operators in every language
+    /// version.
     pub(super) has_operators: bool,
     /// Nesting depth of the expression being read.
     pub(super) depth: usize,
