@@ -43,7 +43,7 @@ that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
 Exit code: 0 no errors, 1 errors found, 2 bad command line.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
-is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `said` (text of #debug), \
+is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `scene_output` (text of #debug), \
 `file` or `total` (counts of errors and warnings)."
 )]
 struct CommandOptions {
@@ -123,7 +123,7 @@ fn read_arguments(
                 wanted.is_quiet |= options.quiet;
                 wanted.format = options.message_format.or(wanted.format);
             }
-            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
+            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
         }
         rest = others;
     }

@@ -210,7 +210,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
         let (option, others) = rest.split_at(long);
         match command_line::parse::<CommandOptions>(option) {
             Ok(options) => wanted.set(options),
-            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
+            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
         }
         rest = others;
     }

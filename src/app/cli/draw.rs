@@ -114,11 +114,11 @@ pub(super) fn request_of(
             let (option, others) = rest.split_at(modern);
             match command_line::parse::<LongOptions>(option) {
                 Ok(given) => given.set(reader.raw_args),
-                Err(said) if said.kind() == DisplayVersion && environment.is_povray => {
+                Err(error) if error.kind() == DisplayVersion && environment.is_povray => {
                     return Ok(Request::Print(console::version()));
                 }
-                Err(said) => {
-                    return command_line::printed::<LongOptions>(&said).map(Request::Print);
+                Err(error) => {
+                    return command_line::printed::<LongOptions>(&error).map(Request::Print);
                 }
             }
             rest = others;

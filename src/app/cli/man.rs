@@ -36,7 +36,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr man".to_owned());
     match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => put(&page(options.command.as_deref())?),
-        Err(said) => say(command_line::printed::<CommandOptions>(&said)?.trim_end()),
+        Err(error) => say(command_line::printed::<CommandOptions>(&error)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }

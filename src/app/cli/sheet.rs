@@ -83,8 +83,8 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     let name = std::iter::once("povr sheet".to_owned());
     let options = match CommandOptions::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(options) => options,
-        Err(said) => {
-            say(command_line::printed::<CommandOptions>(&said)?.trim_end());
+        Err(error) => {
+            say(command_line::printed::<CommandOptions>(&error)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };

@@ -173,7 +173,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.is_silent |= options.no_terminal;
                 wanted.times = options.times.or(wanted.times);
             }
-            Err(said) => return command_line::printed::<CommandOptions>(&said).map(Err),
+            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
         }
         rest = behind;
     }

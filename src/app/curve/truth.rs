@@ -29,6 +29,7 @@ pub struct Truth {
     /// The same of the worst pixel.
     pub largest: f64,
     /// Camera rays for each pixel.
+    #[serde(alias = "samples_a_pixel")]
     pub samples_per_pixel: f64,
     /// Seconds, over all processors.
     pub processor: f64,

@@ -638,12 +638,9 @@ mod tests {
             };
             assert_eq!(prepared.color(&spot).rgb.r, 0.25);
         }
-        let density =
-            crate::scene::interior::Density::read(&mut TextArgs::new("{ uv_mapping bozo }"));
-        let message = density
-            .map(|_| ())
-            .expect_err("space has no texture coordinates")
-            .message;
-        assert!(message.contains("which has no surface"), "{message}");
+        let mut args = TextArgs::new("{ uv_mapping bozo }");
+        let density = crate::scene::interior::Density::read(&mut args).unwrap();
+        assert!(!density.0.uses_uv());
+        assert_eq!(args.warnings(), ["`uv_mapping` has no effect here"]);
     }
 }
