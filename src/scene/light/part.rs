@@ -24,14 +24,26 @@ impl Part {
             let sum = low + high;
             [[low, sum / 2], [sum.div_ceil(2), high]]
         };
-        let (u, v) = (halves(self.u), halves(self.v));
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| Part { u: u[i], v: v[j] })
+        let ([low_u, high_u], [low_v, high_v]) = (halves(self.u), halves(self.v));
+        let part = |u, v| Part { u, v };
+        [
+            part(low_u, low_v),
+            part(high_u, low_v),
+            part(low_u, high_v),
+            part(high_u, high_v),
+        ]
     }
 
     /// The indices of the lights at the corners; a part one light wide repeats some.
     #[must_use]
     pub fn corners(self) -> [[u32; 2]; 4] {
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| [self.u[i], self.v[j]])
+        let ([low_u, high_u], [low_v, high_v]) = (self.u, self.v);
+        [
+            [low_u, low_v],
+            [high_u, low_v],
+            [low_u, high_v],
+            [high_u, high_v],
+        ]
     }
 
     /// True if there are lights between the corners.

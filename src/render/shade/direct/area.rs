@@ -281,9 +281,10 @@ impl Tracer<'_> {
         level: u32,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let corners = part
-            .corners()
-            .map(|corner| self.sample_grid_light(area_light, corner, scratch));
+        // Not `map`, which is not always inlined.
+        let [a, b, c, d] = part.corners();
+        let mut light = |corner| self.sample_grid_light(area_light, corner, scratch);
+        let corners = [light(a), light(b), light(c), light(d)];
         let [low_low, high_low, low_high, high_high] = corners;
         let is_divided = part.can_be_divided()
             && (level < area_light.area.adaptive
@@ -300,7 +301,9 @@ impl Tracer<'_> {
                 }
                 self.sample_grid(area_light, &requested, scratch);
             }
-            quarters.map(|quarter| self.shadowed_part(area_light, quarter, level + 1, scratch))
+            let [a, b, c, d] = quarters;
+            let mut light = |quarter| self.shadowed_part(area_light, quarter, level + 1, scratch);
+            [light(a), light(b), light(c), light(d)]
         } else {
             corners
         };
