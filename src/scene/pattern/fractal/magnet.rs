@@ -108,9 +108,7 @@ impl Model {
                 let linear = |c: Complex| {
                     Complex::new(3.0 * (a * c.re - b * c.im), 3.0 * (a * c.im + b * c.re))
                 };
-                let above = Complex::new(a_sq * a - 3.0 * a * b_sq, 3.0 * a_sq * b - b_sq * b)
-                    + linear(c1)
-                    + product;
+                let above = z.power(3) + linear(c1) + product;
                 let below = Complex::new(3.0 * (a_sq - b_sq), 6.0 * a * b)
                     + linear(c2)
                     + product
