@@ -34,7 +34,7 @@ pub(in crate::world) struct CsgPacketHits {
 
 /// The interval of each ray inside all required operands, in which something may show, wider by the distance within
 /// which surfaces coincide.
-pub(in crate::world) struct ClipInterval<F> {
+pub(in crate::world) struct ClipInterval<F: F64Lanes> {
     pub(in crate::world) low: F,
     pub(in crate::world) high: F,
     pub(crate) enter: End<F>,
@@ -44,13 +44,14 @@ pub(in crate::world) struct ClipInterval<F> {
 }
 
 /// The last of several entries, or the first of several exits.
-#[derive(Clone, Copy)]
-pub(crate) struct End<F> {
+pub(crate) struct End<F: F64Lanes> {
     pub(crate) t: F,
     /// The operand, as a whole number; negative if it only clips.
     pub(crate) operand: F,
-    /// Positive where two of them coincide.
-    pub(crate) tied: F,
+    /// The entry before it, or the exit after it.
+    next: F,
+    /// Lanes in which `next` may coincide with it; set once all operands are included.
+    tied: F::Mask,
 }
 
 impl<F: F64Lanes> End<F> {
@@ -59,26 +60,31 @@ impl<F: F64Lanes> End<F> {
         End {
             t: F::splat(t),
             operand: F::splat(-1.0),
-            tied: F::splat(0.0),
+            next: F::splat(t),
+            tied: F::mask_from_bits(0),
         }
     }
 
-    /// Includes the end of another operand, which replaces the current one where `is_new`; both are tied where the current
-    /// one is within `around`.
+    /// Includes the entry into another operand.
     #[inline(always)]
-    fn extend(&mut self, t: F, around: (F, F), operand: F, is_new: F::Mask) {
-        let [zero, one] = [F::splat(0.0), F::splat(1.0)];
-        let tied = F::select(is_new, zero, self.tied);
-        self.tied = F::select(around.0.le(self.t) & self.t.le(around.1), one, tied);
-        self.operand = F::select(is_new, operand, self.operand);
-        self.t = F::select(is_new, t, self.t);
+    fn extend_entry(&mut self, enter: F, operand: F) {
+        self.next = self.next.lane_max(enter.lane_min(self.t));
+        self.operand = F::select(self.t.lt(enter), operand, self.operand);
+        self.t = self.t.lane_max(enter);
+    }
+
+    /// Includes the exit out of another operand.
+    #[inline(always)]
+    fn extend_exit(&mut self, leave: F, operand: F) {
+        self.next = self.next.lane_min(leave.lane_max(self.t));
+        self.operand = F::select(leave.lt(self.t), operand, self.operand);
+        self.t = self.t.lane_min(leave);
     }
 
     /// Distance at which it may be shown: infinity where it only clips.
     #[inline(always)]
     fn shown(&self) -> F {
-        let zero = F::splat(0.0);
-        let is_shown = zero.le(self.operand) | zero.lt(self.tied);
+        let is_shown = F::splat(0.0).le(self.operand) | self.tied;
         F::select(is_shown, self.t, F::splat(f64::INFINITY))
     }
 }
@@ -134,7 +140,7 @@ impl SimdKernel for CsgPacket<'_> {
         }
         let mut at = NearestEnd::new(best, self.around(best));
         for end in [&clip.enter, &clip.leave] {
-            at.add_tie(F::splat(0.0).lt(end.tied), end.t);
+            at.add_tie(end.tied, end.t);
             at.add(end.t, end.operand);
         }
         for (ends, &number) in cuts.iter().zip(self.others) {
@@ -242,18 +248,17 @@ impl CsgPacket<'_> {
                 f64::from(number)
             };
             let operand = F::splat(operand);
-            let (around_enter, around_leave) = (self.around(enter), self.around(leave));
-            let is_new = clip.enter.t.lt(enter);
-            clip.enter.extend(enter, around_enter, operand, is_new);
-            let is_new = leave.lt(clip.leave.t);
-            clip.leave.extend(leave, around_leave, operand, is_new);
-            clip.low = clip.low.lane_max(around_enter.0);
-            clip.high = clip.high.lane_min(around_leave.1);
+            clip.enter.extend_entry(enter, operand);
+            clip.leave.extend_exit(leave, operand);
+            clip.low = clip.low.lane_max(self.around(enter).0);
+            clip.high = clip.high.lane_min(self.around(leave).1);
             let is_open = F::bitmask(clip.low.le(clip.high)) | clip.unknown;
             if is_open & self.active == 0 {
                 return None;
             }
         }
+        clip.enter.tied = self.around(clip.enter.t).0.le(clip.enter.next);
+        clip.leave.tied = clip.leave.next.le(self.around(clip.leave.t).1);
         Some(clip)
     }
 
@@ -268,10 +273,10 @@ impl CsgPacket<'_> {
         let t = clip.enter.shown();
         let passes = F::bitmask(clip.high.lt(clip.low));
         let around = self.around(t);
-        let is_alone = around.1.lt(clip.leave.t) & clip.enter.tied.eq(F::splat(0.0));
+        let is_alone = around.1.lt(clip.leave.t);
         let (t_min, t_max) = (&self.rays.t_min, &self.rays.t_max);
         let is_plain = (F::from_array(t_min).lt(t) & t.le(F::from_array(t_max))) & is_alone;
-        let mut clear = F::bitmask(is_plain) & !passes;
+        let mut clear = F::bitmask(is_plain) & !(passes | F::bitmask(clip.enter.tied));
         for &number in self.others {
             if (clear | passes) & self.active != self.active {
                 break;
@@ -298,12 +303,12 @@ impl CsgPacket<'_> {
     #[inline(always)]
     fn nearer<F: F64Lanes>(&self, clip: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
         let from = F::from_array(&self.rays.t_min);
-        let around = self.around(t);
         let is_within = clip.low.le(t) & t.le(clip.high);
         let mut is_shown = (from.lt(t) & is_within) & t.lt(best);
         if F::bitmask(is_shown) & self.active == 0 {
             return best;
         }
+        let around = self.around(t);
         for (enter, leave) in cuts {
             is_shown = is_shown & (around.0.le(*enter) | leave.le(around.1));
         }
