@@ -10,7 +10,9 @@ mod block {
     pub(super) mod brick;
     pub(super) mod cells;
     pub(super) mod checker;
+    pub(super) mod dodecagons;
     pub(super) mod hexagon;
+    pub(super) mod penrose;
     pub(super) mod square;
     pub(super) mod tiling;
     pub(super) mod triangular;

@@ -2,12 +2,14 @@
 //!
 //! A tiling has `n` kinds of tiles. In a tile of kind `k` the value is `(k + s) / n`, where `s` is 1 on the sides of
 //! the tile and falls to 0 at a depth that is the same for all kinds of the tiling. The tiles, in `tiling.txt`, were
-//! derived from images rendered by POV-Ray 3.7. Missing: number 22, and the three Penrose tilings, which are not
-//! periodic.
+//! derived from images rendered by POV-Ray 3.7. Number 22 ([`super::dodecagons`]) has sides of two slopes, and
+//! numbers 25 to 27 ([`super::penrose`]) are not periodic.
 
+use super::dodecagons::Dodecagons;
+use super::penrose::Penrose;
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
-use crate::base::source::{Code, Diagnostic};
+use crate::base::source::Diagnostic;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::{DMat2, DVec2, DVec3};
 use std::sync::Arc;
@@ -66,13 +68,13 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         let message = format!("the tilings have the numbers 1 to {COUNT}, not {given}");
         return Err(Box::new(Diagnostic::error(at, message)));
     };
-    match Tiling::numbered(number) {
-        Some(tiling) => Ok(Box::new(Prepared(Arc::new(tiling)))),
-        None => {
-            let error = Diagnostic::error(at, format!("`tiling {number}` is not supported yet"));
-            Err(Box::new(error.with_code(Code::NotBuilt)))
-        }
-    }
+    Ok(match (number, Tiling::numbered(number)) {
+        (_, Some(tiling)) => Box::new(Prepared(Arc::new(tiling))),
+        (22, None) => Box::new(Dodecagons),
+        (25, None) => Box::new(Penrose::Pentagons),
+        (26, None) => Box::new(Penrose::KitesAndDarts),
+        (_, None) => Box::new(Penrose::Rhombs),
+    })
 }
 
 impl Tiling {
