@@ -41,6 +41,7 @@ pub fn read_field(
             return Err(args.expected("a modifier of the pattern or `}`"));
         }
     }
+    pattern.check(args)?;
     Ok(modifiers.prepare(&*pattern, &[], settings))
 }
 

@@ -12,6 +12,7 @@ mod block {
     pub(super) mod checker;
     pub(super) mod dodecagons;
     pub(super) mod hexagon;
+    pub(super) mod pavement;
     pub(super) mod penrose;
     pub(super) mod square;
     pub(super) mod tiling;
@@ -119,6 +120,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Marble, noise::marble::new),
     (Word::Object, lookup::object::new),
     (Word::Onion, geometric::onion::new),
+    (Word::Pavement, block::pavement::new),
     (Word::Planar, geometric::planar::new),
     (Word::Quilted, geometric::quilted::new),
     (Word::Radial, geometric::radial::new),
@@ -178,6 +180,14 @@ pub trait Pattern: Debug + Send + Sync + ClonePattern {
     /// A malformed value.
     fn read_modifier(&mut self, _word: Word, _args: &mut dyn Args) -> Parse<bool> {
         Ok(false)
+    }
+
+    /// Checks the parameters together, once all of them are read.
+    ///
+    /// # Errors
+    /// Parameters that do not fit each other.
+    fn check(&self, _args: &dyn Args) -> Parse<()> {
+        Ok(())
     }
 }
 

@@ -166,6 +166,12 @@ impl Normal {
         if matches!(self.kind, NormalKind::Average(None)) {
             return Err(args.expected("`normal_map` after `average`"));
         }
+        if let NormalKind::Pattern(pattern)
+        | NormalKind::Slopes(pattern, _)
+        | NormalKind::Normals(pattern, _) = &self.kind
+        {
+            pattern.check(args)?;
+        }
         Ok(Arc::new(self))
     }
 

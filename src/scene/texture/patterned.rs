@@ -117,6 +117,7 @@ impl Patterned {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => {
                 Err(args.expected(&format!("`texture_map` after `{}`", self.word)))
             }
+            PatternedKind::Map(pattern, _) => pattern.check(args),
             _ => Ok(()),
         }
     }
@@ -312,8 +313,12 @@ mod tests {
     }
 
     #[test]
-    fn an_unsupported_pattern_is_named() {
-        let error = read("{ pavement }").expect_err("it is missing");
-        assert_eq!(error.message, "`pavement` is not supported yet");
+    fn parameters_of_patterns_are_checked_together() {
+        let error =
+            read("{ pavement pattern 2 texture_map { [0 T] } }").expect_err("no such pattern");
+        assert_eq!(
+            error.message,
+            "`pattern` of 1 tiles with 3 sides is 1 to 1, found 2"
+        );
     }
 }

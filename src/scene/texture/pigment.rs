@@ -244,6 +244,8 @@ impl Pigment {
             PigmentKind::Average(None) => {
                 Err(args.expected(&format!("`{}` after `average`", family.map_word())))
             }
+            PigmentKind::Colors(ref mapped) => mapped.pattern.check(args).map(|()| self),
+            PigmentKind::Pigments(ref mapped) => mapped.pattern.check(args).map(|()| self),
             _ => Ok(self),
         }
     }
@@ -604,7 +606,14 @@ mod tests {
 
     #[test]
     fn unsupported_or_misplaced_words_are_named() {
-        assert_eq!(error("{ pavement }"), "`pavement` is not supported yet");
+        assert_eq!(
+            error("{ pavement number_of_sides 5 }"),
+            "`number_of_sides` is 3, 4 or 6, found 5"
+        );
+        assert_eq!(
+            error("{ pavement pattern 13 number_of_sides 4 number_of_tiles 5 }"),
+            "`pattern` of 5 tiles with 4 sides is 1 to 12, found 13"
+        );
         assert_eq!(
             error("{ rgb 1 uv_mapping }"),
             "expected `uv_mapping` at the start of the pigment, before its pattern, found `uv_mapping`"

@@ -6,6 +6,7 @@
 //! numbers 25 to 27 ([`super::penrose`]) are not periodic.
 
 use super::dodecagons::Dodecagons;
+use super::pavement::read_byte;
 use super::penrose::Penrose;
 use crate::base::args::{Args, Parse};
 use crate::base::math::rounding::floor;
@@ -61,13 +62,12 @@ struct Prepared(Arc<Tiling>);
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     let at = args.span();
-    let given = args.float()?.trunc();
+    let number = u32::from(read_byte(args)?);
     let at = at.to(args.last_span());
-    let number = (1..=COUNT).find(|number| f64::from(*number) == given);
-    let Some(number) = number else {
-        let message = format!("the tilings have the numbers 1 to {COUNT}, not {given}");
+    if !(1..=COUNT).contains(&number) {
+        let message = format!("the tilings have the numbers 1 to {COUNT}, not {number}");
         return Err(Box::new(Diagnostic::error(at, message)));
-    };
+    }
     Ok(match (number, Tiling::numbered(number)) {
         (_, Some(tiling)) => Box::new(Prepared(Arc::new(tiling))),
         (22, None) => Box::new(Dodecagons),
