@@ -19,7 +19,7 @@ pub(crate) use decode::decode_samples;
 pub(crate) use format::Format;
 pub use mapping::Purpose;
 pub use mapping::{Interpolation, MapType, Mapping};
-pub use read::{AddedTransparency, Alpha, MappedBitmap, read};
+pub use read::{AddedTransparency, Alpha, MappedBitmap, read, read_gamma};
 pub(crate) use size::bytes_to_decode;
 
 use crate::base::color::{Color, Gamma, Rgb};

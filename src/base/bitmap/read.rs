@@ -269,7 +269,11 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
     }
 }
 
-fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
+/// Reads the value after `gamma`: a positive number or `srgb`.
+///
+/// # Errors
+/// Anything else.
+pub fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
     if args.accept(Word::Srgb)? {
         return Ok(Gamma::Srgb);
     }

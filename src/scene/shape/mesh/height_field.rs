@@ -1,5 +1,5 @@
-//! `height_field { [type] "file" [smooth] [water_level height] }`: a landscape over the unit square, with its heights
-//! from the pixels of an image.
+//! `height_field { [type] "file" [gamma g] [smooth] [water_level height] }`: a landscape over the unit square, with its
+//! heights from the pixels of an image.
 //!
 //! A ray is traced through blocks of cells and then cell by cell (Musgrave 1988, "Grid tracing"). Each cell is two
 //! triangles, on each of which the height of the ray above the ground is linear in `t`, so a change of its sign is a
@@ -17,6 +17,8 @@ mod steps;
 mod walk;
 
 use crate::base::args::{Args, Parse, Word};
+use crate::base::bitmap;
+use crate::base::color::Gamma;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, Start, read};
@@ -172,17 +174,27 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     let unreadable = |why| error(format!("cannot read the image `{name}`: {why}"));
     let needed = image::bytes_to_read(kind.decoder, &bytes).map_err(unreadable)?;
     args.reserve_memory("this image", needed, at)?;
-    let heights = image::heights(kind.decoder, &bytes).map_err(unreadable)?;
+    let gamma = read_gamma(args)?;
+    let heights = image::heights(kind.decoder, &bytes, gamma).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {
         let max = MAX_CELLS;
         return Err(error(format!("a height field has at most {max} pixels")));
     }
-    for word in [Word::Gamma, Word::Premultiplied] {
-        if args.word()? == Some(word) {
-            return Err(crate::base::args::not_built(args, word));
+    Ok(heights)
+}
+
+/// Reads `gamma g` and `premultiplied`, which has no effect, in any order.
+fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
+    let mut gamma = Gamma::LINEAR;
+    loop {
+        if args.accept(Word::Gamma)? {
+            gamma = bitmap::read_gamma(args)?;
+        } else if args.accept(Word::Premultiplied)? {
+            args.float()?;
+        } else {
+            return Ok(gamma);
         }
     }
-    Ok(heights)
 }
 
 fn kind_of_name(name: &str) -> Option<&'static Kind> {

@@ -5,10 +5,13 @@
 //! * 16-bit grey: unchanged;
 //! * palette: the index times 256;
 //! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value.
+//!
+//! `gamma` decodes the samples to linear light first, whatever the gamma of the scene; indices stay. The gamma that a
+//! file declares has no effect.
 
 use crate::base::args::{SampledFunction, Word};
 use crate::base::bitmap::{self, BmpContent, Format};
-use crate::base::color::Color;
+use crate::base::color::{Color, Gamma};
 use image::DynamicImage;
 use std::io::Cursor;
 
@@ -129,53 +132,94 @@ pub(super) fn bytes_to_read(decoder: Decoder, bytes: &[u8]) -> Result<u64, Strin
         .map_or(Ok(0), |format| bitmap::bytes_to_decode(bytes, format))
 }
 
-/// Reads the heights of an image.
-pub(super) fn heights(decoder: Decoder, bytes: &[u8]) -> Result<Heights, String> {
+/// Reads the heights of an image whose samples have this gamma.
+pub(super) fn heights(decoder: Decoder, bytes: &[u8], gamma: Gamma) -> Result<Heights, String> {
+    let samples = Samples { gamma };
     let read = match decoder {
-        Decoder::Png => png(bytes),
+        Decoder::Png => png(bytes, samples),
         Decoder::Gif => gif(bytes),
-        Decoder::Tga => tga(bytes),
-        Decoder::Bmp => bmp(bytes),
+        Decoder::Tga => tga(bytes, samples),
+        Decoder::Bmp => bmp(bytes, samples),
         Decoder::Pot => pot(bytes),
-        Decoder::Other(format) => other(format, bytes),
+        Decoder::Other(format) => other(format, bytes, samples),
         Decoder::Unsupported => Err("this kind of image is not supported yet".into()),
     };
     read.map_err(|fault| fault.to_string())
 }
 
 fn from_index(index: u8) -> u16 {
-    u16::from(index) * 256
+    from_bytes(index, 0)
 }
 
-fn from_grey(byte: u8) -> u16 {
-    u16::from(byte) * 257
+fn from_bytes(high: u8, low: u8) -> u16 {
+    u16::from_be_bytes([high, low])
 }
 
-fn from_color(red: u8, green: u8) -> u16 {
-    u16::from(red) * 256 + u16::from(green)
+/// The conversion of samples to heights.
+#[derive(Clone, Copy)]
+struct Samples {
+    /// The gamma of the samples.
+    gamma: Gamma,
 }
 
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "a mean of 16-bit numbers, without what stands behind its decimal point"
+    reason = "cut, and the casts saturate"
 )]
-fn from_deep_color([red, green, blue]: [u16; 3]) -> u16 {
-    (0.297 * f64::from(red) + 0.589 * f64::from(green) + 0.114 * f64::from(blue)) as u16
+impl Samples {
+    fn is_linear(self) -> bool {
+        self.gamma == Gamma::LINEAR
+    }
+
+    fn decoded_deep(self, sample: u16) -> f32 {
+        self.gamma.decode(f32::from(sample) / 65535.0)
+    }
+
+    fn decoded(self, sample: u8) -> f32 {
+        self.gamma.decode(f32::from(sample) / 255.0)
+    }
+
+    fn deep_grey(self, grey: u16) -> u16 {
+        if self.is_linear() {
+            grey
+        } else {
+            (self.decoded_deep(grey) * 65535.0) as u16
+        }
+    }
+
+    fn grey(self, grey: u8) -> u16 {
+        self.deep_grey(u16::from(grey) * 257)
+    }
+
+    fn color(self, red: u8, green: u8) -> u16 {
+        if self.is_linear() {
+            from_bytes(red, green)
+        } else {
+            let [red, green] = [red, green].map(|sample| f64::from(self.decoded(sample)));
+            ((red * 256.0 + green) * 255.0) as u16
+        }
+    }
+
+    fn deep_color(self, color: [u16; 3]) -> u16 {
+        let [red, green, blue] = color.map(|sample| {
+            if self.is_linear() {
+                f64::from(sample)
+            } else {
+                f64::from(self.decoded_deep(sample)) * 65535.0
+            }
+        });
+        (0.297 * red + 0.589 * green + 0.114 * blue) as u16
+    }
+
+    /// The height of an 8-bit grey value of a PNG, after POV-Ray's conversion to a colour and back.
+    fn degraded_grey(self, grey: u8) -> u16 {
+        let g = self.decoded(grey);
+        u16::from((255.0 * (0.297 * g + 0.589 * g + 0.114 * g)) as u8) * 257
+    }
 }
 
-/// An 8-bit grey value of a PNG after POV-Ray's conversion to a colour and back.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "between 0 and 255, and what stands behind the decimal point is lost"
-)]
-fn degraded(byte: u8) -> u8 {
-    let g = f32::from(byte) / 255.0;
-    (255.0 * (0.297 * g + 0.589 * g + 0.114 * g)) as u8
-}
-
-fn png(bytes: &[u8]) -> Result<Heights, Fault> {
+fn png(bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
     let limits = png::Limits {
         bytes: usize::try_from(MAX_BYTES).unwrap_or(usize::MAX),
     };
@@ -203,26 +247,30 @@ fn png(bytes: &[u8]) -> Result<Heights, Fault> {
             (png::ColorType::Indexed, _) => {
                 rows.extend(pixels.map(|x| from_index(unpack(line, x, depth))));
             }
-            (png::ColorType::Grayscale, true) => rows.extend(pixels.map(deep)),
+            (png::ColorType::Grayscale, true) => {
+                rows.extend(pixels.map(|x| samples.deep_grey(deep(x))));
+            }
             (png::ColorType::Grayscale, false) => rows.extend(pixels.map(|x| {
                 let byte = rescale_sample(unpack(line, x, depth), depth);
-                from_grey(if has_transparency {
-                    byte
+                if has_transparency {
+                    samples.grey(byte)
                 } else {
-                    degraded(byte)
-                })
+                    samples.degraded_grey(byte)
+                }
             })),
-            (png::ColorType::GrayscaleAlpha, true) => rows.extend(pixels.map(|x| deep(2 * x))),
+            (png::ColorType::GrayscaleAlpha, true) => {
+                rows.extend(pixels.map(|x| samples.deep_grey(deep(2 * x))));
+            }
             (png::ColorType::GrayscaleAlpha, false) => {
-                rows.extend(pixels.map(|x| from_grey(line[2 * x])));
+                rows.extend(pixels.map(|x| samples.grey(line[2 * x])));
             }
             (kind @ (png::ColorType::Rgb | png::ColorType::Rgba), is_deep) => {
                 let step = kind.samples();
                 rows.extend(pixels.map(|x| step * x).map(|at| {
                     if is_deep {
-                        from_deep_color([deep(at), deep(at + 1), deep(at + 2)])
+                        samples.deep_color([deep(at), deep(at + 1), deep(at + 2)])
                     } else {
-                        from_color(line[at], line[at + 1])
+                        samples.color(line[at], line[at + 1])
                     }
                 }));
             }
@@ -264,7 +312,7 @@ fn pot(bytes: &[u8]) -> Result<Heights, Fault> {
         let (high, low) = (&row[..width], &row[width..]);
         high.iter()
             .zip(low)
-            .map(|(high, low)| from_color(*high, *low))
+            .map(|(high, low)| from_bytes(*high, *low))
     });
     Ok(Heights {
         width,
@@ -300,9 +348,9 @@ fn stored_order(height: usize) -> Vec<usize> {
     passes.into_iter().flat_map(rows).collect()
 }
 
-fn bmp(bytes: &[u8]) -> Result<Heights, Fault> {
+fn bmp(bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
     Ok(match bitmap::bmp_content(bytes)? {
-        BmpContent::Colors(picture) => decoded(picture),
+        BmpContent::Colors(picture) => decoded(picture, samples),
         BmpContent::Indexed { width, indices, .. } => Heights {
             width,
             rows: indices.into_iter().map(from_index).collect(),
@@ -310,32 +358,35 @@ fn bmp(bytes: &[u8]) -> Result<Heights, Fault> {
     })
 }
 
-fn tga(bytes: &[u8]) -> Result<Heights, Fault> {
+fn tga(bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
     // The second byte flags a palette; the decoder returns only its colours, not the indices.
     if bytes.get(1) == Some(&1) {
         return Err("a TGA file with a palette is not supported yet".into());
     }
-    other(Format::Tga, bytes)
+    other(Format::Tga, bytes, samples)
 }
 
-fn other(format: Format, bytes: &[u8]) -> Result<Heights, Fault> {
-    Ok(decoded(bitmap::decode_samples(bytes, format)?))
+fn other(format: Format, bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
+    Ok(decoded(bitmap::decode_samples(bytes, format)?, samples))
 }
 
-fn decoded(image: DynamicImage) -> Heights {
+fn decoded(image: DynamicImage, samples: Samples) -> Heights {
     let width = image.width() as usize;
+    let grey = |sample: u8| samples.grey(sample);
+    let deep_grey = |sample: u16| samples.deep_grey(sample);
     let rows = match image {
-        DynamicImage::ImageLuma8(image) => image.pixels().map(|p| from_grey(p.0[0])).collect(),
-        DynamicImage::ImageLumaA8(image) => image.pixels().map(|p| from_grey(p.0[0])).collect(),
-        DynamicImage::ImageLuma16(image) => image.into_raw(),
-        DynamicImage::ImageLumaA16(image) => image.pixels().map(|p| p.0[0]).collect(),
-        DynamicImage::ImageRgb16(image) => image.pixels().map(|p| from_deep_color(p.0)).collect(),
+        DynamicImage::ImageLuma8(image) => image.pixels().map(|p| grey(p.0[0])).collect(),
+        DynamicImage::ImageLumaA8(image) => image.pixels().map(|p| grey(p.0[0])).collect(),
+        DynamicImage::ImageLuma16(image) => image.pixels().map(|p| deep_grey(p.0[0])).collect(),
+        DynamicImage::ImageLumaA16(image) => image.pixels().map(|p| deep_grey(p.0[0])).collect(),
+        DynamicImage::ImageRgb16(image) => {
+            let pixels = image.pixels();
+            pixels.map(|p| samples.deep_color(p.0)).collect()
+        }
         colors => {
             let colors = colors.into_rgb8();
-            colors
-                .pixels()
-                .map(|p| from_color(p.0[0], p.0[1]))
-                .collect()
+            let pixels = colors.pixels();
+            pixels.map(|p| samples.color(p.0[0], p.0[1])).collect()
         }
     };
     Heights { width, rows }
@@ -365,17 +416,32 @@ mod tests {
     #[test]
     fn grey_bytes_of_a_png_lose_precision_as_in_pov_ray() {
         // Measured with POV-Ray 3.7.
+        let linear = Samples {
+            gamma: Gamma::LINEAR,
+        };
         assert_eq!(
-            [202, 221, 129, 121, 255].map(degraded),
-            [202, 220, 129, 120, 255]
+            [202, 221, 129, 121, 255].map(|byte| linear.degraded_grey(byte)),
+            [202, 220, 129, 120, 255].map(|byte| byte * 257)
         );
+    }
+
+    #[test]
+    fn gamma_decodes_samples() {
+        // Measured with POV-Ray 3.7.
+        let samples = Samples {
+            gamma: Gamma::power(2.2),
+        };
+        assert_eq!([50, 100].map(|byte| samples.grey(byte)), [1818, 8357]);
+        assert_eq!(samples.degraded_grey(50), 1799);
+        assert_eq!(samples.color(50, 58), 1821);
+        assert_eq!(samples.deep_grey(12881), 1828);
     }
 
     #[test]
     fn a_pot_file_has_a_byte_from_each_half_of_a_row() {
         let bytes = include_bytes!("../../../../../pov_scenes/shape/heights/potential.pot");
         let (gif_width, rows) = indices(bytes).expect("it is a GIF");
-        let result = heights(Decoder::Pot, bytes).expect("it has heights");
+        let result = heights(Decoder::Pot, bytes, Gamma::LINEAR).expect("it has heights");
         assert_eq!((gif_width, result.width), (48, 24));
         let (high, low) = (u16::from(rows[5]), u16::from(rows[5 + 24]));
         assert_eq!(result.rows[5], 256 * high + low);
