@@ -255,6 +255,7 @@ impl Reader<'_> {
                 self.pass();
                 let default = self.draft.default_layer.clone();
                 let texture = Texture::read(self, &default)?;
+                let texture = texture.as_lowest(self.draft.version);
                 object.set_interior_texture(Arc::new(texture));
             }
             Word::Interior => {
@@ -379,7 +380,7 @@ impl Reader<'_> {
     fn material(&mut self, object: &mut Object) -> Parse<()> {
         self.pass();
         let default = self.draft.default_layer.clone();
-        let material = Material::read(self, &default)?;
+        let material = Material::read(self, &default)?.in_version(self.draft.version);
         if let Some(texture) = material.texture {
             self.lay_over(object, texture)?;
         }

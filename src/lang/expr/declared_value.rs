@@ -238,7 +238,7 @@ impl Reader<'_> {
         loop {
             let next = if self.take_word(Word::Texture)? {
                 let default = self.draft.default_layer.clone();
-                Texture::read(self, &default)?
+                Texture::read(self, &default)?.as_lowest(self.draft.version)
             } else if let Some(known) = crate::base::args::declared::<Texture>(self)? {
                 (*known).clone()
             } else {

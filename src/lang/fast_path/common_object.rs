@@ -232,7 +232,7 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
         match word {
             Word::Texture if object.texture.is_none() => {
                 args.accept(word)?;
-                let texture = Texture::read(args, default)?;
+                let texture = Texture::read(args, default)?.as_lowest(args.version());
                 object.texture = Some(object.attach(Arc::new(texture)));
             }
             Word::Pigment | Word::Normal | Word::Finish if object.texture.is_none() => {

@@ -235,11 +235,23 @@ impl Texture {
 
     /// Layers another texture over this one. In versions up to 3.1 the upper layers transmit instead of filtering.
     pub fn lay_over(&mut self, upper: Texture, version: f64) {
-        for mut layer in upper.layers {
-            if version <= LAST_WITHOUT_FILTER {
-                layer.pigment.filter_to_transmit();
-            }
-            self.layers.push(layer);
+        let first = self.layers.len();
+        self.layers.extend(upper.layers);
+        self.transmit_from(first, version);
+    }
+
+    /// The texture as the lowest of an object's, a material's or a declared one's. In versions up to 3.1 its upper
+    /// layers transmit instead of filtering, also where a later version declared them.
+    #[must_use]
+    pub fn as_lowest(mut self, version: f64) -> Texture {
+        self.transmit_from(1, version);
+        self
+    }
+
+    fn transmit_from(&mut self, first: usize, version: f64) {
+        if version <= LAST_WITHOUT_FILTER {
+            let upper = self.layers.iter_mut().skip(first);
+            upper.for_each(|layer| layer.pigment.filter_to_transmit());
         }
     }
 

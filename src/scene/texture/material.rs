@@ -46,6 +46,15 @@ impl Material {
         Ok(material)
     }
 
+    /// The material as an object takes it: its textures are the lowest of the object's.
+    #[must_use]
+    pub fn in_version(mut self, version: f64) -> Material {
+        for texture in [&mut self.texture, &mut self.interior_texture] {
+            *texture = texture.take().map(|texture| texture.as_lowest(version));
+        }
+        self
+    }
+
     /// Transforms the textures and the media of the interior that have been read so far.
     pub fn transform(&mut self, step: &Step) {
         let textures = [&mut self.texture, &mut self.interior_texture];
