@@ -55,8 +55,9 @@ impl Reader<'_> {
         }
     }
 
-    /// After a part of a number that is being declared: if a directive follows, a `;` is probably missing. The
-    /// directive runs before the name has its value, and must not report the name as undeclared.
+    /// After a part of a number that is being declared: if a directive follows, a `;` is missing. Before 3.5 the number
+    /// ends there. From then on the directive runs before the name has its value, and must not report the name as
+    /// undeclared.
     pub(crate) fn look_for_semicolon(&mut self) {
         let next = self.raw();
         if !matches!(next.kind, Kind::Directive | Kind::End | Kind::Name) {
@@ -70,7 +71,10 @@ impl Reader<'_> {
         else {
             return;
         };
-        if self.ends_before_macro(next) || self.ends_with_scope(&open) {
+        if self.ends_before_directive(next)
+            || self.ends_before_macro(next)
+            || self.ends_with_scope(&open)
+        {
             self.statement.declaring = Some(Declaring {
                 has_ended: true,
                 ..open
@@ -88,6 +92,11 @@ impl Reader<'_> {
         if !open.is_item && self.scopes.get(open.symbol).is_none() {
             self.assign(&open, Value::Poison(None));
         }
+    }
+
+    /// True if a number ends here because a directive follows: before 3.5 it needs no `;`.
+    fn ends_before_directive(&self, next: Token) -> bool {
+        self.draft.version < 3.5 && next.kind == Kind::Directive && !self.is_end_of_macro()
     }
 
     /// True if a number ends here because a macro call follows, which may use its name: before 3.5 it needs no `;`.
@@ -110,7 +119,8 @@ impl Reader<'_> {
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
     pub(crate) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
-        if self.take_semicolon() || self.take_mark(';')? {
+        let has_ended = is_number && self.ends_before_directive(self.raw());
+        if self.take_semicolon() || !has_ended && self.take_mark(';')? {
             if is_number {
                 self.take_semicolon();
             }
