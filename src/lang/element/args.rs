@@ -31,7 +31,8 @@ impl Args for Reader<'_> {
     }
 
     fn float_or(&mut self, default: f64) -> Parse<f64> {
-        if self.begins_number()? {
+        // The name of a colour begins no number: in an object it is the colour of the object.
+        if self.begins_number()? && !self.is_at_color_name()? {
             self.float()
         } else {
             Ok(default)

@@ -196,7 +196,15 @@ impl Reader<'_> {
             }
             Word::LoadFile => {
                 self.pass();
-                let (name, bytes) = Args::file(self, "the photon map", &[])?;
+                let name = Args::string(self)?;
+                let bytes = match self.file_named("the photon map", &name, &[]) {
+                    Ok(bytes) => bytes,
+                    // POV-Ray reads the file instead of emitting photons, which low qualities do without.
+                    Err(error) => {
+                        self.report.undrawn.push(*error);
+                        return Ok(());
+                    }
+                };
                 if photon_file::records(&bytes).is_none() {
                     let message = format!("`{name}` is not a photon map");
                     let error = Diagnostic::error(self.taken_span(), message)

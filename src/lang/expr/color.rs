@@ -18,7 +18,7 @@ impl Reader<'_> {
     /// components.
     pub(crate) fn color_value(&mut self) -> Parse<Color> {
         let start = self.start()?;
-        let parts = self.color_parts()?;
+        let parts = self.color_parts(None)?;
         #[allow(
             clippy::cast_possible_truncation,
             reason = "colours are single precision"
@@ -28,9 +28,10 @@ impl Reader<'_> {
         Ok(Color::from_components(parts))
     }
 
-    fn color_parts(&mut self) -> Parse<[f64; 5]> {
-        let mut sum = [0.0; 5];
-        let (mut has_begun, mut has_word) = (false, false);
+    /// The parts of a colour, or those that follow `begun`.
+    pub(super) fn color_parts(&mut self, begun: Option<[f64; 5]>) -> Parse<[f64; 5]> {
+        let mut sum = begun.unwrap_or_default();
+        let (mut has_begun, mut has_word) = (begun.is_some(), false);
         loop {
             let token = self.peek()?;
             let word = token.word().filter(|word| word.class() == Class::Color);
@@ -69,6 +70,14 @@ impl Reader<'_> {
                 has_begun = true;
             }
         }
+    }
+
+    /// True if the next token is the name of a colour.
+    pub(crate) fn is_at_color_name(&mut self) -> Parse<bool> {
+        let token = self.peek()?;
+        let value = || self.scopes.get(Symbol(token.value));
+        Ok(token.kind == Kind::Name
+            && matches!(value(), Some(Value::Number(number)) if number.len == 5))
     }
 
     /// True if the next token is a word or mark that ends an expression; the entry of a map ends only after `color`.
@@ -236,7 +245,7 @@ fn holds_color(value: &Value) -> bool {
 }
 
 /// True if a word sets one component, so that it may follow a colour and change it.
-fn is_component(word: Word) -> bool {
+pub(super) fn is_component(word: Word) -> bool {
     matches!(
         word,
         Word::Red | Word::Green | Word::Blue | Word::Filter | Word::Transmit | Word::Alpha

@@ -1,6 +1,7 @@
 //! Values of identifiers: everything that may stand after `#declare X =`.
 
 use super::callee::is_callable;
+use super::color::is_component;
 use super::value::{Element, Number, Value};
 use crate::base::args::{Parse, Word, transform_step};
 use crate::base::color::Color;
@@ -218,17 +219,23 @@ impl Reader<'_> {
         }
     }
 
-    /// An expression at the additive level, or a colour in words.
+    /// An expression at the additive level, or a colour in words. Before version 3.5 components may follow an expression
+    /// that begins with the name of a colour.
     fn number_or_color(&mut self) -> Parse<Value> {
+        let may_go_on = self.draft.version < 3.5 && self.is_at_color_name()?;
         let token = self.peek()?;
         let is_color_word = token
             .word()
             .is_some_and(|word| word.class() == Class::Color);
-        let number = if is_color_word {
+        let mut number = if is_color_word {
             color_number(self.color_value()?)
         } else {
             self.sum()?
         };
+        if may_go_on && number.len == 5 && self.peek()?.word().is_some_and(is_component) {
+            self.discard_recording();
+            number.v = self.color_parts(Some(number.v))?;
+        }
         Ok(Value::Number(number))
     }
 

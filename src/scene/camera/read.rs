@@ -137,22 +137,26 @@ impl Camera {
             return Ok(false);
         };
         args.accept(word)?;
-        self.projection = *projection;
-        self.meshes = None;
+        let before = std::mem::replace(&mut self.projection, *projection);
+        let meshes_before = self.meshes.take();
         if word == Word::MeshCamera {
             self.meshes = Some(MeshCamera::read(args)?);
         }
         if word == Word::Cylinder {
             let at = args.span();
             let number = args.float()?;
-            let Some(roll) = Roll::of_number(number) else {
-                let message = format!("`cylinder` cameras have the types 1 to 4, not {number}");
-                return Err(Box::new(Diagnostic::error(
-                    at.to(args.last_span()),
-                    message,
-                )));
+            let at = at.to(args.last_span());
+            let message = format!("`cylinder` cameras have the types 1 to 4, not {number}");
+            self.projection = match Roll::of_number(number) {
+                Some(roll) => Projection::Cylinder(roll),
+                None if args.version() < FIRST_WITHOUT_ORDER => {
+                    let warning = Diagnostic::warning(at, message);
+                    args.warn(warning.with_hint("The projection stays as it was."));
+                    self.meshes = meshes_before;
+                    before
+                }
+                None => return Err(Box::new(Diagnostic::error(at, message))),
             };
-            self.projection = Projection::Cylinder(roll);
         }
         Ok(true)
     }

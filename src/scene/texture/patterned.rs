@@ -1,12 +1,13 @@
 //! Textures that are selected by a pattern: `texture_map`, lists after `checker` and similar patterns, `tiles`,
 //! `material_map`.
 
-use super::version_2::begins_part;
+use super::version_2::{FIRST_WITH_BLOCKS, begins_part};
 use super::{Layer, Texture, read_pattern};
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::bitmap;
 use crate::base::math::Step;
-use crate::base::source::Span;
+use crate::base::source::{Diagnostic, Span};
+use crate::base::word::Class;
 use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern};
 use std::sync::Arc;
 
@@ -201,12 +202,38 @@ impl Texture {
             if texture.pattern.is_none() && pattern::is_pattern(word) {
                 return Err(crate::base::args::not_built(args, word));
             }
+            if texture.pattern.is_none() && args.version() >= FIRST_WITH_BLOCKS {
+                skip_modifiers(args)?;
+            }
         }
         if has_no_bump_scale {
             texture.set_no_bump_scale();
         }
         Ok(texture)
     }
+}
+
+/// Reads modifiers of a pattern without a pattern: they have no effect, and nothing else may follow.
+fn skip_modifiers(args: &mut dyn Args) -> Parse<()> {
+    let at = args.span();
+    let mut unused = Modifiers::default();
+    let mut has_any = false;
+    while let Some(word) = args.word()?
+        && (has_any || word.class() != Class::Transform)
+        && unused.read(word, args)?
+    {
+        has_any = true;
+    }
+    if !has_any {
+        return Ok(());
+    }
+    if args.word()?.is_some() {
+        return Err(args.expected("a modifier of a pattern or `}` in `texture`"));
+    }
+    let at = at.to(args.last_span());
+    let message = "modifiers of a pattern have no effect in a texture without a pattern";
+    args.warn(Diagnostic::warning(at, message));
+    Ok(())
 }
 
 /// Reads `{ texture { ... } tile2 texture { ... } }`.

@@ -10,7 +10,7 @@ use crate::base::word::Class;
 use crate::scene::pattern::Shape;
 
 /// The first version whose textures consist of blocks. POV-Ray rounds versions to hundredths before it compares them.
-const FIRST_WITH_BLOCKS: f64 = 2.995;
+pub(super) const FIRST_WITH_BLOCKS: f64 = 2.995;
 
 /// The words that change the pigment, besides colours.
 const PIGMENT_WORDS: [Word; 22] = [

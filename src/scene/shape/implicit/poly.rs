@@ -73,18 +73,14 @@ impl Poly {
         while args.accept(Word::Xyz)? {
             let at = args.last_span();
             expect(args, '(')?;
-            let mut powers = [None; 3];
+            let mut powers = [0; 3];
             for power in &mut powers {
-                let given = read::number(args, "the power of a coordinate")?.trunc();
-                let mut known = (0..=order).zip(0_u32..);
-                *power = known
-                    .find(|(_, n)| f64::from(*n) == given)
-                    .map(|(power, _)| power);
+                *power = whole(read::number(args, "the power of a coordinate")?);
             }
             expect(args, ')')?;
             expect(args, ':')?;
             let coefficient = read::number(args, "a coefficient of the polynomial")?;
-            let Some(index) = powers_of(order).position(|known| known.map(Some) == powers) else {
+            let Some(index) = index_of(powers, order) else {
                 let message = format!(
                     "the powers of a term of order {order} are whole numbers from 0 whose sum is at most {order}"
                 );
@@ -323,6 +319,24 @@ fn expect(args: &mut dyn Args, mark: char) -> Parse<()> {
         return Ok(());
     }
     Err(args.expected(&format!("`{mark}` of a term `xyz(0, 0, 0): 1`")))
+}
+
+/// The whole part of a power, within limits that no term exceeds.
+#[allow(clippy::cast_possible_truncation, reason = "cut to the whole part")]
+fn whole(power: f64) -> i32 {
+    power.clamp(-99.0, 99.0) as i32
+}
+
+/// Index of the coefficient of a term, as POV-Ray computes it: negative powers give the coefficient of another term.
+fn index_of([x, y, z]: [i32; 3], order: usize) -> Option<usize> {
+    let order = i32::try_from(order).ok()?;
+    let [a, b, c] = [order - x, order - x - y, order - x - y - z];
+    if a.min(b).min(c) < 0 || a.max(b).max(c) > 2 * order {
+        return None;
+    }
+    let index = (a + 2) * (a + 1) * a / 6 + (b + 1) * b / 2 + c;
+    let coefficients = (order + 1) * (order + 2) * (order + 3) / 6;
+    usize::try_from(index).ok().filter(|_| index < coefficients)
 }
 
 /// Powers of x, y and z of each coefficient, in their order.

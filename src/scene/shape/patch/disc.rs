@@ -42,11 +42,7 @@ impl Disc {
         let at = at.to(args.last_span());
         let radius = read::number(args, "the radius of the disc")?.abs();
         args.comma()?;
-        let hole = if args.at_expression()? {
-            read::number(args, "the hole radius of the disc")?.abs()
-        } else {
-            0.0
-        };
+        let hole = args.float_or(0.0)?.abs();
         if unit(normal).is_none() {
             args.warn(Diagnostic::warning(
                 at,
