@@ -46,6 +46,12 @@ impl Rgb {
         Rgb { r: v, g: v, b: v }
     }
 
+    /// Red, green and blue in double precision.
+    #[must_use]
+    pub fn channels(self) -> [f64; 3] {
+        [self.r, self.g, self.b].map(f64::from)
+    }
+
     /// POV-Ray's luminance weights.
     #[must_use]
     pub fn grey(self) -> f32 {

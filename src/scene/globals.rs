@@ -1,5 +1,4 @@
-//! Settings of the whole scene that have blocks of their own, as the file gives them. Subsurface scattering is not
-//! rendered yet.
+//! Settings of the whole scene that have blocks of their own, as the file gives them.
 
 use std::sync::Arc;
 

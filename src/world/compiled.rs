@@ -13,11 +13,11 @@ use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::math::Bounds;
 use crate::base::math::noise::NoiseGenerator;
 use crate::base::options::TMinRule;
-use crate::scene::RadiositySettings;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::interior::PreparedMedia;
 use crate::scene::shape::{Geometry, Shape, TextureWeights};
+use crate::scene::{RadiositySettings, Subsurface};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -32,6 +32,8 @@ pub struct Globals {
     pub adc_bailout: f64,
     /// Length that stands for one unit in POV-Ray's own absolute lengths.
     pub unit: f64,
+    /// `mm_per_unit`, for units of the world: millimetres per unit of length.
+    pub mm_per_unit: f64,
     /// The origin of the scene's own coordinate system.
     pub origin: DVec3,
     /// `max_trace_level`.
@@ -75,6 +77,8 @@ pub struct World {
     pub rainbows: Vec<Rainbow>,
     /// The settings of radiosity (indirect diffuse light), if it is on.
     pub radiosity: Option<RadiositySettings>,
+    /// The settings of subsurface light, if some surface uses it.
+    pub subsurface: Option<Subsurface>,
     /// Photon mapping, if it is on.
     pub photons: Option<PhotonMapping>,
     /// The settings of shading.

@@ -47,6 +47,8 @@ pub enum RayKind {
     RadiosityReflection,
     /// A shadow ray.
     Shadow,
+    /// A search below a surface that scatters light.
+    Subsurface,
 }
 
 impl RayKind {
@@ -54,7 +56,9 @@ impl RayKind {
     #[must_use]
     pub fn mirrored(self) -> RayKind {
         match self {
-            RayKind::Camera | RayKind::Reflection | RayKind::Shadow => RayKind::Reflection,
+            RayKind::Camera | RayKind::Reflection | RayKind::Shadow | RayKind::Subsurface => {
+                RayKind::Reflection
+            }
             RayKind::Radiosity | RayKind::RadiosityReflection => RayKind::RadiosityReflection,
         }
     }

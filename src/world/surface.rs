@@ -133,6 +133,8 @@ pub(super) struct SurfaceSummary {
     pub(super) has_unlit: bool,
     /// True if some finish has `crand`.
     pub(super) is_grainy: bool,
+    /// True if some finish has `subsurface`.
+    pub(super) has_subsurface: bool,
 }
 
 impl SurfaceSummary {
@@ -146,9 +148,10 @@ impl SurfaceSummary {
                 surface.is_lit_from_behind() || surface.is_bumpy(),
                 !surface.takes_light(),
                 surface.traits.has(SurfaceFlags::GRAINY),
+                surface.has_subsurface(),
             ]
         });
-        let either = |mut all: [bool; 6], one: [bool; 6]| {
+        let either = |mut all: [bool; 7], one: [bool; 7]| {
             all.iter_mut().zip(one).for_each(|(all, one)| *all |= one);
             all
         };
@@ -159,7 +162,8 @@ impl SurfaceSummary {
             needs_backface_light,
             has_unlit,
             is_grainy,
-        ] = is_some.reduce(|| [false; 6], either);
+            has_subsurface,
+        ] = is_some.reduce(|| [false; 7], either);
         let (mut opaque, mut filters) = (Vec::new(), Vec::new());
         if shows_through {
             surfaces
@@ -179,6 +183,7 @@ impl SurfaceSummary {
             needs_backface_light,
             has_unlit,
             is_grainy,
+            has_subsurface,
         }
     }
 }
@@ -249,6 +254,10 @@ impl Surface {
             ),
             (SurfaceFlags::BUMPY, has(&|layer| layer.normal().is_some())),
             (SurfaceFlags::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
+            (
+                SurfaceFlags::SUBSURFACE,
+                has(&|layer| layer.finish.subsurface.is_some()),
+            ),
             (
                 SurfaceFlags::FILTERS_EVENLY,
                 is_one && texture.has_uniform_color(),
@@ -414,6 +423,12 @@ impl Surface {
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
         self.traits.has(SurfaceFlags::NEARLY_PLAIN)
+    }
+
+    /// Returns true if some layer scatters light below the surface, where the scene enables it.
+    #[must_use]
+    pub fn has_subsurface(&self) -> bool {
+        self.traits.has(SurfaceFlags::SUBSURFACE)
     }
 
     /// Returns true if some layer has bumps.

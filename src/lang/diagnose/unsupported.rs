@@ -1,20 +1,18 @@
-//! Features that a scene uses and the renderer does not support: errors by name, but only if their effect would be
-//! visible.
+//! Parts of textures that cannot be drawn: errors at their location, but only if their effect would be visible.
 
-use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::reader::Reader;
-use crate::scene::texture::{NormalKind, Patterned, Texture};
+use crate::scene::texture::{Finish, NormalKind, Patterned, Texture};
 use crate::scene::{Kind, Object};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// Records unsupported features of the objects and the atmosphere of the whole scene, each once.
+    /// Records the textures of the whole scene that cannot be drawn, each once.
     pub(crate) fn note_unsupported(&mut self) {
-        let mut found = Vec::new();
-        let has_subsurface = self.draft.globals.subsurface.is_some();
+        let mut opaque = Vec::new();
         let mut parts = Vec::new();
+        let has_subsurface = self.draft.globals.subsurface.is_some();
         // Copies share their parts, which are visited once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<&Arc<Object>> = self.draft.objects.whole().collect();
@@ -23,7 +21,7 @@ impl Reader<'_> {
             if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
                 for texture in all_textures(texture) {
                     if has_subsurface {
-                        found.extend(subsurface_of(texture));
+                        opaque.extend(opaque_below(texture));
                     }
                     parts.extend(normals_without_pattern(texture));
                 }
@@ -33,8 +31,7 @@ impl Reader<'_> {
             let mut last = None;
             for finish in self.draft.objects.finishes_of_plain() {
                 if last.replace(Arc::as_ptr(finish)) != Some(Arc::as_ptr(finish)) {
-                    let subsurface = finish.subsurface.iter();
-                    found.extend(subsurface.map(|it| (it.at, Word::Subsurface)));
+                    opaque.extend(opaque_medium(finish));
                 }
             }
         }
@@ -46,7 +43,7 @@ impl Reader<'_> {
             for texture in object.textures() {
                 for texture in all_textures(&texture.what) {
                     if has_subsurface {
-                        found.extend(subsurface_of(texture));
+                        opaque.extend(opaque_below(texture));
                     }
                     parts.extend(normals_without_pattern(texture));
                 }
@@ -57,8 +54,13 @@ impl Reader<'_> {
                 Kind::Csg { children, .. } => open.extend(&**children),
             }
         }
-        for (at, word) in in_order(found) {
-            self.record_unsupported(&format!("`{word}`"), at);
+        for (at, ()) in in_order(opaque) {
+            let error = Diagnostic::error(
+                at,
+                "this `subsurface` lets no light in: a `translucency` of 0",
+            );
+            let hint = "Write more than 0 for red, green and blue. With `+Q8` the scene is drawn without it.";
+            self.report.undrawn.push(error.with_hint(hint));
         }
         for (at, ()) in in_order(parts) {
             self.record(
@@ -94,8 +96,16 @@ fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())
     normals.map(|normal| (normal.at, ()))
 }
 
-fn subsurface_of(texture: &Texture) -> Option<(Span, Word)> {
-    let mut layers = texture.layers().iter();
-    let subsurface = layers.find_map(|layer| layer.finish.subsurface)?;
-    Some((subsurface.at, Word::Subsurface))
+/// The layers that scatter light below the surface in a medium without translucency.
+fn opaque_below(texture: &Texture) -> impl Iterator<Item = (Span, ())> {
+    let layers = texture.layers().iter();
+    layers.filter_map(|layer| opaque_medium(&layer.finish))
+}
+
+/// The location of the medium of a finish, if it has no translucency in some channel.
+fn opaque_medium(finish: &Finish) -> Option<(Span, ())> {
+    let subsurface = finish.subsurface?;
+    let passes = |path: f64| path > 0.0;
+    let is_opaque = !subsurface.translucency.channels().into_iter().all(passes);
+    is_opaque.then_some((subsurface.at, ()))
 }

@@ -1,7 +1,7 @@
 //! The blocks of `global_settings`: radiosity, photons and subsurface, read and checked as POV-Ray does.
 
 use crate::base::args::{Args, Parse, Word};
-use crate::base::source::{Code, Diagnostic, Span};
+use crate::base::source::{Diagnostic, Span};
 use crate::lang::reader::Reader;
 use crate::scene::light::photon_file;
 use crate::scene::{Importance, PhotonDensity, Photons, RadiositySettings, Subsurface};
@@ -294,14 +294,6 @@ impl Reader<'_> {
         }
         let message = format!("expected {}, found {value}", range.description);
         Err(self.with_trace(Diagnostic::error(start.to(self.taken_span()), message)))
-    }
-
-    /// Records that rendering does not support a setting yet.
-    pub(crate) fn record_unsupported(&mut self, what: &str, at: Span) {
-        let error = Diagnostic::error(at, format!("{what} is not supported yet"));
-        let hint = "With `+Q8` the scene is drawn without it.";
-        let error = error.with_code(Code::NotBuilt);
-        self.report.undrawn.push(error.with_hint(hint));
     }
 }
 

@@ -29,7 +29,8 @@ impl Features {
             needs_interiors: !world.is_opaque()
                 || world.has_fresnel()
                 || has_media
-                || !world.has_clear_atmosphere(),
+                || !world.has_clear_atmosphere()
+                || world.subsurface.is_some(),
             has_media,
             light_fades: world.interiors.any_attenuates(),
             needs_backface_light,

@@ -2,7 +2,7 @@
 //!
 //! POV-Ray 3.7 is the model, down to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: a surface passed without refraction is one step of a loop. Only reflected and refracted rays recurse, at
-//! most `max_trace_level` deep. Missing: subsurface light transport.
+//! most `max_trace_level` deep.
 
 mod atmosphere;
 mod block;
@@ -17,6 +17,7 @@ mod quality;
 mod scratch;
 mod shade_cache;
 mod shading_point;
+mod subsurface;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -39,6 +40,7 @@ use quality::Quality;
 pub use scratch::Scratch;
 use shading_point::LightSamples;
 use smallvec::SmallVec;
+use subsurface::{SubsurfaceStreams, SubsurfaceTransport};
 
 /// Limit on surfaces that a ray passes without refraction. Passing does not use up a trace level, so a scene with a
 /// surface at every rounding step would never end. No picture of a thousand panes comes near the limit.
@@ -81,6 +83,8 @@ struct Path {
     weight: f64,
     /// The number of irradiance samples nested before it ([`radiosity`]).
     irradiance_depth: usize,
+    /// The number of bodies that it has crossed unscattered ([`subsurface`]).
+    subsurface_depth: u8,
     inside: InteriorStack,
     /// Its wavelength in nanometres, if it comes from dispersed light.
     wavelength: Option<f64>,
@@ -112,6 +116,8 @@ pub struct Tracer<'w> {
     session: Option<Box<Session>>,
     /// The photon maps, once photons are traced and some are stored.
     photon_maps: Option<Box<PhotonMaps>>,
+    /// Subsurface light transport, if some surface uses it.
+    subsurface: Option<Box<SubsurfaceTransport>>,
     stop: CancelToken,
 }
 
@@ -140,6 +146,7 @@ impl<'w> Tracer<'w> {
                 .map(|settings| Radiosity::new(settings, world.globals.importance)),
             session: None,
             photon_maps: None,
+            subsurface: SubsurfaceTransport::new(world).map(Box::new),
             stop: CancelToken::default(),
         }
     }
@@ -238,6 +245,7 @@ impl<'w> Tracer<'w> {
             level: 0,
             weight: 1.0,
             irradiance_depth: 0,
+            subsurface_depth: 0,
             inside,
             wavelength: None,
         }
@@ -340,7 +348,7 @@ impl<'w> Tracer<'w> {
             RayKind::Reflection | RayKind::Radiosity | RayKind::RadiosityReflection => {
                 &self.reflected_background
             }
-            RayKind::Camera | RayKind::Shadow => &self.background,
+            RayKind::Camera | RayKind::Shadow | RayKind::Subsurface => &self.background,
         }
     }
 }
@@ -375,6 +383,7 @@ fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
     scratch.random.lights = Stream::of_sample(x, y);
     scratch.random.media = scratch.random.lights;
     scratch.random.crand = seed_of_sample(x, y);
+    scratch.random.subsurface = SubsurfaceStreams::of_seed(scratch.random.crand);
 }
 
 /// The backgrounds of camera rays and of reflected rays.

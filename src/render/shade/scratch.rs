@@ -1,5 +1,6 @@
 //! State of a thread that traces rays: buffers that are reused between samples, and random numbers.
 
+use super::subsurface::SubsurfaceStreams;
 use crate::base::color::Rgb;
 use crate::base::math::sampling::mersenne::Stream;
 use crate::render::photons::Near;
@@ -24,7 +25,7 @@ pub struct Scratch {
 }
 
 /// Random-number streams, one for each purpose, as in POV-Ray.
-#[derive(Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct RandomStreams {
     /// For lights and rainbows.
     pub(super) lights: Stream,
@@ -32,6 +33,10 @@ pub struct RandomStreams {
     pub(super) media: Stream,
     /// State of the generator for `crand`.
     pub(super) crand: u32,
+    /// For subsurface light.
+    pub(super) subsurface: SubsurfaceStreams,
+    /// The same for rays of irradiance samples, where random numbers continue.
+    gathering: SubsurfaceStreams,
     /// If true, random numbers continue from sample to sample instead of restarting.
     pub continues: bool,
 }
@@ -55,10 +60,33 @@ impl Scratch {
 }
 
 impl RandomStreams {
+    /// Sets the streams aside while the rays of an irradiance sample use their own.
+    pub(super) fn set_aside(&mut self, irradiance_depth: usize) -> RandomStreams {
+        let before = *self;
+        if self.continues && irradiance_depth == 0 {
+            self.subsurface = self.gathering;
+        }
+        before
+    }
+
+    /// Resumes the streams that were set aside. Where random numbers continue, all rays of irradiance samples share one
+    /// set of streams for subsurface light.
+    pub(super) fn resume(&mut self, before: RandomStreams, irradiance_depth: usize) {
+        let used = self.subsurface;
+        *self = before;
+        match irradiance_depth {
+            _ if !self.continues => {}
+            0 => self.gathering = used,
+            _ => self.subsurface = used,
+        }
+    }
+
     /// Restarts all streams.
     pub fn restart(&mut self) {
         self.lights = Stream::default();
         self.media = Stream::default();
         self.crand = 0;
+        self.subsurface = SubsurfaceStreams::default();
+        self.gathering = SubsurfaceStreams::default();
     }
 }

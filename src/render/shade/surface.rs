@@ -4,6 +4,7 @@ use super::bsdf::{LayerBsdf, ViewPoint, facing_normal, metallic, mirrored};
 use super::direct::shadow_cache::ShadowCache;
 use super::indirect::radiosity::{Irradiance, IrradiancePoint};
 use super::shading_point::{LightSamples, ShadingPoint};
+use super::subsurface::SubsurfaceTransport;
 use super::{InteriorStack, Path, Sample, Scratch, Tracer};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Ray;
@@ -337,6 +338,7 @@ impl<'w> Tracer<'w> {
         let mut filter = Rgb::WHITE;
         let mut irradiance = Irradiance::default();
         let mut photons = None;
+        let mut is_lit_by_radiosity = true;
         let (_, mut spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
@@ -354,12 +356,23 @@ impl<'w> Tracer<'w> {
             spot.normal = tilted.unwrap_or(flat);
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
-            let mut own = self.layer(&lit, layer, color, scratch);
+            let (emitted, mut bsdf) = self.layer_bsdf(layer, color);
+            let mut own = Rgb::BLACK;
+            if let Some((transport, translucency)) = self.subsurface_of(layer) {
+                let colors = [
+                    translucency,
+                    color.rgb * layer.finish.diffuse_without_albedo[0],
+                ];
+                own = self.subsurface_light(transport, &lit, hit, flat, colors, scratch);
+                is_lit_by_radiosity &= !transport.has_radiosity;
+                bsdf.opacity = 0.0;
+            }
+            own += emitted;
+            own += self.illuminate(&lit, &bsdf, scratch);
             if lit.collects {
-                let (_, bsdf) = self.layer_bsdf(layer, color);
                 own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
             }
-            if let Some(radiosity) = &self.radiosity {
+            if let Some(radiosity) = self.radiosity.as_ref().filter(|_| is_lit_by_radiosity) {
                 let irradiance_point = IrradiancePoint::new(radiosity, &lit, flat);
                 own += self.irradiance_radiance(
                     &irradiance_point,
@@ -397,16 +410,10 @@ impl<'w> Tracer<'w> {
         (shaded, lit)
     }
 
-    /// The light of one layer.
-    fn layer(
-        &self,
-        lit: &ShadingPoint,
-        layer: &PreparedLayer,
-        color: Color,
-        scratch: &mut Scratch,
-    ) -> Rgb {
-        let (own, bsdf) = self.layer_bsdf(layer, color);
-        own + self.illuminate(lit, &bsdf, scratch)
+    /// The subsurface transport and the translucency of a layer that scatters light below the surface.
+    fn subsurface_of(&self, layer: &PreparedLayer) -> Option<(&SubsurfaceTransport, Rgb)> {
+        let finish = layer.finish.subsurface.as_ref()?;
+        Some((self.subsurface.as_deref()?, finish.translucency))
     }
 
     /// The own light of a layer, and its reflective properties.
@@ -448,6 +455,7 @@ impl<'w> Tracer<'w> {
             level: path.level + 1,
             weight: path.weight * mirror.weight,
             irradiance_depth: path.irradiance_depth,
+            subsurface_depth: path.subsurface_depth,
             inside: InteriorStack::from_slice(&path.inside),
             wavelength: path.wavelength,
         };

@@ -218,6 +218,7 @@ impl SecondaryRay {
             level: self.level,
             weight: self.weight,
             irradiance_depth: 0,
+            subsurface_depth: 0,
             inside: InteriorStack::from_slice(&interior_stacks[self.inside]),
             wavelength: None,
         }

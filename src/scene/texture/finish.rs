@@ -35,7 +35,7 @@ pub struct Finish {
     pub crand: f32,
     /// Thin-film interference.
     pub irid: Irid,
-    /// Subsurface scattering; stored but not rendered yet.
+    /// Subsurface scattering, drawn if the scene enables it.
     pub subsurface: Option<Subsurface>,
     /// Specular reflection.
     pub reflection: Reflection,

@@ -229,7 +229,7 @@ impl PreparedTexture {
         self.is_opaque() && !self.has_reflection() && self.is_nearly_plain()
     }
 
-    /// True for one layer without bumps, thin film or `crand`; reflection and transparency are allowed.
+    /// True for one layer without bumps, thin film, `crand` or subsurface light; reflection and transparency are allowed.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
         match self.layers() {
@@ -237,6 +237,7 @@ impl PreparedTexture {
                 let finish = &layer.finish;
                 layer.normal().is_none()
                     && finish.crand <= 0.0
+                    && finish.subsurface.is_none()
                     && finish.irid.amount <= 0.0
                     && (!finish.has_reflection() || finish.reflection.exponent == 1.0)
             }

@@ -8,7 +8,7 @@ use crate::scene::interior::{PreparedMedia, Sampling};
 use crate::world::compiled::World;
 
 impl World {
-    /// Returns true if random numbers affect the picture: in lights, grain, rainbows or media.
+    /// Returns true if random numbers affect the picture: in lights, grain, rainbows, media or subsurface light.
     #[must_use]
     pub fn uses_random(&self) -> bool {
         let mut lights = self.lights.iter();
@@ -20,6 +20,7 @@ impl World {
                 .chain(self.interiors.all_media())
                 .any(is_sampled_randomly)
             || self.summary.is_grainy
+            || self.subsurface.is_some()
     }
 }
 

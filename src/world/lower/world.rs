@@ -20,6 +20,9 @@ const TREE_FROM: usize = 3;
 /// Below this quality there is no radiosity (docs/povray-facts.md, section 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
+/// Below this quality subsurface light is drawn as ordinary diffuse light.
+const QUALITY_OF_SUBSURFACE: u8 = 9;
+
 impl World {
     /// The compiled scene, once all of its objects are added.
     pub(in crate::world) fn new(
@@ -42,6 +45,10 @@ impl World {
             Some(_) if scene.version >= 3.7 => Rgb::BLACK,
             _ => scene.globals.ambient_light,
         };
+        let summary = SurfaceSummary::of(&flat.surfaces);
+        let subsurface = scene.globals.subsurface;
+        let subsurface = subsurface
+            .filter(|_| summary.has_subsurface && options.quality >= QUALITY_OF_SUBSURFACE);
         let mut world = World {
             camera: scene.camera.prepared(&scene.pattern_settings()),
             lens: Lens::new(&scene.camera, &scene.pattern_settings()),
@@ -69,6 +76,7 @@ impl World {
                 noise: scene.pattern_settings().noise_generator,
                 adc_bailout: scene.globals.adc_bailout,
                 unit: scene.globals.unit,
+                mm_per_unit: scene.globals.mm_per_unit / scene.globals.unit,
                 origin: scene.globals.origin,
                 max_trace_level: scene.globals.max_trace_level,
                 importance: scene.globals.importance.share(),
@@ -80,8 +88,9 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.t_min_rule,
-            summary: SurfaceSummary::of(&flat.surfaces),
+            summary,
             radiosity,
+            subsurface,
             photons: flat.targets.and_then(|targets| {
                 let settings = scene.globals.photons.as_ref()?;
                 PhotonMapping::new(settings, targets.into_list(), &scene.globals)

@@ -32,7 +32,7 @@ impl RayCounts {
     pub(in crate::world) fn count(&mut self, query: &Query) {
         match (query.kind, &query.origin_surface) {
             (RayKind::Camera, None) => self.camera += 1,
-            (RayKind::Camera, Some(_)) => self.onward += 1,
+            (RayKind::Camera, Some(_)) | (RayKind::Subsurface, _) => self.onward += 1,
             (RayKind::Reflection, _) => self.reflected += 1,
             (RayKind::Radiosity | RayKind::RadiosityReflection, _) => self.gathering += 1,
             (RayKind::Shadow, _) => self.filtered += 1,

@@ -50,6 +50,7 @@ impl SurfaceFlags {
     pub(crate) const HOLLOW: u32 = 1 << 14;
     pub(crate) const DOUBLE_ILLUMINATE: u32 = 1 << 15;
     pub(crate) const UV_MAPPING: u32 = 1 << 16;
+    pub(crate) const SUBSURFACE: u32 = 1 << 17;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 
@@ -88,6 +89,7 @@ impl SurfaceFlags {
             RayKind::Radiosity => Self::NO_RADIOSITY,
             RayKind::RadiosityReflection => Self::NO_REFLECTION | Self::NO_RADIOSITY,
             RayKind::Shadow => Self::NO_SHADOW,
+            RayKind::Subsurface => 0,
         })
     }
 

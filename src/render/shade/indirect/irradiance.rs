@@ -14,6 +14,7 @@ use crate::render::radiosity::{
 };
 use crate::render::shade::Scratch;
 use crate::render::shade::shading_point::LightSamples;
+use crate::render::shade::subsurface::SubsurfaceStreams;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::Importance;
 use crate::scene::atmosphere::MISS_DISTANCE;
@@ -96,11 +97,7 @@ impl Tracer<'_> {
             nearest: MISS_DISTANCE * self.world.globals.unit,
             to_nearest: DVec3::ZERO,
         };
-        let random = (
-            scratch.random.lights,
-            scratch.random.media,
-            scratch.random.crand,
-        );
+        let random = scratch.random.set_aside(depth);
         if self.is_parallel(depth, count, scratch) {
             self.trace_in_parallel(
                 irradiance_point,
@@ -118,11 +115,7 @@ impl Tracer<'_> {
                 );
             }
         }
-        (
-            scratch.random.lights,
-            scratch.random.media,
-            scratch.random.crand,
-        ) = random;
+        scratch.random.resume(random, depth);
         let eye = self.world.camera.location().distance(cache_query.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
         let sample = IrradianceSample {
@@ -145,6 +138,7 @@ impl Tracer<'_> {
             && count >= MIN_PARALLEL_RAYS
             && session.is_some_and(|session| session.mode == Mode::Store)
             && rayon::current_num_threads() > 1
+            && !(self.subsurface.is_some() && scratch.random.continues)
     }
 
     /// Traces all rays of a sample in parallel.
@@ -225,6 +219,9 @@ impl Tracer<'_> {
         scratch.random.lights = Stream::of_sample(f64::from(number), seed);
         scratch.random.media = scratch.random.lights;
         scratch.random.crand = seed_of_sample(f64::from(number), seed);
+        if !scratch.random.continues {
+            scratch.random.subsurface = SubsurfaceStreams::of_seed(scratch.random.crand);
+        }
         let path = Path {
             ray: Ray::new(cache_query.point, dir),
             from: irradiance_point.spawn_surface,
@@ -232,6 +229,7 @@ impl Tracer<'_> {
             level: radiosity.level(depth, self.world.globals.max_trace_level),
             weight: radiosity.weight(depth),
             irradiance_depth: depth + 1,
+            subsurface_depth: irradiance_point.subsurface_depth,
             inside: InteriorStack::new(),
             wavelength: None,
         };

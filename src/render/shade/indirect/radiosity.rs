@@ -27,6 +27,7 @@ pub(in crate::render::shade) struct IrradiancePoint<'r> {
     normal: DVec3,
     pub(in crate::render::shade) flat: DVec3,
     pub(in crate::render::shade) depth: usize,
+    pub(in crate::render::shade) subsurface_depth: u8,
     /// The weight of the ray that hit the point.
     weight: f64,
 }
@@ -46,8 +47,14 @@ impl<'r> IrradiancePoint<'r> {
             normal: if has_normals { lit.at.normal } else { flat },
             flat,
             depth: lit.path.irradiance_depth,
+            subsurface_depth: lit.path.subsurface_depth,
             weight: lit.path.weight,
         }
+    }
+
+    /// Returns true if irradiance samples may be used and made there.
+    fn gathers(&self, scratch: &Scratch) -> bool {
+        self.depth < self.radiosity.settings.recursion_limit as usize && scratch.radiosity.is_some()
     }
 }
 
@@ -108,10 +115,7 @@ impl Tracer<'_> {
         known: &mut Irradiance,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let settings = &irradiance_point.radiosity.settings;
-        if irradiance_point.depth >= settings.recursion_limit as usize
-            || scratch.radiosity.is_none()
-        {
+        if !irradiance_point.gathers(scratch) {
             return Rgb::BLACK;
         }
         let (_, bsdf) = self.layer_bsdf(layer, color);
@@ -135,6 +139,20 @@ impl Tracer<'_> {
             sum += bsdf.rgb * light * share;
         }
         sum
+    }
+
+    /// The irradiance at a point where light enters a body. Its weight is that of the point alone.
+    pub(in crate::render::shade) fn irradiance_below(
+        &self,
+        irradiance_point: &IrradiancePoint,
+        weight: f64,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        if irradiance_point.gathers(scratch) {
+            self.irradiance(irradiance_point, 1.0, weight, scratch)
+        } else {
+            Rgb::BLACK
+        }
     }
 
     /// The irradiance at a point on the front (1) or the back (-1).

@@ -303,6 +303,7 @@ impl<'w> Tracer<'w> {
             level: 0,
             weight: 1.0,
             irradiance_depth: 0,
+            subsurface_depth: 0,
             inside: InteriorStack::from_slice(inside),
             wavelength: None,
         };

@@ -86,6 +86,7 @@ impl PhotonInteraction<'_> {
                 level: path.level + 1,
                 weight: path.weight * weight,
                 irradiance_depth: 0,
+                subsurface_depth: 0,
                 inside,
                 wavelength,
             },

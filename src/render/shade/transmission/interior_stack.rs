@@ -131,6 +131,21 @@ pub(in crate::render::shade) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> R
     if (ratio - 1.0).abs() < NO_BEND {
         return Refraction::None;
     }
+    match snell(dir, normal, ratio) {
+        None => Refraction::Total,
+        Some(bent) => bent
+            .try_normalize()
+            .map_or(Refraction::None, Refraction::To),
+    }
+}
+
+/// The unit direction behind a surface, also if the indices are equal; `None` for total internal reflection.
+pub(in crate::render::shade) fn refracted(dir: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
+    snell(dir, normal, ratio).and_then(DVec3::try_normalize)
+}
+
+/// The direction behind a surface, of length 1 but for rounding; `None` for total internal reflection.
+fn snell(dir: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
     let along = dir.dot(normal);
     let (normal, cosine) = if along <= 0.0 {
         (normal, -along)
@@ -139,11 +154,9 @@ pub(in crate::render::shade) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> R
     };
     let behind_sq = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
     if behind_sq < 0.0 {
-        return Refraction::Total;
+        return None;
     }
-    let bent = ratio * dir + (ratio * cosine - behind_sq.sqrt()) * normal;
-    bent.try_normalize()
-        .map_or(Refraction::None, Refraction::To)
+    Some(ratio * dir + (ratio * cosine - behind_sq.sqrt()) * normal)
 }
 
 #[cfg(test)]

@@ -155,6 +155,7 @@ impl Tracer<'_> {
             level: path.level + 1,
             weight: path.weight * transmission.weight,
             irradiance_depth: path.irradiance_depth,
+            subsurface_depth: path.subsurface_depth,
             inside: InteriorStack::from_slice(&transmission.crossing.inside),
             wavelength,
         };
@@ -184,6 +185,7 @@ impl Tracer<'_> {
             level: path.level + 1,
             weight: path.weight * transmission.weight,
             irradiance_depth: path.irradiance_depth,
+            subsurface_depth: path.subsurface_depth,
             inside: InteriorStack::from_slice(&path.inside),
             wavelength,
         };
