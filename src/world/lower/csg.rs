@@ -11,11 +11,14 @@ use crate::world::csg::bounds::{Factors, clip_to_planes};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
 use crate::world::index::index;
 use crate::world::primitive::{Extent, Leaf};
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
 /// Most operands of an intersection whose nested intersections are searched for bounding primitives.
 const MAX_FACTORS: usize = 64;
+
+/// Index of the first operand of each child.
+type Starts = SmallVec<[usize; 8]>;
 
 /// Bounds of a part of a CSG object.
 #[derive(Clone, Copy)]
@@ -164,8 +167,10 @@ impl Lowering {
             parent: node,
             ..slot
         };
+        let mut starts: Starts = smallvec![first];
         let mut bounds = self.add_bare(object, below, program, inner);
         for clip in object.clipped_by() {
+            starts.push(program.operands.len());
             let around = Inherited {
                 steps: joined(&object.steps[clip.after..], &above.steps),
                 role: CsgRole::Cut,
@@ -180,7 +185,7 @@ impl Lowering {
             bounds.shown = bounds.shown.touching_intersection(&held.solid);
             bounds.solid = bounds.solid.touching_intersection(&held.solid);
         }
-        let factors = factors(program, node, first);
+        let factors = factors(program, node, &starts);
         bounds.solid = clip_to_planes(&self.parts.leaves, &factors, bounds.solid);
         bounds.shown = bounds.shown.touching_intersection(&bounds.solid);
         bounds
@@ -310,8 +315,9 @@ impl Lowering {
         } else {
             PartBounds::EMPTY
         };
-        let first = program.operands.len();
+        let mut starts = Starts::new();
         for (child, is_exchanged) in children.iter().zip(signs) {
+            starts.push(program.operands.len());
             let slot = Slot {
                 parent: node,
                 is_inverse: child.is_inverse != is_exchanged,
@@ -338,7 +344,7 @@ impl Lowering {
             }
         }
         if is_product {
-            let factors = factors(program, node, first);
+            let factors = factors(program, node, &starts);
             sum.solid = clip_to_planes(&self.parts.leaves, &factors, sum.solid);
             sum.shown = sum.solid;
         }
@@ -352,12 +358,13 @@ pub(crate) fn is_gated(object: &Object) -> bool {
     !object.bounded_by().is_empty() && !needs_none
 }
 
-/// The primitives whose intersection a node is, with those of nested intersections; its operands start at `first`.
-fn factors(program: &CsgProgram, node: u32, first: usize) -> Factors {
-    let added = program.operands[first..].iter();
-    let is_small = added.len() <= MAX_FACTORS;
+/// The primitives whose intersection a node is: those of nested intersections too unless there are many operands, which
+/// would take quadratic time in a deep nest. Each child begins with the operand at its start.
+fn factors(program: &CsgProgram, node: u32, starts: &Starts) -> Factors {
+    let operands = &program.operands;
+    let all = starts.first().map_or(0..0, |&first| first..operands.len());
     let is_factor = |mut parent: u32| {
-        while is_small && parent > node && parent != NONE {
+        while parent > node && parent != NONE {
             let between = &program.nodes[parent as usize];
             if between.combine != Combine::Intersection {
                 return false;
@@ -366,13 +373,14 @@ fn factors(program: &CsgProgram, node: u32, first: usize) -> Factors {
         }
         parent == node
     };
-    let numbers = program.first + index(first)..;
-    let factors = numbers
-        .zip(added)
-        .filter(|(_, operand)| is_factor(operand.parent));
-    factors
-        .map(|(number, operand)| (number, operand.is_inverse))
-        .collect()
+    let factor = |at: usize| (program.first + index(at), operands[at].is_inverse);
+    if all.len() <= MAX_FACTORS {
+        let nested = all.filter(|&at| is_factor(operands[at].parent));
+        return nested.map(factor).collect();
+    }
+    let children = starts.iter().copied().filter(|&at| at < operands.len());
+    let direct = children.filter(|&at| operands[at].parent == node);
+    direct.map(factor).collect()
 }
 
 fn push_node(program: &mut CsgProgram, combine: Combine, parent: u32) -> u32 {
