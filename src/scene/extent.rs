@@ -36,18 +36,16 @@ impl ExtentBox {
         }
     }
 
-    /// The box as a pair of corners.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds {
+    /// The box as a pair of corners, the upper one in double precision.
+    fn bounds(&self) -> Bounds {
         Bounds {
             min: self.min,
-            max: single(self.min + self.sides),
+            max: self.min + self.sides,
         }
     }
 
     fn volume(&self) -> f64 {
-        let bounds = self.bounds();
-        (bounds.max - bounds.min).element_product()
+        self.sides.element_product()
     }
 }
 
@@ -55,7 +53,11 @@ impl Object {
     /// The bounding box that the language returns for the object.
     #[must_use]
     pub fn extent(&self) -> Bounds {
-        self.extent_box().bounds()
+        let bounds = self.extent_box().bounds();
+        Bounds {
+            max: single(bounds.max),
+            ..bounds
+        }
     }
 
     /// The same box as POV-Ray stores it.
@@ -69,7 +71,7 @@ impl Object {
             } => {
                 let combined = match operation {
                     Operation::Union | Operation::Merge => {
-                        let boxes = children.iter().map(|child| child.extent());
+                        let boxes = children.iter().map(|child| child.extent_box().bounds());
                         ExtentBox::new(&boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
                     }
                     Operation::Intersection | Operation::Difference => {
@@ -166,9 +168,13 @@ fn common_box(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
 }
 
 fn shape_box(shape: &Shape, steps: &[Step]) -> ExtentBox {
-    if let Some((held, from_held)) = shape.povray_box() {
+    if let Some((held, from_held)) = shape.povray_box().filter(|(held, _)| held.is_finite()) {
         let steps = Transform::from_steps(steps).world_from_object;
+        let held = ExtentBox::new(&held).bounds();
         return ExtentBox::new(&held.transformed(&(steps * from_held)));
+    }
+    if let Shape::Mesh(mesh) = shape {
+        return transformed_by_steps(ExtentBox::new(&mesh.bounds()), steps);
     }
     let mut shape = shape.clone();
     let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
@@ -205,7 +211,7 @@ fn csg_box(operation: Operation, children: &[Arc<Object>]) -> ExtentBox {
                 is_inverse,
             );
         } else if !is_inverse && !is_height_field(child) {
-            sum = sum.intersection(&child.extent());
+            sum = sum.intersection(&child.extent_box().bounds());
         }
     }
     if !is_limited(&sum) || sum.is_empty() {

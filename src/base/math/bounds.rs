@@ -86,6 +86,13 @@ impl Bounds {
         }
     }
 
+    /// The bounds and a few roundings of their largest coordinate around them.
+    #[must_use]
+    pub fn with_slack(&self) -> Bounds {
+        let slack = 8.0 * f64::EPSILON * self.min.abs().max(self.max.abs()).max_element();
+        Bounds::new(self.min - slack, self.max + slack)
+    }
+
     /// The smallest box that contains this one and `point`.
     #[must_use]
     pub fn with_point(&self, point: DVec3) -> Bounds {

@@ -22,12 +22,14 @@ use crate::base::color::Gamma;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, Start, read};
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 use image::{Decoder, Kind};
 use std::sync::{Arc, OnceLock};
 
 /// Height steps per unit.
 const HEIGHT: f64 = 65536.0;
+/// The steps by which POV-Ray's box is higher and lower than the field.
+const BOX_MARGIN: f64 = 1e-3;
 /// Face numbers are 32 bits: two triangles per cell, the walls and the water.
 const MAX_CELLS: usize = (1 << 31) - 2;
 /// Quantisation steps of the components of a smooth normal.
@@ -405,6 +407,17 @@ impl Geometry for HeightField {
 
     fn solid_bounds(&self) -> Bounds {
         Bounds::EVERYTHING
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        let field = &self.field;
+        let [columns, rows] = field.cells.map(|cells| cells as f64);
+        let min = DVec3::new(0.0, field.low - BOX_MARGIN, 0.0);
+        let max = DVec3::new(columns, field.high + BOX_MARGIN, rows);
+        let scale = DAffine3::from_scale(DVec3::new(columns, HEIGHT, rows).recip());
+        let to_world = self.transform.world_from_object * scale;
+        let is_empty = field.is_empty() || field.low > field.high;
+        (!is_empty).then(|| (Bounds::new(min, max), to_world))
     }
 
     fn extends_beyond_bounds(&self) -> bool {

@@ -34,16 +34,24 @@ impl Axis {
     }
 
     /// The box in which POV-Ray stores a cylinder or cone: along the axis from the narrower end to the wider one, with
-    /// the wider radius throughout.
+    /// the wider radius throughout. Lengths are 1 for the wider radius and for the whole cone with its tip; a cylinder
+    /// has none.
     pub(crate) fn held_box(&self, base_radius: f64, apex_radius: f64) -> (Bounds, DAffine3) {
-        let (start, dir, radius) = if apex_radius > base_radius {
-            (self.base, self.unit, apex_radius)
+        let (start, dir, [narrow, wide]) = if apex_radius > base_radius {
+            (self.base, self.unit, [base_radius, apex_radius])
         } else {
-            (self.apex, -self.unit, base_radius)
+            (self.apex, -self.unit, [apex_radius, base_radius])
         };
-        let corner = DVec3::new(radius, radius, 0.0);
-        let stored = Bounds::new(-corner, corner + self.length() * DVec3::Z);
-        (stored, along(dir, start))
+        let length = self.length();
+        let tip = if narrow < wide {
+            narrow * length / (wide - narrow)
+        } else {
+            0.0
+        };
+        let whole = tip + length;
+        let stored = Bounds::new(DVec3::new(-1.0, -1.0, tip / whole), DVec3::ONE);
+        let scale = DAffine3::from_scale(DVec3::new(wide, wide, whole));
+        (stored, along(dir, start - tip * dir) * scale)
     }
 
     pub(crate) fn length(&self) -> f64 {

@@ -30,7 +30,7 @@ use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read, uniform_scale};
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
@@ -89,6 +89,12 @@ impl Torus {
 
     fn is_empty(&self) -> bool {
         self.major < 0.0 || self.minor <= 0.0
+    }
+
+    /// The upper corner of its bounds around its centre.
+    fn reach(&self) -> DVec3 {
+        let rim = self.major + self.minor;
+        DVec3::new(rim, self.minor, rim)
     }
 
     fn crossings(&self, ray: &Ray) -> Crossings {
@@ -401,9 +407,14 @@ impl Geometry for Torus {
         if self.is_empty() {
             return Bounds::EMPTY;
         }
-        let rim = self.major + self.minor;
-        let reach = DVec3::new(rim, self.minor, rim);
+        let reach = self.reach();
         Bounds::new(self.centre - reach, self.centre + reach)
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        let reach = self.reach();
+        let to_centre = DAffine3::from_translation(self.centre);
+        (!self.is_empty()).then(|| (Bounds::new(-reach, reach), to_centre))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -13,7 +13,7 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, Start, first_visible};
 use climb::flat;
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use profile::{Profile, RootQuery};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -108,6 +108,10 @@ impl Geometry for Lathe {
 
     fn bounds(&self) -> Bounds {
         self.0.bounds
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        Some((self.0.hull, DAffine3::IDENTITY))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

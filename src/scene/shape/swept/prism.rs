@@ -15,7 +15,7 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::Slab;
 use crate::scene::shape::{Geometry, Root, Start, read};
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -202,6 +202,24 @@ impl Prism {
             Sweep::Conic => DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum(),
         }
     }
+
+    /// The bounds of the curves as they are computed.
+    fn hull(&self) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for segment in self.outline.iter() {
+            for corner in [segment.low, segment.high] {
+                for height in [self.low, self.high] {
+                    let scale = match self.sweep {
+                        Sweep::Linear => 1.0,
+                        Sweep::Conic => height,
+                    };
+                    let point = DVec3::new(corner.x * scale, height, corner.y * scale);
+                    bounds = bounds.with_point(point);
+                }
+            }
+        }
+        bounds
+    }
 }
 
 /// Crossings of a line that is inside everywhere, or nowhere.
@@ -363,25 +381,15 @@ impl Geometry for Prism {
     }
 
     fn bounds(&self) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
-        for segment in self.outline.iter() {
-            for corner in [segment.low, segment.high] {
-                for height in [self.low, self.high] {
-                    let scale = match self.sweep {
-                        Sweep::Linear => 1.0,
-                        Sweep::Conic => height,
-                    };
-                    let point = DVec3::new(corner.x * scale, height, corner.y * scale);
-                    bounds = bounds.with_point(point);
-                }
-            }
-        }
         if self.outline.is_empty() {
             return Bounds::EMPTY;
         }
         // Points of the curves are rounded.
-        let slack = 8.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element();
-        Bounds::new(bounds.min - slack, bounds.max + slack)
+        self.hull().with_slack()
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        (!self.outline.is_empty()).then(|| (self.hull(), DAffine3::IDENTITY))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

@@ -17,7 +17,7 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::{APEX, BASE, SIDE, Slab};
 use crate::scene::shape::{Crossing, Crossings, Geometry, Root, Start, first_visible};
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -86,6 +86,12 @@ impl Sor {
             profile: Arc::new(Profile::new(&points)),
             is_open,
         })
+    }
+
+    /// The bounds of the curve as it is computed.
+    fn hull(&self) -> Bounds {
+        let Profile { rim, low, high, .. } = *self.profile;
+        Bounds::new(DVec3::new(-rim, low, -rim), DVec3::new(rim, high, rim))
     }
 }
 
@@ -344,13 +350,11 @@ impl Geometry for Sor {
     }
 
     fn bounds(&self) -> Bounds {
-        let Profile { rim, low, high, .. } = *self.profile;
-        let slack = 8.0 * f64::EPSILON * rim.max(low.abs()).max(high.abs());
-        let reach = rim + slack;
-        Bounds {
-            min: DVec3::new(-reach, low - slack, -reach),
-            max: DVec3::new(reach, high + slack, reach),
-        }
+        self.hull().with_slack()
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        Some((self.hull(), DAffine3::IDENTITY))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

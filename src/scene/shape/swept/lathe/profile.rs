@@ -39,6 +39,9 @@ pub(super) struct Profile {
     is_closed: bool,
     /// The y coordinate of the centre of the bounding box.
     centre_y: f64,
+    /// The bounds of the curve as it is computed.
+    pub(super) hull: Bounds,
+    /// The same with slack for rounding.
     pub(super) bounds: Bounds,
 }
 
@@ -157,11 +160,9 @@ impl Profile {
         let next = segments.iter().cycle().skip(1);
         let is_closed = segments.iter().zip(next).all(|(a, b)| a.end == b.start);
         let max_radius = high.x.max(-low.x);
-        let slack = 8.0 * f64::EPSILON * max_radius.max(low.y.abs()).max(high.y.abs());
-        let half_width = max_radius + slack;
-        let bounds = Bounds {
-            min: DVec3::new(-half_width, low.y - slack, -half_width),
-            max: DVec3::new(half_width, high.y + slack, half_width),
+        let hull = Bounds {
+            min: DVec3::new(-max_radius, low.y, -max_radius),
+            max: DVec3::new(max_radius, high.y, max_radius),
         };
         Profile {
             segments: Chain::new(segments),
@@ -170,7 +171,8 @@ impl Profile {
             arcs,
             is_closed,
             centre_y: 0.5 * (low.y + high.y),
-            bounds,
+            hull,
+            bounds: hull.with_slack(),
         }
     }
 
