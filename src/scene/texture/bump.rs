@@ -1,5 +1,6 @@
 //! Bump mapping: `normal` prepared for rendering (Blinn, "Simulation of Wrinkled Surfaces", 1978).
 
+use super::numbers::single;
 use super::{Facets, Layer, Normal, NormalKind};
 use crate::base::bitmap;
 use crate::base::math::Step;
@@ -32,6 +33,7 @@ pub struct PreparedNormal {
     outer: NormalTransforms,
     /// The transforms of normals by the modifiers of this normal.
     transforms: NormalTransforms,
+    /// The height of the bumps, and the distance between samples of a slope: in POV-Ray of single precision.
     amount: f64,
     accuracy: f64,
     /// True if normals are normalized after each transform to the pattern, so that scaled bumps keep their slope.
@@ -115,8 +117,8 @@ impl PreparedNormal {
             relief,
             outer: NormalTransforms::default(),
             transforms,
-            amount: normal.amount,
-            accuracy: normal.accuracy,
+            amount: f64::from(single(normal.amount)),
+            accuracy: f64::from(single(normal.accuracy)),
             is_unit,
         })
     }
