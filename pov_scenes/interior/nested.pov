@@ -1,5 +1,4 @@
 // An air bubble in glass in water: each border bends by the ratio of its two sides.
-// compare: channel<=15 pixels<=0.01% because "one ray grazes the bubble: moving the camera by 1e-9 changes the same pixel of POV-Ray by as much"
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 38 }

@@ -1,5 +1,4 @@
 // In the air around everything photons are neither left nor swallowed.
-// compare: channel<=20 pixels<=10% because "POV-Ray estimates the radius at photons chosen at random from a map whose order hangs on the last digits of their places"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.06 media 60, 2  } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

@@ -1,5 +1,4 @@
 // A glass ball throws a caustic: photons that it refracts.
-// compare: channel<=8 pixels<=3% because "POV-Ray estimates the radius at photons chosen at random from a map whose order hangs on the last digits of their places"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.05 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

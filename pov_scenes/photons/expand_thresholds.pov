@@ -1,5 +1,4 @@
 // Few photons: when the search goes farther.
-// compare: channel<=40 pixels<=0.1% because "single pixels at the edge of what is lit, where one photon more is kept"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.12 radius .1 gather 30, 60 expand_thresholds .6, 5 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

@@ -1,5 +1,4 @@
 // How often photons bend and mirror: max_trace_level and adc_bailout of their own.
-// compare: channel<=24 pixels<=0.3% because "the order of POV-Ray's map of photons hangs on the last digits of their places, and its searches miss some by that order"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 max_trace_level 3 adc_bailout .2 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

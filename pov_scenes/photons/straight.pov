@@ -1,5 +1,4 @@
 // A target that does not bend light.
-// compare: channel<=8 pixels<=1.5% because "a photon or two of the hundred that are kept differ in the caustic; which, and why, is not known"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.05 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

@@ -4,7 +4,7 @@ mod gamma;
 
 pub use gamma::Gamma;
 
-use std::ops::{Add, AddAssign, Mul, MulAssign, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
 /// Linear red, green and blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -188,6 +188,18 @@ impl Mul<f64> for Rgb {
     fn mul(self, k: f64) -> Rgb {
         let scaled = |c: f32| (f64::from(c) * k) as f32;
         Rgb::new(scaled(self.r), scaled(self.g), scaled(self.b))
+    }
+}
+
+/// As the product.
+impl Div<f64> for Rgb {
+    type Output = Rgb;
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision, as in POV-Ray"
+    )]
+    fn div(self, k: f64) -> Rgb {
+        self.map(|c| (f64::from(c) / k) as f32)
     }
 }
 

@@ -149,6 +149,8 @@ pub struct Flags {
     pub hollow: Option<bool>,
     /// Lit from both sides.
     pub double_illuminate: bool,
+    /// `split_union off`: a union that photons aim at as a whole.
+    pub keeps_union: bool,
     /// `uv_mapping`: all patterns on it and on its parts are evaluated at texture coordinates.
     pub uv_mapping: bool,
     /// Parts without a texture take the textures of the objects they cut ([`Object::set_cutaway_textures`] sets this).

@@ -10,7 +10,7 @@ use super::primitive::Leaf;
 use super::sphere_soa::SphereSoa;
 use crate::base::accel::Bvh;
 use crate::base::math::normal_from_inverse;
-use crate::scene::shape::{Shape, TextureWeights};
+use crate::scene::shape::{Shape, Sphere, TextureWeights};
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
@@ -73,6 +73,11 @@ impl Model {
         } else {
             self.instances.get(behind() - 1)
         }
+    }
+
+    /// A leaf, if it is a sphere in world coordinates.
+    pub(super) fn world_sphere(&self, leaf: u32) -> Option<&Sphere> {
+        self.leaves.get(leaf as usize)?.world_sphere()
     }
 
     /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.

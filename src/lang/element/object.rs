@@ -306,6 +306,7 @@ impl Reader<'_> {
                     Word::NoRadiosity => object.flags.no_radiosity = is_on,
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
+                    Word::SplitUnion => object.flags.keeps_union = !is_on,
                     // The others do not affect the image.
                     _ => {}
                 }

@@ -47,11 +47,11 @@ impl Columns {
         positions.sum::<usize>() + self.axes.len()
     }
 
-    /// The signed distance of a point from the splitting plane of a photon.
+    /// The coordinate of a point along the splitting axis of a photon, and that of the photon.
     #[inline]
-    pub(super) fn beyond(&self, photon: usize, point: DVec3) -> f64 {
+    pub(super) fn split(&self, photon: usize, point: DVec3) -> [f64; 2] {
         let axis = usize::from(self.axes[photon]);
-        point[axis] - f64::from(self.positions[axis][photon])
+        [point[axis], f64::from(self.positions[axis][photon])]
     }
 
     /// The squared distance of a photon, as in [`Self::distances`].
@@ -144,7 +144,7 @@ fn flattened_sq<F: F64Lanes>([x, y, z]: [F; 3], normal: DVec3) -> F {
     let square = x * x + y * y + z * z;
     let [a, b, c] = [F::splat(normal.x), F::splat(normal.y), F::splat(normal.z)];
     let above = (a * x + b * y + c * z).abs();
-    square * (F::splat(1.0) + F::splat(FLATTENING) * above)
+    square + above * square * F::splat(FLATTENING)
 }
 
 #[cfg(test)]

@@ -42,7 +42,9 @@ struct PhotonQuery<'n> {
     /// The normal of the surface; zero in space.
     normal: DVec3,
     most: usize,
-    /// The square of the current search radius.
+    /// The current search radius.
+    radius: f64,
+    /// Its square.
     radius_sq: f64,
     near: &'n mut Near,
 }
@@ -56,7 +58,19 @@ impl PhotonQuery<'_> {
             let number = number as u32;
             if let Some(farthest_sq) = self.near.take(distance_sq, number, self.most) {
                 self.radius_sq = farthest_sq;
+                self.radius = farthest_sq.sqrt();
             }
+        }
+    }
+
+    /// Returns true if the range behind the plane at `split` is near enough to the coordinate `at` before it, or that
+    /// before the plane to the coordinate behind it.
+    #[inline]
+    fn crosses(&self, [at, split]: [f64; 2]) -> bool {
+        if at < split {
+            at + self.radius > split
+        } else {
+            at - self.radius < split
         }
     }
 }
@@ -120,16 +134,17 @@ impl Map {
             point,
             normal,
             most,
+            radius,
             radius_sq: radius * radius,
             near,
         };
         self.search(0, self.photons.len() - 1, &mut query);
-        let radius_sq = query.radius_sq;
-        near.radius = radius_sq.sqrt();
+        let radius = query.radius;
+        near.radius = radius;
     }
 
-    /// Searches a subtree: the side of the point first, the other side if it is near enough, and last the photon that
-    /// divides them.
+    /// Searches a subtree in POV-Ray's order, which decides what a search misses: the photon that divides it, the side of
+    /// the point, and the other side if it is near enough.
     fn search(&self, first: usize, last: usize, query: &mut PhotonQuery) {
         if last - first < BLOCK {
             let (point, radius_sq) = (query.point, query.radius_sq);
@@ -139,19 +154,19 @@ impl Map {
             return self.search_block(first, 0, last - first, &distances, query);
         }
         let middle = usize::midpoint(first, last);
-        let beyond = self.columns.beyond(middle, query.point);
+        let split = self.columns.split(middle, query.point);
         let (before, behind) = ((first, middle - 1), (middle + 1, last));
-        let ((near_first, near_last), (far_first, far_last)) = if beyond < 0.0 {
+        let ((near_first, near_last), (far_first, far_last)) = if split[0] < split[1] {
             (before, behind)
         } else {
             (behind, before)
         };
-        self.search(near_first, near_last, query);
-        if beyond * beyond < query.radius_sq {
-            self.search(far_first, far_last, query);
-        }
         let distance_sq = self.columns.distance_sq(middle, query.point, query.normal);
         query.take(middle, distance_sq);
+        self.search(near_first, near_last, query);
+        if query.crosses(split) {
+            self.search(far_first, far_last, query);
+        }
     }
 
     /// As [`Self::search`] from `low` to `high` behind `first`, with known distances: subtrees without a photon within
@@ -169,24 +184,24 @@ impl Map {
         // The photons before and behind the middle that are within the radius.
         let before = near & ((1 << middle) - (1 << low));
         let behind = near & ((2 << high) - (2 << middle));
+        if near >> middle & 1 == 1 {
+            query.take(first + middle, distances.squares[middle]);
+        }
         if before | behind != 0 {
-            let beyond = self.columns.beyond(first + middle, query.point);
+            let split = self.columns.split(first + middle, query.point);
             let sides = [(before, low, middle), (behind, middle + 1, high + 1)];
             let [
                 (near_mask, near_low, near_end),
                 (far_mask, far_low, far_end),
-            ] = if beyond < 0.0 {
+            ] = if split[0] < split[1] {
                 sides
             } else {
                 [sides[1], sides[0]]
             };
             self.search_side(first, near_mask, near_low, near_end, distances, query);
-            if beyond * beyond < query.radius_sq {
+            if query.crosses(split) {
                 self.search_side(first, far_mask, far_low, far_end, distances, query);
             }
-        }
-        if near >> middle & 1 == 1 {
-            query.take(first + middle, distances.squares[middle]);
         }
     }
 

@@ -3,7 +3,7 @@
 /// The result of a photon search.
 #[derive(Clone, Debug, Default)]
 pub struct Near {
-    /// The photons gathered so far. Once full, a max-heap by distance.
+    /// The photons gathered so far, as a max-heap by distance.
     photons: Vec<NearPhoton>,
     /// The search radius.
     pub radius: f64,
@@ -51,13 +51,7 @@ impl Near {
             number,
         };
         if self.photons.len() < most {
-            self.photons.push(photon);
-            if self.photons.len() == most {
-                for parent in (0..most / 2).rev() {
-                    let photon = self.photons[parent];
-                    sink(&mut self.photons, parent, photon);
-                }
-            }
+            rise(&mut self.photons, photon);
             return None;
         }
         sink(&mut self.photons, 0, photon);
@@ -65,6 +59,22 @@ impl Near {
             .first()
             .map(|farthest| f64::from_bits(farthest.distance_bits))
     }
+}
+
+/// Adds a photon to the max-heap, above others at the same distance.
+#[inline]
+fn rise(heap: &mut Vec<NearPhoton>, photon: NearPhoton) {
+    let mut at = heap.len();
+    heap.push(photon);
+    while at > 0 {
+        let parent = (at - 1) / 2;
+        if photon.distance_bits < heap[parent].distance_bits {
+            break;
+        }
+        heap[at] = heap[parent];
+        at = parent;
+    }
+    heap[at] = photon;
 }
 
 /// Replaces a photon in the max-heap and restores the heap order.

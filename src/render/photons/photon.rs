@@ -9,6 +9,8 @@ use std::f64::consts::PI;
 const EXPONENT: i32 = 250;
 /// Light below this is black.
 const NOTHING: f64 = 1e-32;
+/// Light that is not a number: black.
+const NOT_A_NUMBER: [u8; 4] = [0, 0, 0, 250];
 /// Steps of an angle in half a turn.
 const STEPS: f64 = 127.0;
 
@@ -35,13 +37,14 @@ impl Photon {
     #[must_use]
     pub fn new(position: DVec3, light: Rgb, origin: DVec3) -> Photon {
         let from = (origin - position).normalize_or_zero();
-        let rise = from.y.asin();
-        let level = from.x.hypot(from.z);
-        let around = if level == 0.0 {
-            0.0
-        } else {
-            (from.x / level).clamp(-1.0, 1.0).acos().copysign(from.z)
+        let level = (from.x * from.x + from.z * from.z).sqrt();
+        let turned = |cosine: f64, is_negative: bool| {
+            let angle = cosine.acos();
+            if is_negative { -angle } else { angle }
         };
+        // An angle that is not a number, of a level 0 or above 1, becomes 0.
+        let rise = turned(level, from.y < 0.0);
+        let around = turned(from.x / level, from.z < 0.0);
         Photon {
             position: position.to_array().map(|x| x as f32),
             light: packed(light),
@@ -111,6 +114,9 @@ impl Unpacking {
 )]
 fn packed(light: Rgb) -> [u8; 4] {
     let most = f64::from(light.max());
+    if most.is_nan() {
+        return NOT_A_NUMBER;
+    }
     if !(most >= NOTHING && most.is_finite()) {
         return [0; 4];
     }

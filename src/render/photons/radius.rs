@@ -27,19 +27,20 @@ pub enum Space {
 }
 
 impl Space {
-    /// The area or volume within a radius.
-    fn within(self, radius: f64) -> f64 {
+    /// The density of photons within a radius.
+    fn density(self, photons: f64, radius: f64) -> f64 {
         match self {
-            Space::Surface => PI * radius * radius,
-            Space::Media => 4.0 / 3.0 * PI * radius * radius * radius,
+            Space::Surface => photons / (PI * radius * radius),
+            Space::Media => 3.0 * photons / (4.0 * PI * radius * radius * radius),
         }
     }
 
-    /// The radius of an area or volume.
-    fn radius(self, size: f64) -> f64 {
+    /// The radius within which as many photons are expected at a density. Its rounding is POV-Ray's: it decides whether
+    /// a share of just 0.05 or 0.7 of the mean density is sparse.
+    fn radius(self, photons: f64, density: f64) -> f64 {
         match self {
-            Space::Surface => (size / PI).sqrt(),
-            Space::Media => (3.0 * size / (4.0 * PI)).powf(0.3333),
+            Space::Surface => (photons / (density * PI)).sqrt(),
+            Space::Media => (3.0 * photons / (density * PI * 4.0)).powf(0.3333),
         }
     }
 }
@@ -95,20 +96,24 @@ pub fn automatic(map: &Map, most: usize, space: Space, random: &mut CRand) -> f6
     }
     let probes = (photons.len() / ONE_IN).clamp(MIN_PROBES, MAX_PROBES);
     let mut near = Near::default();
+    // Without a radius where all photons have one position.
     let mut density = |radius: f64| {
         let position = photons[random.next_number() as usize % photons.len()].at();
         map.find(position, DVec3::ZERO, radius, most, &mut near);
-        near.count() as f64 / space.within(near.radius)
+        (near.radius > 0.0).then(|| space.density(near.count() as f64, near.radius))
     };
-    let sum: f64 = (0..probes).map(|_| density(FAR)).sum();
+    let mut sum = 0.0;
+    for number in 0..probes {
+        sum += density(FAR).unwrap_or_else(|| sum / number.max(1) as f64);
+    }
     let mean = sum / probes as f64;
-    let radius = space.radius(most as f64 / mean);
+    let radius = space.radius(most as f64, mean);
     let [least, less] = SPARSE.map(|share| share * mean);
     let sparse = (0..probes).filter(|_| {
         let density = density(radius);
-        density > least && density < less
+        density.is_some_and(|density| density > least && density < less)
     });
-    radius * (1.0 + GROWTH * sparse.count() as f64 / probes as f64)
+    radius * (1.0 + GROWTH * (sparse.count() as f64 / probes as f64))
 }
 
 #[cfg(test)]

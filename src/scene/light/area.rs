@@ -193,9 +193,8 @@ impl Area {
         }
     }
 
-    /// The offset of grid light (`u`, `v`) from the centre of the light. Jitter makes the indices fractional.
-    #[must_use]
-    pub fn grid_light_offset(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
+    /// The position of grid light (`u`, `v`) along the axes, from -0.5 to 0.5.
+    fn position(&self, u: f64, v: f64) -> [f64; 2] {
         let position = |index: f64, size: u32| {
             if size > 1 {
                 index / f64::from(size - 1) - 0.5
@@ -203,7 +202,20 @@ impl Area {
                 0.0
             }
         };
-        let (mut a, mut b) = (position(u, self.sizes[0]), position(v, self.sizes[1]));
+        [position(u, self.sizes[0]), position(v, self.sizes[1])]
+    }
+
+    /// The offset of the grid light (`u`, `v`) that emits photons: neither `circular` nor `orient` changes it.
+    #[must_use]
+    pub fn rectangle_offset(&self, u: f64, v: f64) -> DVec3 {
+        let [a, b] = self.position(u, v);
+        a * self.axes.first + b * self.axes.second
+    }
+
+    /// The offset of grid light (`u`, `v`) from the centre of the light. Jitter makes the indices fractional.
+    #[must_use]
+    pub fn grid_light_offset(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
+        let [mut a, mut b] = self.position(u, v);
         if self.is_circular {
             a += OFF_CENTRE;
             b += OFF_CENTRE;

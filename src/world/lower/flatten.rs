@@ -79,7 +79,7 @@ impl Lowering {
         let targets = self.targets.as_ref().map_or(0, Targets::len);
         let below = self.inherit(object, above);
         if let Some(children) = object.plain_union() {
-            if !self.add_copy(object, &below) {
+            if below.split_target.is_some() || !self.add_copy(object, &below) {
                 for child in &**children {
                     self.add_below(child, &below);
                 }

@@ -68,8 +68,9 @@ impl Lowering {
             .of_object(object.interior.as_ref(), above.interior, finishes);
         self.fill(interior, object, above);
         let mut flags = handed_down(object, above);
+        let mut split_target = None;
         if let Some(targets) = &mut self.targets {
-            flags.photons = targets.role(object, above);
+            (flags.photons, split_target) = targets.role(object, above);
         }
         self.interiors.set_hollow(interior, flags.hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
@@ -89,6 +90,7 @@ impl Lowering {
             obeyed: obeyed(&flags, above),
             role: CsgRole::Alone,
             says_uv: object.flags.uv_mapping,
+            split_target,
             steps: joined(&object.steps, &above.steps),
             is_moved: above.is_moved || object.moves_parts(),
             cutaway: above.cutaway.clone(),

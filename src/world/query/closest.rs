@@ -25,6 +25,8 @@ const POV_RAY_T_MIN: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
+/// The relative error of the distance from the centre at which a hit of a sphere is not taken as POV-Ray rounds it.
+const SPHERE_LOSS: f64 = 1e-9;
 
 /// Accepts the first hit that the query's kind of ray sees.
 struct ClosestQuery<'w> {
@@ -380,6 +382,29 @@ impl World {
             }
         }
         a < b
+    }
+
+    /// The hit with the rounding of POV-Ray, by which its photon maps are ordered.
+    #[must_use]
+    pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
+        let Some(sphere) = self.model.world_sphere(hit.spawn_surface.leaf) else {
+            return hit;
+        };
+        let t = sphere.rounded_root(ray, hit.t);
+        let point = ray.at(t);
+        let shading_normal = (point - sphere.centre) * sphere.radius.recip();
+        // The formula is not exact for spheres that are small for their distance.
+        let is_on_sphere = (shading_normal.length() - 1.0).abs() < SPHERE_LOSS;
+        if is_on_sphere {
+            Hit {
+                t,
+                point,
+                shading_normal,
+                ..hit
+            }
+        } else {
+            hit
+        }
     }
 
     #[inline]

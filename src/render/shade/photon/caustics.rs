@@ -59,7 +59,7 @@ impl Tracer<'_> {
             else {
                 continue;
             };
-            let cosine = flat.dot(to_light).max(MIN_COSINE);
+            let cosine = flat.dot(to_light).clamp(MIN_COSINE, 1.0);
             let contribution = LightContribution {
                 to_light,
                 side,
@@ -68,7 +68,7 @@ impl Tracer<'_> {
             };
             sum += self.add_contribution(&contribution, &lit.at, bsdf, scratch);
         }
-        sum * (1.0 / (PI * near.radius * near.radius))
+        sum / (PI * near.radius * near.radius)
     }
 
     /// A point in the scene's own coordinates, in which photons are stored.

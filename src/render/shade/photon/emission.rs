@@ -56,11 +56,7 @@ impl PhotonAim {
     fn new(light: &Light, from: DVec3, middle: DVec3) -> PhotonAim {
         let to_middle = middle - from;
         let distance = to_middle.length();
-        let forward = if distance == 0.0 {
-            DVec3::Z
-        } else {
-            to_middle / distance
-        };
+        let forward = to_middle.try_normalize().unwrap_or(DVec3::Z);
         let aside = if (forward.z.abs() - 1.0).abs() < ALONG_AXIS {
             DVec3::Y
         } else {
@@ -85,12 +81,12 @@ impl PhotonAim {
         let RingPosition { off, around } = at;
         if light.is_parallel {
             let dir = light.parallel_dir();
-            let start = middle - (middle - from).dot(dir) * dir;
-            let turn = DMat3::from_axis_angle(dir, around);
+            let start = middle - self.distance * self.forward.dot(dir) * dir;
+            let turn = turn_about(dir, around);
             return Ray::new(start + turn * (self.left * off), dir);
         }
         let (sine, cosine) = off.sin_cos();
-        let turn = DMat3::from_axis_angle(self.forward, around);
+        let turn = turn_about(self.forward, around);
         let dir = turn * (-sine * self.left + cosine * self.forward);
         Ray::new(from, dir)
     }
@@ -120,6 +116,18 @@ impl Rings {
         };
         Rings { spread, step, end }
     }
+}
+
+/// A rotation around a unit vector, with the rounding of POV-Ray.
+fn turn_about(axis: DVec3, angle: f64) -> DMat3 {
+    let axis = axis.normalize_or_zero();
+    let squares = axis * axis;
+    let diagonal = squares + angle.cos() * (1.0 - squares);
+    let mut turn = DMat3::from_axis_angle(axis, angle);
+    turn.x_axis.x = diagonal.x;
+    turn.y_axis.y = diagonal.y;
+    turn.z_axis.z = diagonal.z;
+    turn
 }
 
 /// The grid size of an area light, if each of its grid lights emits photons.
@@ -269,14 +277,14 @@ impl<'w> Tracer<'w> {
             self.trace_from(light, ray, share, inside, tally, scratch);
             return;
         };
-        let share = 1.0 / (f64::from(columns) * f64::from(rows));
+        let count = f64::from(columns) * f64::from(rows);
         for u in 0..columns {
             for v in 0..rows {
-                let offset = area.grid_light_offset(&area.axes, f64::from(u), f64::from(v));
+                let offset = area.rectangle_offset(f64::from(u), f64::from(v));
                 let from = light.centre + offset;
                 let aim = PhotonAim::new(light, from, aim.middle);
                 let ray = aim.ray(light, at);
-                let share = share * light.attenuation_along_ray(&ray, aim.distance);
+                let share = light.attenuation_along_ray(&ray, aim.distance) / count;
                 self.trace_from(light, ray, share, inside, tally, scratch);
             }
         }
@@ -310,9 +318,9 @@ impl<'w> Tracer<'w> {
         let photon = PhotonPath {
             path,
             light: light.color * share,
-            path_length: 0.0,
             has_hit_target: false,
         };
+        tally.path_length = 0.0;
         self.trace_photon(photon, tally, scratch);
     }
 
@@ -332,6 +340,7 @@ impl<'p> PhotonTally<'p> {
             light: None,
             target: 0,
             spread: 0.0,
+            path_length: 0.0,
             random: Stream::default(),
             has_hit: false,
             count: 0,

@@ -10,15 +10,18 @@ use crate::render::shade::bsdf::ViewPoint;
 use crate::render::shade::bsdf::facing_normal;
 use crate::render::shade::shading_point::{LightSamples, ShadingPoint};
 use crate::render::shade::surface::{Mirror, TextureUse, mirror, mirrored_off};
-use crate::render::shade::transmission::interior_stack::{Refraction, bend};
+use crate::render::shade::transmission::interior_stack::{Refraction, bend_unscaled};
 use crate::render::shade::transmission::spectrum;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
-use crate::scene::texture::WeightedTexture;
+use crate::scene::texture::{Reflection, WeightedTexture};
 use crate::world::PhotonMapping;
 use crate::world::{Hit, Query, SpawnSurface};
 use glam::DVec3;
 use smallvec::SmallVec;
+
+/// The largest difference of the components of two normals that count as the same.
+const SAME_NORMAL: f64 = 1e-10;
 
 /// The photons of a scene, and the state of their emission.
 pub(in crate::render::shade) struct PhotonTally<'p> {
@@ -26,8 +29,12 @@ pub(in crate::render::shade) struct PhotonTally<'p> {
     /// The current light and target.
     pub(in crate::render::shade) light: Option<&'p Light>,
     pub(in crate::render::shade) target: u32,
-    /// The spacing of neighbouring photons at unit distance; at any distance for parallel light.
+    /// The spacing of neighbouring photons at unit distance; for parallel light that at any distance, in units of the
+    /// scene.
     pub(in crate::render::shade) spread: f64,
+    /// The length of the path of the current photon so far. What was added to it at a surface is subtracted behind it, so
+    /// that later branches share POV-Ray's rounding.
+    pub(in crate::render::shade) path_length: f64,
     /// The random numbers of directions.
     pub(in crate::render::shade) random: Stream,
     /// A photon of the current ring has hit the target.
@@ -42,8 +49,6 @@ pub(in crate::render::shade) struct PhotonTally<'p> {
 pub(in crate::render::shade) struct PhotonPath {
     pub(in crate::render::shade) path: Path,
     pub(in crate::render::shade) light: Rgb,
-    /// The length of its path so far.
-    pub(in crate::render::shade) path_length: f64,
     /// It has hit its target.
     pub(in crate::render::shade) has_hit_target: bool,
 }
@@ -65,7 +70,15 @@ struct PhotonInteraction<'a> {
     filter: Rgb,
     /// The light before the surface.
     light: Rgb,
-    path_length: f64,
+}
+
+/// The light that a reflection with an exponent mirrors.
+fn mirrored_light(light: Rgb, reflection: &Reflection) -> Rgb {
+    if reflection.exponent == 1.0 {
+        light
+    } else {
+        light.map(|c| c.powf(1.0 / reflection.exponent))
+    }
 }
 
 impl PhotonInteraction<'_> {
@@ -91,7 +104,6 @@ impl PhotonInteraction<'_> {
                 wavelength,
             },
             light,
-            path_length: self.path_length,
             has_hit_target: true,
         }
     }
@@ -101,21 +113,37 @@ impl<'p> PhotonTally<'p> {
     /// Starts a pair of a light and a target.
     pub(in crate::render::shade) fn begin(&mut self, light: &'p Light, target: u32, spread: f64) {
         (self.light, self.target, self.spread) = (Some(light), target, spread);
+        if light.is_parallel {
+            self.spread /= self.photons.unit;
+        }
     }
 
-    /// The spacing of neighbouring photons after a path of this length, in units of the scene.
-    pub(in crate::render::shade) fn width(&self, path_length: f64) -> f64 {
+    /// The factor by which photons are farther apart after a path of this length: in units of the scene, or 1 for
+    /// parallel light.
+    pub(in crate::render::shade) fn spreading(&self, path_length: f64) -> f64 {
         let is_parallel = self.light.is_some_and(|light| light.is_parallel);
-        self.spread * if is_parallel { 1.0 } else { path_length } / self.photons.unit
+        if is_parallel {
+            1.0
+        } else {
+            path_length / self.photons.unit
+        }
     }
 
-    /// Stores a photon on a surface.
-    fn store(&mut self, point: DVec3, light: Rgb, path_length: f64, origin: DVec3) {
-        let Some(source) = self.light else { return };
-        let width = self.width(path_length);
-        let light = light * (width * width) * source.fade.attenuation(path_length);
+    /// A photon at a point, after a path of this length from its light through `origin`.
+    pub(in crate::render::shade) fn photon(
+        &self,
+        point: DVec3,
+        light: Rgb,
+        path_length: f64,
+        origin: DVec3,
+    ) -> Photon {
+        let fading = self
+            .light
+            .map_or(1.0, |light| light.fade.attenuation(path_length));
+        let spreading = self.spreading(path_length);
+        let flux = light * (fading * self.spread * self.spread) * (spreading * spreading);
         let [point, origin] = [point, origin].map(|x| self.photons.scene_point(x));
-        self.on_surfaces.push(Photon::new(point, light, origin));
+        Photon::new(point, flux, origin)
     }
 }
 
@@ -144,10 +172,11 @@ impl<'w> Tracer<'w> {
             let Some(hit) = self.world.nearest(&query, &mut scratch.query) else {
                 return;
             };
+            let hit = self.world.rounded(&path.ray, hit);
             let surface = &self.world.surfaces[hit.surface as usize];
             let role = surface.photons();
             self.through_media(&mut photon, hit.t, surface.lights, tally, scratch);
-            photon.path_length += hit.t;
+            tally.path_length += hit.t;
             let had_hit_target = photon.has_hit_target;
             if !had_hit_target {
                 if role.target == Some(tally.target) && !role.passes_through {
@@ -174,12 +203,9 @@ impl<'w> Tracer<'w> {
             for look in &textures {
                 let of_look = photon.light * f64::from(look.weight);
                 if had_hit_target && !role.collects_none {
-                    tally.store(
-                        hit.point,
-                        of_look,
-                        photon.path_length,
-                        photon.path.ray.origin,
-                    );
+                    let origin = photon.path.ray.origin;
+                    let stored = tally.photon(hit.point, of_look, tally.path_length, origin);
+                    tally.on_surfaces.push(stored);
                 }
                 let at = PhotonHit {
                     hit: &hit,
@@ -190,6 +216,7 @@ impl<'w> Tracer<'w> {
                 };
                 self.interact(&photon, &at, tally, scratch);
             }
+            tally.path_length -= hit.t;
             return;
         }
     }
@@ -221,7 +248,7 @@ impl<'w> Tracer<'w> {
             lights: &[],
             collects: false,
         };
-        let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
+        let mut mirrors: SmallVec<[(Mirror, DVec3); 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         let (_, spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
@@ -229,8 +256,11 @@ impl<'w> Tracer<'w> {
         for layer in look.texture.layers() {
             lit.at.normal = self.normal(layer, look.point, &spot);
             top.get_or_insert(lit.at.normal);
-            let color = self.color(layer, look.point, &spot);
-            if reflects && layer.finish.has_reflection() {
+            let mut color = self.color(layer, look.point, &spot);
+            // The layers above colour it.
+            color.rgb *= filter;
+            filter *= color.transmission();
+            if layer.finish.has_reflection() {
                 let mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, || {
                     let surface = &self.world.surfaces[hit.surface as usize];
                     self.relative_ior(&path.inside, surface.interior)
@@ -238,36 +268,41 @@ impl<'w> Tracer<'w> {
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
-                mirrors.push(mirror);
+                mirrors.push((mirror, lit.at.normal));
             }
-            filter *= color.transmission();
             if f64::from(filter.grey()) <= tally.photons.adc_bailout {
                 break;
             }
         }
-        lit.at.normal = top.unwrap_or(flat);
+        let lowest = lit.at.normal;
+        let top = top.unwrap_or(flat);
+        lit.at.normal = top;
         let interaction = PhotonInteraction {
             hit,
             lit: &lit,
             filter,
             light,
-            path_length: photon.path_length,
         };
         let mut is_total = false;
         if refracts && f64::from(filter.map(f32::abs).grey()) > tally.photons.adc_bailout {
             is_total = self.refract(&interaction, tally, scratch);
         }
-        if is_total || !reflects {
+        if !reflects {
             return;
         }
-        for mirror in &mirrors {
+        // All layers mirror about the normal of the lowest one.
+        let dir = mirrored_off(path.ray.dir, lowest, flat).normalize_or_zero();
+        for (mirror, normal) in &mirrors {
+            if is_total && (*normal - top).abs().max_element() < SAME_NORMAL {
+                continue;
+            }
             let weight = mirror.weight * f64::from(mirror.reflectivity.max());
             let inside = InteriorStack::from_slice(&path.inside);
             let onward = interaction.onward(
-                mirror.dir,
+                dir,
                 weight,
                 inside,
-                light * mirror.reflectivity,
+                mirrored_light(light, &mirror.finish.reflection) * mirror.reflectivity,
                 path.wavelength,
             );
             self.trace_photon(onward, tally, scratch);
@@ -294,24 +329,24 @@ impl<'w> Tracer<'w> {
         };
         let total_reflection = || {
             let flat = facing_normal(interaction.hit, path.ray.dir);
-            mirrored_off(path.ray.dir, normal, flat)
+            mirrored_off(path.ray.dir, normal, flat).normalize_or_zero()
         };
         if path.wavelength.is_none() && crossing.splits() {
             let count = self.interior_of(interaction.hit).dispersion_samples;
-            let share = 1.0 / f64::from(count);
             for number in 0..count {
                 let band = spectrum::band(number, count);
                 let wavelength = Some(band.wavelength);
-                let light = light * band.hue * share;
-                match bend(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
+                let whole = interaction.light * band.hue / f64::from(count);
+                let light = whole * interaction.filter;
+                match bend_unscaled(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
                     Refraction::None => send(path.ray.dir, &crossing.inside, light, wavelength),
                     Refraction::To(dir) => send(dir, &crossing.inside, light, wavelength),
-                    Refraction::Total => send(total_reflection(), &path.inside, light, wavelength),
+                    Refraction::Total => send(total_reflection(), &path.inside, whole, wavelength),
                 }
             }
             return false;
         }
-        match bend(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
+        match bend_unscaled(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
             Refraction::None => send(path.ray.dir, &crossing.inside, light, path.wavelength),
             Refraction::To(dir) => send(dir, &crossing.inside, light, path.wavelength),
             Refraction::Total => {

@@ -2,7 +2,6 @@
 
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::color::Rgb;
-use crate::render::photons::Photon;
 use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::render::shade::media::{common_sampling, parts_of, subdivided, transmittance_of};
@@ -78,7 +77,7 @@ impl Tracer<'_> {
         for interval in subdivided(&parts_of(&beams, length), &sampling) {
             let long = interval.to - interval.from;
             let own_length = long / tally.photons.unit;
-            let at_start = tally.width(photon.path_length);
+            let at_start = tally.spread * tally.spreading(tally.path_length);
             let mut factor = factor;
             let wanted = own_length / (at_start * factor);
             let count = if wanted < f64::from(most) {
@@ -87,12 +86,13 @@ impl Tracer<'_> {
                 factor = own_length / (at_start * f64::from(most));
                 f64::from(most)
             };
-            let mut number = 0.0;
+            let mut number: f64 = 0.0;
             let mut sum = Rgb::BLACK;
             while number < count {
-                let random = scratch.random.lights.next_number() - 0.5;
-                let at = (number + 0.5 + jitter * random) / count;
-                let along = interval.from + at * long;
+                let random = scratch.random.lights.next_number();
+                let at = (number + 0.5 + random * jitter - 0.5 * jitter) / count;
+                let in_interval = at * long;
+                let along = in_interval + interval.from;
                 let point = ray.at(along);
                 let mut effect = MediumCoefficients::NONE;
                 for media in &media {
@@ -100,20 +100,17 @@ impl Tracer<'_> {
                 }
                 sum += effect.extinction;
                 if is_stored && effect.scattering != Rgb::BLACK {
-                    let path_length = photon.path_length + along;
-                    let size = factor * tally.width(path_length).powi(3);
-                    let fading = tally
-                        .light
-                        .map_or(1.0, |light| light.fade.attenuation(path_length));
-                    let light = photon.light * (size * fading);
-                    let [point, origin] = [point, ray.origin].map(|x| tally.photons.scene_point(x));
-                    tally.in_media.push(Photon::new(point, light, origin));
+                    let spreading =
+                        tally.spreading(tally.path_length + in_interval + interval.from);
+                    let light = photon.light * (factor * tally.spread * spreading);
+                    let path_length = tally.path_length + along;
+                    let stored = tally.photon(point, light, path_length, ray.origin);
+                    tally.in_media.push(stored);
                 }
                 number += 1.0;
             }
-            if count > 0.0 {
-                optical_depth += sum * (long / count);
-            }
+            // Without samples it is not a number, and such photons are black, as in POV-Ray.
+            optical_depth += sum / count * long;
         }
         photon.light *= transmittance_of(optical_depth);
     }

@@ -9,6 +9,8 @@ use glam::DVec3;
 const ATMOSPHERE_IOR: f64 = 1.0;
 /// Index of refraction and dispersion outside all objects.
 const ATMOSPHERE: [f64; 2] = [ATMOSPHERE_IOR, 1.0];
+/// The ratios at a surface that bends no light.
+const SAME: [f64; 2] = [1.0, 1.0];
 /// Indices whose ratio differs from 1 by less than this do not refract light; POV-Ray's value.
 const NO_BEND: f64 = 1e-10;
 
@@ -83,9 +85,9 @@ impl Tracer<'_> {
         // Index of refraction and dispersion.
         let of = |id: InteriorId| {
             let interior = self.world.interiors.get(id);
-            [interior.ior, interior.effective_dispersion()].map(f64::from)
+            Some([interior.ior, interior.effective_dispersion()])
         };
-        let outermost = |inside: &InteriorStack| inside.last().map_or(ATMOSPHERE, |&id| of(id));
+        let outermost = |inside: &InteriorStack| inside.last().and_then(|&id| of(id));
         let is_innermost = inside.last() == Some(&id);
         let before = outermost(inside);
         let mut inside = InteriorStack::from_slice(inside);
@@ -93,7 +95,7 @@ impl Tracer<'_> {
         let [ratio, dispersion] = match (was_inside, is_innermost) {
             (false, _) => divided(before, of(id)),
             (true, true) => divided(of(id), outermost(&inside)),
-            (true, false) => ATMOSPHERE,
+            (true, false) => SAME,
         };
         SurfaceCrossing {
             inside,
@@ -121,21 +123,36 @@ impl SurfaceCrossing {
     }
 }
 
-fn divided(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+/// The quotients of the indices and of the dispersions of two interiors; `None` is the atmosphere. As in POV-Ray, those
+/// of two interiors are in single precision, those of one and the atmosphere in double precision.
+fn divided(a: Option<[f32; 2]>, b: Option<[f32; 2]>) -> [f64; 2] {
+    if let (Some(a), Some(b)) = (a, b) {
+        return [a[0] / b[0], a[1] / b[1]].map(f64::from);
+    }
+    let [a, b] = [a, b].map(|of| of.map_or(ATMOSPHERE, |of| of.map(f64::from)));
     [a[0] / b[0], a[1] / b[1]]
 }
 
 /// The direction behind a surface with a unit `normal` (Snell's law as a vector). Bump mapping may have turned the
 /// normal away from the viewer.
 pub(in crate::render::shade) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
+    match bend_unscaled(dir, normal, ratio) {
+        Refraction::To(bent) => bent
+            .try_normalize()
+            .map_or(Refraction::None, Refraction::To),
+        other => other,
+    }
+}
+
+/// As [`bend`], but the new direction is as long as rounding leaves it.
+pub(in crate::render::shade) fn bend_unscaled(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
     if (ratio - 1.0).abs() < NO_BEND {
         return Refraction::None;
     }
     match snell(dir, normal, ratio) {
         None => Refraction::Total,
-        Some(bent) => bent
-            .try_normalize()
-            .map_or(Refraction::None, Refraction::To),
+        Some(bent) if bent.is_finite() && bent != DVec3::ZERO => Refraction::To(bent),
+        Some(_) => Refraction::None,
     }
 }
 

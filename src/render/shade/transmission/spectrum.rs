@@ -37,13 +37,17 @@ const BELOW: [[u16; 3]; 71] = [
 /// A spectral band of dispersed white light.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::render::shade) struct SpectralBand {
-    /// Its wavelength in nanometres.
+    /// Its wavelength in nanometres, in single precision.
     pub(in crate::render::shade) wavelength: f64,
     /// Its colour; the mean of all bands is nearly white.
     pub(in crate::render::shade) hue: Rgb,
 }
 
 /// The band with this index when light is split into `count`.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "wavelengths are single precision, as in POV-Ray"
+)]
 pub(in crate::render::shade) fn band(number: u32, count: u32) -> SpectralBand {
     let width = (LAST_NM - FIRST_NM) / f64::from(count);
     let wavelength = FIRST_NM + width * (f64::from(number) + 0.5);
@@ -52,7 +56,7 @@ pub(in crate::render::shade) fn band(number: u32, count: u32) -> SpectralBand {
         below(wavelength + 0.5 * width),
     );
     SpectralBand {
-        wavelength,
+        wavelength: f64::from(wavelength as f32),
         hue: (high - low) * f64::from(count),
     }
 }

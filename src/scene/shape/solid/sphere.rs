@@ -140,6 +140,19 @@ impl Sphere {
         Some(if goes_out { enter } else { leave })
     }
 
+    /// The root of a ray with a unit direction next to `t`, by the formula of POV-Ray with its rounding.
+    pub(crate) fn rounded_root(&self, ray: &Ray, t: f64) -> f64 {
+        let to_centre = self.centre - ray.origin;
+        let middle = to_centre.dot(ray.dir);
+        let outside_sq = self.radius * self.radius - to_centre.dot(to_centre);
+        let half = (outside_sq + middle * middle).sqrt();
+        if t < middle {
+            middle - half
+        } else {
+            middle + half
+        }
+    }
+
     /// The root of a ray with a unit direction that is known to lie at `t`, if it lies surely on one side of the middle
     /// of the chord.
     #[inline]

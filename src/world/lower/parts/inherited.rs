@@ -28,6 +28,8 @@ pub(crate) struct Inherited {
     pub(crate) group: Option<LightList>,
     /// True if the object itself says `uv_mapping`.
     pub(crate) says_uv: bool,
+    /// The photon target's factor on spacings, if the union above is a target whose parts are targets of their own.
+    pub(crate) split_target: Option<f64>,
     /// The transforms of all ancestors, innermost first.
     pub(crate) steps: Arc<[Step]>,
     /// True if a union above was transformed after its parts were complete: then no `seen_in` boxes apply to shapes.

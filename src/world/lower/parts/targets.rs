@@ -1,6 +1,6 @@
-//! Photon targets: objects that say `target`, each with its bounding box.
+//! Photon targets: objects that say `target`, or the parts of such a union, each with its bounding box.
 
-use super::inherited::Inherited;
+use super::inherited::{CsgRole, Inherited};
 use crate::scene::Object;
 use crate::scene::light::PhotonRole;
 use crate::world::photons::PhotonTarget;
@@ -25,15 +25,20 @@ impl Targets {
         self.0
     }
 
-    /// The photon settings of an object. A part of a target is not a target of its own.
-    pub(crate) fn role(&mut self, object: &Object, above: &Inherited) -> PhotonRole {
-        let Some(own) = object.photons() else {
-            return above.flags.photons;
-        };
-        let mut role = above.flags.photons.with(own);
-        let density = own.target.filter(|_| role.target.is_none());
+    /// The photon settings of an object, and the factor on spacings if its parts are targets of their own: those of a
+    /// union that is split up, but of no other target.
+    pub(crate) fn role(&mut self, object: &Object, above: &Inherited) -> (PhotonRole, Option<f64>) {
+        let own = object.photons();
+        let above_role = above.flags.photons;
+        let mut role = own.map_or(above_role, |own| above_role.with(own));
+        let density = above.split_target.or(own.and_then(|own| own.target));
         let is_lit = above.global_lights != Some(false);
-        if let Some(density) = density.filter(|_| is_lit) {
+        let is_whole = above.role != CsgRole::Alone || object.flags.keeps_union;
+        let density = density.filter(|_| role.target.is_none() && is_lit);
+        if object.plain_union().is_some() && !is_whole {
+            return (role, density);
+        }
+        if let Some(density) = density {
             let mut transformed = object.clone();
             transformed.steps.extend_from_slice(&above.steps);
             role.target = u32::try_from(self.0.len()).ok();
@@ -43,7 +48,7 @@ impl Targets {
                 role,
             });
         }
-        role
+        (role, None)
     }
 }
 

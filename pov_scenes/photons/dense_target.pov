@@ -1,0 +1,8 @@
+// A target with a spacing four times as wide, beside one with half.
+#version 3.7;
+global_settings { assumed_gamma 1 photons { spacing 0.06 } }
+camera { location <0,4,-6> look_at <0,0.4,0> }
+light_source { <3,8,-2>, 1 }
+plane { y, 0 pigment { rgb 1 } finish { ambient 0.05 diffuse .8 } }
+sphere { <-1.1,1,0>, .8 pigment { rgbt <1,1,1,.9> } finish { ambient 0 diffuse .1 } interior { ior 1.5 } photons { target 2 refraction on } }
+sphere { <1.1,1,0>, .8 pigment { rgbt <1,1,1,.9> } finish { ambient 0 diffuse .1 } interior { ior 1.5 } photons { target .6 refraction on } }
