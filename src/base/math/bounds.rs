@@ -86,10 +86,13 @@ impl Bounds {
         }
     }
 
-    /// The bounds and a few roundings of their largest coordinate around them.
+    /// The bounds and a few roundings of their largest coordinate around them; those that are not finite as they are.
     #[must_use]
     pub fn with_slack(&self) -> Bounds {
         let slack = 8.0 * f64::EPSILON * self.min.abs().max(self.max.abs()).max_element();
+        if !slack.is_finite() {
+            return *self;
+        }
         Bounds::new(self.min - slack, self.max + slack)
     }
 

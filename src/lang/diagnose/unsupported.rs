@@ -54,7 +54,7 @@ impl Reader<'_> {
                 Kind::Csg { children, .. } => open.extend(&**children),
             }
         }
-        for (at, ()) in in_order(opaque) {
+        for at in in_order(opaque) {
             let error = Diagnostic::error(
                 at,
                 "this `subsurface` lets no light in: a `translucency` of 0",
@@ -62,7 +62,7 @@ impl Reader<'_> {
             let hint = "Write more than 0 for red, green and blue. With `+Q8` the scene is drawn without it.";
             self.report.undrawn.push(error.with_hint(hint));
         }
-        for (at, ()) in in_order(parts) {
+        for at in in_order(parts) {
             self.record(
                 Diagnostic::error(at, "this `normal` has no pattern")
                     .with_hint("Write `normal { bumps 0.5 }`, or the name of another pattern."),
@@ -72,10 +72,10 @@ impl Reader<'_> {
 }
 
 /// Removes duplicates, in the order of the files.
-fn in_order<T: PartialEq>(mut found: Vec<(Span, T)>) -> Vec<(Span, T)> {
-    found.sort_by_key(|(at, _)| (at.file, at.start));
-    found.dedup();
-    found
+fn in_order(mut spans: Vec<Span>) -> Vec<Span> {
+    spans.sort_by_key(|at| (at.file, at.start));
+    spans.dedup();
+    spans
 }
 
 /// A texture and all textures it selects from.
@@ -90,22 +90,22 @@ fn all_textures(texture: &Texture) -> Vec<&Texture> {
     all
 }
 
-fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())> {
+fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = Span> {
     let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
     let normals = normals.filter(|normal| matches!(normal.kind, NormalKind::None));
-    normals.map(|normal| (normal.at, ()))
+    normals.map(|normal| normal.at)
 }
 
 /// The layers that scatter light below the surface in a medium without translucency.
-fn opaque_below(texture: &Texture) -> impl Iterator<Item = (Span, ())> {
+fn opaque_below(texture: &Texture) -> impl Iterator<Item = Span> {
     let layers = texture.layers().iter();
     layers.filter_map(|layer| opaque_medium(&layer.finish))
 }
 
 /// The location of the medium of a finish, if it has no translucency in some channel.
-fn opaque_medium(finish: &Finish) -> Option<(Span, ())> {
+fn opaque_medium(finish: &Finish) -> Option<Span> {
     let subsurface = finish.subsurface?;
     let passes = |path: f64| path > 0.0;
     let is_opaque = !subsurface.translucency.channels().into_iter().all(passes);
-    is_opaque.then_some((subsurface.at, ()))
+    is_opaque.then_some(subsurface.at)
 }

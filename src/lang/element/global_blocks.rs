@@ -196,7 +196,7 @@ impl Reader<'_> {
             }
             Word::LoadFile => {
                 self.pass();
-                let name = Args::string(self)?;
+                let name = self.file_name()?;
                 let bytes = match self.file_named("the photon map", &name, &[]) {
                     Ok(bytes) => bytes,
                     // POV-Ray reads the file instead of emitting photons, which low qualities do without.

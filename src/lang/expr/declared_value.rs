@@ -234,7 +234,9 @@ impl Reader<'_> {
         };
         if may_go_on && number.len == 5 && self.peek()?.word().is_some_and(is_component) {
             self.discard_recording();
+            let start = self.start()?;
             number.v = self.color_parts(Some(number.v))?;
+            self.finite(&number.v, start)?;
         }
         Ok(Value::Number(number))
     }

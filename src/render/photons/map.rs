@@ -239,7 +239,7 @@ impl Map {
         }
         let density = |near: &Near| near.count() as f64 / (near.radius * near.radius);
         let before = density(near).max(NO_DENSITY);
-        let mut farther = Near::with_capacity(most);
+        let mut farther = Near::with_capacity(most.min(self.photons.len()));
         self.find(point, normal, EXPANSION * search.radius, most, &mut farther);
         let growth = (density(&farther) - before) / before;
         let is_below_min = farther.count() > 0 && farther.count() < min_expanded;

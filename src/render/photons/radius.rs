@@ -87,7 +87,7 @@ impl Default for CRand {
     }
 }
 
-/// The radius of a map that gathers no more than `most` photons at a point; 0 for an empty map.
+/// The radius of a map that gathers no more than `most` photons at a point; 0 if the map has none, or all at one position.
 #[must_use]
 pub fn automatic(map: &Map, most: usize, space: Space, random: &mut CRand) -> f64 {
     let photons = map.photons();
@@ -107,6 +107,9 @@ pub fn automatic(map: &Map, most: usize, space: Space, random: &mut CRand) -> f6
         sum += density(FAR).unwrap_or_else(|| sum / number.max(1) as f64);
     }
     let mean = sum / probes as f64;
+    if mean == 0.0 {
+        return 0.0;
+    }
     let radius = space.radius(most as f64, mean);
     let [least, less] = SPARSE.map(|share| share * mean);
     let sparse = (0..probes).filter(|_| {

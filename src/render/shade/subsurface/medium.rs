@@ -12,6 +12,9 @@ const STEPS: usize = 100;
 /// The error in reflectance at which the search for an albedo ends.
 const PRECISION: f64 = 1e-10;
 
+/// The number of steps after which it ends in any case: at extreme indices of refraction no albedo is that near.
+const MAX_SEARCH: usize = 1000;
+
 /// Reduced albedos by diffuse reflectance, for each index of refraction of a world's bodies.
 #[derive(Debug)]
 pub(in crate::render::shade) struct AlbedoTables(FxHashMap<u32, Box<[f32; STEPS + 1]>>);
@@ -138,7 +141,10 @@ fn albedo_table(ior: f64) -> [f32; STEPS + 1] {
         let wanted = f64::from(step) / 100.0;
         let mut low = (0.0, 0.0);
         let mut high = (albedo, reached);
-        while (reached - wanted).abs() >= PRECISION {
+        for _ in 0..MAX_SEARCH {
+            if (reached - wanted).abs() < PRECISION {
+                break;
+            }
             let share = (wanted - low.1) / (high.1 - low.1);
             albedo = low.0 + share * (high.0 - low.0);
             reached = reflectance(albedo);
@@ -186,6 +192,13 @@ mod tests {
         let root = (3.0 * (1.0 - albedo)).sqrt();
         let reflected = albedo / 2.0 * (1.0 + (-4.0 / 3.0 * inner * root).exp()) * (-root).exp();
         assert!((reflected - 0.4).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_search_for_an_albedo_ends_at_any_index_of_refraction() {
+        for ior in [0.0, 1e-30, 1e-5, 280.0, 1e5, 1e30, f64::INFINITY, f64::NAN] {
+            assert_eq!(albedo_table(ior)[STEPS], 1.0, "{ior}");
+        }
     }
 
     #[test]

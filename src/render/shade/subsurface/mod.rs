@@ -162,6 +162,9 @@ impl Tracer<'_> {
         let mut sum = Rgb::BLACK;
         let mut counted = 0;
         for _ in 0..count {
+            if self.stop.is_cancelled() {
+                break;
+            }
             let dir = exit.streams(scratch).direction();
             let Some(entry) = self.body_search(base, dir, None, f64::INFINITY, scratch) else {
                 continue;
@@ -242,6 +245,9 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         for _ in 0..count {
+            if self.stop.is_cancelled() {
+                break;
+            }
             let mut sample = |channel| self.scattered_once(exit, view, channel, scratch);
             let scattered = Rgb::new(sample(0), sample(1), sample(2));
             *sum += scattered.map(|light| light / single(f64::from(count)));
