@@ -6,6 +6,8 @@ use glam::DVec3;
 const FIRST: f64 = 1e7;
 /// The level of the smallest cells: below the rounding error of coordinates with that offset.
 const MIN_LEVEL: i32 = -38;
+/// Slack for rounding of the size of a cube.
+const SLACK: f64 = 1.0 + 1e-9;
 /// The level of the single cell that holds everything.
 const WHOLE_LEVEL: i32 = 41;
 
@@ -17,7 +19,7 @@ pub(super) struct Cell {
 }
 
 /// A cube.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Cube {
     centre: DVec3,
     /// The length of an edge; infinite for the cell that holds everything.
@@ -25,6 +27,18 @@ pub(super) struct Cube {
 }
 
 impl Cube {
+    /// The cube that holds every point.
+    pub(super) const EVERYTHING: Cube = Cube {
+        centre: DVec3::ZERO,
+        size: f64::INFINITY,
+    };
+
+    /// Tests if the concentric cube of twice the size may hold a point of a box, given by its centre and half its edge.
+    pub(super) fn may_hold(&self, [centre, half]: [DVec3; 2]) -> bool {
+        let away = (centre - self.centre).abs() - half;
+        away.max_element() < self.size * SLACK
+    }
+
     /// Tests if a point lies in the concentric cube of twice the size.
     pub(super) fn holds(&self, point: DVec3) -> bool {
         let away = (point - self.centre).abs();
@@ -78,10 +92,16 @@ impl Cell {
         let size = f64::from(self.level).exp2();
         let corner = DVec3::from(self.corner.map(|c| c as f64));
         let (centre, size) = match self.level {
-            WHOLE_LEVEL => (DVec3::ZERO, f64::INFINITY),
+            WHOLE_LEVEL => return Cube::EVERYTHING,
             _ => ((corner + 0.5) * size - FIRST, size),
         };
         Cube { centre, size }
+    }
+
+    /// The concentric box whose edges are `2 half` times as long: its centre, and half its edge on each axis.
+    pub(super) fn box_around(&self, half: f64) -> [DVec3; 2] {
+        let cube = self.cube();
+        [cube.centre, DVec3::splat(half * cube.size)]
     }
 
     /// The ancestor at this level.

@@ -11,11 +11,15 @@
 mod cache;
 mod cell;
 mod directions;
+mod lists;
 mod notes;
+mod sample;
 
-pub use cache::{Cache, CacheQuery, IrradianceSample, Mean};
+pub use cache::Cache;
 pub use directions::Frame;
+pub use lists::{Mean, SampleLists};
 pub use notes::{LightRequest, Notes, SeenLight};
+pub use sample::{CacheQuery, IrradianceSample};
 
 use crate::scene;
 use glam::DVec3;
@@ -133,6 +137,8 @@ pub enum Mode {
 pub struct Session {
     /// The samples so far.
     pub cache: Arc<Cache>,
+    /// Those near the points of recent lookups.
+    lists: SampleLists,
     /// The policy for new samples.
     pub mode: Mode,
     /// The final picture is being rendered, not the pretrace.
@@ -164,6 +170,7 @@ impl Session {
     pub fn new(radiosity: &Radiosity, unit: f64) -> Self {
         Session {
             cache: Arc::new(Cache::new(unit)),
+            lists: SampleLists::default(),
             mode: Mode::Store,
             is_final: false,
             quality: 1.0,
@@ -190,6 +197,7 @@ impl Session {
     pub fn in_mode(&self, mode: Mode) -> Session {
         Session {
             cache: Arc::clone(&self.cache),
+            lists: SampleLists::default(),
             mode,
             is_final: self.is_final,
             quality: 1.0,
@@ -221,7 +229,7 @@ impl Session {
     /// Looks up the irradiance at a point.
     pub fn known(&mut self, radiosity: &Radiosity, query: &CacheQuery) -> CachedLight {
         self.has_queries = true;
-        let mean = self.cache.mean(query);
+        let mean = self.lists.mean(&self.cache, query);
         if self.mode == Mode::Record {
             self.notes.record(*query);
         }

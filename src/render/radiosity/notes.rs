@@ -1,7 +1,8 @@
 //! Records of parallel rendering: the irradiance queries of each point of the picture, and whether later samples change
 //! it.
 
-use super::cache::{Cache, CacheQuery, IrradianceSample};
+use super::cache::Cache;
+use super::sample::{CacheQuery, IrradianceSample};
 use crate::base::color::Rgb;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
