@@ -2,20 +2,22 @@
 
 use super::cache::Cache;
 use super::cell::{Cell, Cube};
-use super::sample::{CacheQuery, SampleLanes};
+use super::sample::{CacheQuery, IrradianceSample, SampleLanes};
 use crate::base::color::Rgb;
 use crate::base::math::simd::vec3;
 use crate::base::math::simd::{F64x4, SimdKernel, with_widest};
 use glam::DVec3;
 
 /// The number of lists of a thread, a power of two.
-const LISTS: usize = 256;
+const LISTS: usize = 1024;
 /// The boxes are smaller than the cell of a mean sample by this power of two.
 const FINER: i32 = 3;
 /// The levels of boxes: those in which the roundings of coordinates are far below their slack.
 const LEVELS: [i32; 2] = [-20, 30];
 /// Half the edge of a box in units of that of its cell, with slack for rounding.
 const HALF: f64 = 0.5 + 1.0 / 64.0;
+/// Slack for rounding of the distance at which a sample is too far from a box.
+const SLACK: f64 = 1.0 + 1e-9;
 /// The samples of a block.
 const BLOCK: usize = 4;
 
@@ -100,13 +102,24 @@ fn slot(cell: &Cell) -> usize {
 }
 
 impl List {
-    /// Returns true if the list has the samples of a lookup.
-    fn serves(&self, cache: &Cache, query: &CacheQuery, point: DVec3) -> bool {
+    /// Returns true if the list has the samples of a lookup, after a look at those that were added since.
+    fn serves(&mut self, cache: &Cache, query: &CacheQuery, point: DVec3) -> bool {
         let [centre, half] = self.area;
-        self.samples == cache.samples().len()
-            && self.depth == query.depth
+        let is_made_for = self.depth == query.depth
             && query.error <= self.error
-            && (point - centre).abs().cmple(half).all()
+            && (point - centre).abs().cmple(half).all();
+        let mut since = cache.samples().iter().skip(self.samples);
+        self.samples = cache.samples().len();
+        is_made_for
+            && !since.any(|sample| sample.depth == self.depth && self.may_use(sample, cache.unit()))
+    }
+
+    /// Returns true if a lookup may find a sample near enough.
+    fn may_use(&self, sample: &IrradianceSample, unit: f64) -> bool {
+        let [centre, half] = self.area;
+        let away = ((sample.point - centre * unit).abs() - half * unit).max(DVec3::ZERO);
+        let farthest = sample.radius * self.error * SLACK;
+        away.length_squared() <= farthest * farthest
     }
 
     /// Fills the list for the lookups in a cell.
@@ -122,13 +135,9 @@ impl List {
             // Coordinates so large that cells of this size are rounded away.
             self.area = [point, DVec3::ZERO];
         }
-        let area = self.area;
-        let [centre, half] = area.map(|v| v * cache.unit());
-        cache.visit(query.depth, area, &mut |number, cube| {
+        cache.visit(query.depth, self.area, &mut |number, cube| {
             let sample = &cache.samples()[number as usize];
-            let away = ((sample.point - centre).abs() - half).max(DVec3::ZERO);
-            let farthest = sample.radius * query.error * SLACK;
-            if away.length_squared() > farthest * farthest {
+            if !self.may_use(sample, cache.unit()) {
                 return;
             }
             let at = self.count % BLOCK;
@@ -151,9 +160,6 @@ impl List {
         });
     }
 }
-
-/// Slack for rounding of the distance at which a sample is too far from a box.
-const SLACK: f64 = 1.0 + 1e-9;
 
 /// Kernel of [`SampleLists::mean`].
 struct MeanKernel<'a> {
