@@ -80,15 +80,13 @@ impl Container {
         }
     }
 
-    /// The face on which a point lies, within POV-Ray's absolute tolerance, which is the same for all sizes.
-    pub(super) fn face_at(&self, point: DVec3) -> Option<u32> {
+    /// True if a root of the function at this point has the normal of the container: on a sphere, within POV-Ray's absolute
+    /// tolerance, which is the same for all sizes, but not on a box.
+    pub(super) fn takes_in(&self, point: DVec3) -> bool {
         match *self {
-            Container::Box { low, high } => (0..2 * 3).find(|face| {
-                let (axis, side) = ((face / 2) as usize, if face % 2 == 1 { high } else { low });
-                (point[axis] - side[axis]).abs() < FACE_TOLERANCE
-            }),
+            Container::Box { .. } => false,
             Container::Sphere { centre, radius } => {
-                ((point.distance(centre) - radius).abs() < FACE_TOLERANCE).then_some(SPHERE_FACE)
+                (point.distance(centre) - radius).abs() < FACE_TOLERANCE
             }
         }
     }
@@ -97,8 +95,9 @@ impl Container {
     pub(super) fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match *self {
             Container::Box { .. } => {
-                let sign = if face % 2 == 1 { 1.0 } else { -1.0 };
-                sign * DVec3::AXES[(face / 2) as usize % 3]
+                let mut normal = DVec3::ZERO;
+                normal[(face / 2) as usize % 3] = if face % 2 == 1 { 1.0 } else { -1.0 };
+                normal
             }
             Container::Sphere { centre, .. } => point - centre,
         }

@@ -189,6 +189,9 @@ impl Solid {
         let mut root_count = 0;
         let value = search.value(start_t, 1.0);
         let starts_outside = enter.t > self.ray_accuracy();
+        if starts_outside && leave.t - start_t < self.ray_accuracy() {
+            return Start::Outside;
+        }
         if starts_outside {
             is_inside = value < 0.0;
             if is_inside && !emit(self.container_root(enter.t, enter.face, Crossing::Enter)) {
@@ -209,12 +212,13 @@ impl Solid {
             start_t = RESUME_AFTER_ROOT * self.ray_accuracy();
             is_inside = search.value(start_t, 1.0) < 0.0;
         }
+        let is_too_short = leave.t - start_t < self.ray_accuracy();
         let start_side = if is_inside && !starts_outside {
             Start::Inside
         } else {
             Start::Outside
         };
-        for _ in 0..MAX_ROOTS {
+        for _ in 0..if is_too_short { 0 } else { MAX_ROOTS } {
             let Some(t) = search.root(start_t, leave.t, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
@@ -236,8 +240,10 @@ impl Solid {
         if is_inside {
             let container_root = self.container_root(leave.t, leave.face, Crossing::Leave);
             // Where the surface coincides with the container's, neither is visible from inside (measured with POV-Ray).
-            let is_seen =
-                container_root.is_visible && !starts_outside && search.value(leave.t, 1.0) != 0.0;
+            let is_seen = container_root.is_visible
+                && !starts_outside
+                && !is_too_short
+                && search.value(leave.t, 1.0) != 0.0;
             emit(Root {
                 is_visible: is_seen,
                 ..container_root
@@ -353,13 +359,8 @@ impl Geometry for Isosurface {
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         let solid = &self.0;
-        let wall = if face == SURFACE {
-            solid.container.face_at(point)
-        } else {
-            Some(face)
-        };
-        if let Some(wall) = wall {
-            return solid.container.normal(point, wall);
+        if face != SURFACE || solid.container.takes_in(point) {
+            return solid.container.normal(point, face);
         }
         let here = solid.value(point);
         let along = |axis: DVec3| solid.value(point + solid.accuracy * axis) - here;
