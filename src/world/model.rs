@@ -10,8 +10,9 @@ use super::primitive::Leaf;
 use super::sphere_soa::SphereSoa;
 use crate::base::accel::Bvh;
 use crate::base::math::normal_from_inverse;
-use crate::scene::shape::{Shape, Sphere, TextureWeights};
+use crate::scene::shape::{Rounded, Shape, Sphere, TextureWeights};
 use glam::{DAffine3, DVec3};
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// An item of the BVH.
@@ -32,6 +33,8 @@ pub(super) struct Model {
     pub(super) programs: Vec<CsgProgram>,
     /// By ascending index of their first leaf.
     pub(super) instances: Vec<Instance>,
+    /// Leaves whose hits are wanted with POV-Ray's rounding.
+    pub(super) rounded: FxHashMap<u32, Rounded>,
     pub(super) bvh: ItemBvh,
     /// All items as one array of spheres, if there are only a few spheres; packets can intersect them.
     pub(super) cluster: Option<SphereSoa>,

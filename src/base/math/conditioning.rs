@@ -33,6 +33,16 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some(near_one / near_one.length())
 }
 
+/// The same as the product with the reciprocal of the length, as POV-Ray rounds it.
+pub(crate) fn unit_by_reciprocal(v: DVec3) -> Option<DVec3> {
+    let size = v.abs().max_element();
+    if size == 0.0 || !v.is_finite() {
+        return None;
+    }
+    let near_one = v / power_of_two(size);
+    Some(near_one * near_one.length().recip())
+}
+
 /// True if a shape of this size can be intersected with a ray without rescaling. `dir_sq` is the squared length of the
 /// ray's direction, `origin_sq` the squared distance of its origin from the shape. False for NaN.
 #[inline]

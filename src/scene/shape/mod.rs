@@ -31,6 +31,7 @@ mod patch {
     pub(super) mod triangle;
 }
 mod read;
+mod rounded;
 /// Solids given by a formula.
 mod solid {
     pub(super) mod axial;
@@ -72,6 +73,7 @@ pub use patch::polygon::Polygon;
 pub use patch::smooth_triangle::SmoothTriangle;
 pub use patch::triangle::Triangle;
 pub(crate) use ray_packet::RayPacket;
+pub use rounded::{Rounded, RoundedHit};
 pub use solid::cone::Cone;
 pub use solid::cuboid::Cuboid;
 pub use solid::cylinder::Cylinder;

@@ -67,7 +67,7 @@ impl Lowering {
             around.shown
         };
         if bounds.is_empty() {
-            self.parts.leaves.truncate(program.first as usize);
+            self.parts.truncate_leaves(program.first);
             return;
         }
         self.parts.push(
@@ -216,7 +216,8 @@ impl Lowering {
                     Extent::Solid,
                 );
                 let shown = leaf.surface_bounds(&bounds);
-                self.parts.leaves.push(leaf);
+                let rounded = self.rounded(shape, &below.steps);
+                self.parts.push_leaf(leaf, rounded);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;
                 program.operands.push(Operand {

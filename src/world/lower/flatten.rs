@@ -9,7 +9,7 @@ use super::parts::targets::Targets;
 use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
-use crate::scene::shape::{Geometry, Shape};
+use crate::scene::shape::{Geometry, Rounded, Shape};
 use crate::scene::{ColorOrTexture, Kind, Object, OwnedObject, PlainObject};
 use crate::world::index::index;
 use crate::world::primitive::{Absorb, Extent, Leaf};
@@ -110,6 +110,7 @@ impl Lowering {
     }
 
     fn add_leaf(&mut self, shape: Shape, steps: &[Step], absorb: Absorb, surface: u32) {
+        let rounded = self.rounded(&shape, steps);
         let (leaf, mut bounds) = Leaf::new(shape, steps, absorb, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
@@ -120,7 +121,16 @@ impl Lowering {
         }
         let number = index(self.parts.leaves.len());
         self.parts.push(PendingItem::Leaf(number), bounds);
-        self.parts.leaves.push(leaf);
+        self.parts.push_leaf(leaf, rounded);
+    }
+
+    /// What the hits of a shape are rounded by, where that is wanted.
+    pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step]) -> Option<Rounded> {
+        if self.rounds {
+            Rounded::new(shape, steps)
+        } else {
+            None
+        }
     }
 
     /// Adds a light and returns its `looks_like` object; the `projected_through` object waits until the object around

@@ -32,6 +32,8 @@ pub(crate) struct Lowering {
     pub(crate) keeps_uv: bool,
     /// True if the insides of objects are needed, which may be larger than their surfaces.
     pub(crate) needs_insides: bool,
+    /// True if hits are wanted with POV-Ray's rounding.
+    pub(crate) rounds: bool,
     /// The rule by which surfaces coincide in CSG.
     pub(crate) widening: Widening,
     pub(crate) surfaces: Vec<Surface>,

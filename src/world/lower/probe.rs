@@ -14,6 +14,8 @@ use glam::DVec3;
 use std::any::Any;
 use std::sync::Arc;
 
+/// POV-Ray's largest distance of a hit.
+const FARTHEST: f64 = 1e7;
 /// Capacity of the cache of compiled objects: a scene queries a few objects repeatedly, or each new one once.
 const CACHED: usize = 32;
 
@@ -45,14 +47,17 @@ impl ProbeModel {
         let query = Query {
             ray: Ray::new(from, dir),
             origin_surface: None,
-            t_max: f64::INFINITY,
+            t_max: FARTHEST,
             kind: RayKind::Camera,
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.spawn_surface.leaf;
         let is_turned = world.is_inverse(leaf) && !world.shape(leaf).keeps_normal();
-        let normal = hit.shading_normal;
-        Some((hit.point, if is_turned { -normal } else { normal }))
+        let (point, normal) = match world.rounded_hit(&query.ray, &hit) {
+            Some(rounded) => (rounded.point, rounded.normal),
+            None => (hit.point, hit.shading_normal),
+        };
+        Some((point, if is_turned { -normal } else { normal }))
     }
 
     /// Returns true if a point lies in an object.
@@ -103,6 +108,7 @@ pub(super) fn solid(object: &Arc<Object>) -> Arc<dyn Solid> {
 fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Lowering {
         needs_insides: true,
+        rounds: true,
         ..Lowering::default()
     };
     flat.add(object);

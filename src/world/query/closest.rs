@@ -9,7 +9,7 @@ use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
-use crate::scene::shape::Root;
+use crate::scene::shape::{Root, RoundedHit};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::model::IndexedItem;
@@ -382,6 +382,12 @@ impl World {
             }
         }
         a < b
+    }
+
+    /// A hit with the rounding of POV-Ray, if that is known of its leaf.
+    pub(in crate::world) fn rounded_hit(&self, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
+        let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
+        self.model.rounded.get(&leaf)?.hit(ray, hit.t, face)
     }
 
     /// The hit with the rounding of POV-Ray, by which its photon maps are ordered.

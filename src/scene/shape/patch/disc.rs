@@ -5,7 +5,7 @@
 //! disc leaves nothing (checked with POV-Ray).
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::conditioning::unit;
+use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
@@ -43,7 +43,7 @@ impl Disc {
         let radius = read::number(args, "the radius of the disc")?.abs();
         args.comma()?;
         let hole = args.float_or(0.0)?.abs();
-        if unit(normal).is_none() {
+        if unit_by_reciprocal(normal).is_none() {
             args.warn(Diagnostic::warning(
                 at,
                 "the normal of the disc has no direction; the disc is not drawn",
@@ -51,7 +51,7 @@ impl Disc {
         }
         Ok(Disc {
             centre,
-            normal: unit(normal).unwrap_or(DVec3::ZERO),
+            normal: unit_by_reciprocal(normal).unwrap_or(DVec3::ZERO),
             radius,
             hole,
         })

@@ -65,6 +65,14 @@ impl Cone {
         }
     }
 
+    /// The centres and radii of both caps.
+    pub(crate) fn ends(&self) -> [(DVec3, f64); 2] {
+        [
+            (self.axis.base, self.base_radius),
+            (self.axis.apex, self.apex_radius),
+        ]
+    }
+
     /// Reads `<base>, base radius, <apex>, apex radius [open]`.
     ///
     /// # Errors

@@ -56,6 +56,11 @@ impl Cylinder {
         (self.axis.base, self.axis.unit, self.radius)
     }
 
+    /// The centres of both caps, and the radius.
+    pub(crate) fn ends_and_radius(&self) -> (DVec3, DVec3, f64) {
+        (self.axis.base, self.axis.apex, self.radius)
+    }
+
     /// Reads `<base>, <apex>, radius [open]`.
     ///
     /// # Errors

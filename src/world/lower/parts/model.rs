@@ -5,6 +5,7 @@ use super::spheres::{AHEAD, DeferredSpheres};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::base::memory::prefetch;
+use crate::scene::shape::Rounded;
 use crate::world::csg::program::CsgProgram;
 use crate::world::index::index;
 use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model};
@@ -12,6 +13,7 @@ use crate::world::primitive::Leaf;
 use crate::world::sphere_soa::SphereSoa;
 use crate::world::surface::Surface;
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 use std::mem::take;
 
 /// An item before the BVH is built.
@@ -37,12 +39,30 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) spheres: DeferredSpheres,
     /// Bounds of the items.
     pub(in crate::world) bounds: Vec<Bounds>,
+    /// Leaves whose hits are wanted with POV-Ray's rounding.
+    pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
 }
 
 impl ModelBuilder {
     pub(in crate::world) fn push(&mut self, item: PendingItem, bounds: Bounds) {
         self.items.push(item);
         self.bounds.push(bounds);
+    }
+
+    /// Adds a leaf and what its hits are rounded by.
+    pub(in crate::world) fn push_leaf(&mut self, leaf: Leaf, rounded: Option<Rounded>) {
+        if let Some(rounded) = rounded {
+            self.rounded.insert(index(self.leaves.len()), rounded);
+        }
+        self.leaves.push(leaf);
+    }
+
+    /// Removes the leaves from `first` on.
+    pub(in crate::world) fn truncate_leaves(&mut self, first: u32) {
+        self.leaves.truncate(first as usize);
+        if !self.rounded.is_empty() {
+            self.rounded.retain(|leaf, _| *leaf < first);
+        }
     }
 }
 
@@ -64,6 +84,7 @@ impl Model {
             leaves: parts.leaves,
             programs: parts.programs,
             instances: parts.instances,
+            rounded: parts.rounded,
             bvh,
             cluster,
         }
@@ -239,6 +260,11 @@ impl LeafReorder {
         programs.for_each(|program| program.move_leaves(&self.positions));
         projectors.for_each(|program| program.move_leaves(&self.positions));
         self.to.leaves = self.from.spheres.into_leaves(&self.spheres, surfaces);
+        let rounded = take(&mut self.from.rounded).into_iter();
+        let positions = &self.positions;
+        self.to.rounded = rounded
+            .map(|(leaf, rounded)| (positions[leaf as usize], rounded))
+            .collect();
         self.to.leaves.reserve_exact(self.leaves.len());
         let mut unsorted = self.from.leaves;
         for (position, &leaf) in self.leaves.iter().enumerate() {

@@ -1,0 +1,333 @@
+//! Roots and normals of simple shapes with the rounding of POV-Ray (docs/povray-facts.md, section 5.4): of a root that is
+//! known to within rounding, the distance, the point and the normal to the last bit.
+//!
+//! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.
+
+use super::solid::axial::{APEX, BASE, SIDE};
+use super::{Cone, Cylinder, Disc, Geometry, Plane, Shape, Sphere, Triangle};
+use crate::base::math::{Ray, Step, Transform, rotation};
+use glam::{DAffine3, DMat3, DVec3};
+
+/// The axis of a cylinder that is closer than this to the z axis counts as it; cones whose radii differ by less are
+/// cylinders.
+const TINY: f64 = 1e-10;
+
+/// A shape with all its transforms, as POV-Ray stores it.
+#[derive(Clone, Debug)]
+pub struct Rounded(Form);
+
+/// A hit with the rounding of POV-Ray.
+#[derive(Clone, Copy, Debug)]
+pub struct RoundedHit {
+    /// Distance along the ray.
+    pub t: f64,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal, out of the solid.
+    pub normal: DVec3,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    Ball(Sphere),
+    /// A sphere that is transformed unevenly.
+    Ellipsoid(Sphere, Box<Transform>),
+    Plane(Plane),
+    /// A cylinder of radius 1 from z = 0 to 1, or a cone with the radius z from `start` to 1.
+    Round {
+        stored: Box<Transform>,
+        start: f64,
+        is_cone: bool,
+        /// The face at z = 1.
+        wide: u32,
+    },
+    /// The plane z = 0, with its normal in the world.
+    Disc(Box<Transform>, DVec3),
+    Triangle {
+        normal: DVec3,
+        distance: f64,
+    },
+}
+
+impl Rounded {
+    /// A shape as written, with its transforms. `None` for other shapes.
+    #[must_use]
+    pub fn new(shape: &Shape, steps: &[Step]) -> Option<Self> {
+        Some(Rounded(match shape {
+            Shape::Sphere(sphere) => ball(*sphere, steps),
+            Shape::Plane(plane) => moved_plane(*plane, steps)?,
+            Shape::Cylinder(cylinder) => of_cylinder(cylinder, steps),
+            Shape::Cone(cone) => of_cone(cone, steps)?,
+            Shape::Disc(disc) => of_disc(disc, steps),
+            Shape::Triangle(triangle) => of_triangle(triangle, steps),
+            _ => return None,
+        }))
+    }
+
+    /// The hit of a ray with a unit direction on a face near `t`; `None` in doubt.
+    #[must_use]
+    pub fn hit(&self, ray: &Ray, t: f64, face: u32) -> Option<RoundedHit> {
+        let hit = match &self.0 {
+            Form::Ball(sphere) => {
+                let t = sphere.rounded_root(ray, t);
+                let point = ray.at(t);
+                let normal = (point - sphere.centre) * sphere.radius.recip();
+                RoundedHit { t, point, normal }
+            }
+            Form::Ellipsoid(sphere, stored) => {
+                let (local, length) = to_stored(ray, stored);
+                let local_t = sphere.rounded_root(&local, t * length);
+                let forward = &stored.world_from_object;
+                let point = forward.transform_point3(local.at(local_t));
+                let back = &stored.object_from_world;
+                let normal = stored.normal(back.transform_point3(point) - sphere.centre);
+                let normal = to_unit(normal);
+                let t = local_t / length;
+                RoundedHit { t, point, normal }
+            }
+            Form::Plane(plane) => {
+                let slope = plane.normal.dot(ray.dir);
+                let t = (plane.distance - plane.normal.dot(ray.origin)) / slope;
+                RoundedHit {
+                    t,
+                    point: ray.at(t),
+                    normal: plane.normal,
+                }
+            }
+            Form::Round {
+                stored,
+                start,
+                is_cone,
+                wide,
+            } => {
+                let (local, length) = to_stored(ray, stored);
+                let end = |z: f64| (z - local.origin.z) / local.dir.z;
+                let local_t = match face {
+                    SIDE => side(&local, *is_cone, t * length),
+                    face if face == *wide => end(1.0),
+                    _ => end(*start),
+                };
+                let t = local_t / length;
+                let point = ray.at(t);
+                let normal = match face {
+                    SIDE => {
+                        let local = stored.object_from_world.transform_point3(point);
+                        local.with_z(if *is_cone { -local.z } else { 0.0 })
+                    }
+                    face if face == *wide => DVec3::Z,
+                    _ => -DVec3::Z,
+                };
+                RoundedHit {
+                    t,
+                    point,
+                    normal: to_unit(stored.normal(normal)),
+                }
+            }
+            Form::Disc(stored, normal) => {
+                let (local, length) = to_stored(ray, stored);
+                let t = -local.origin.z / local.dir.z / length;
+                RoundedHit {
+                    t,
+                    point: ray.at(t),
+                    normal: *normal,
+                }
+            }
+            Form::Triangle { normal, distance } => {
+                let t = -(distance + normal.dot(ray.origin)) / normal.dot(ray.dir);
+                RoundedHit {
+                    t,
+                    point: ray.at(t),
+                    normal: *normal,
+                }
+            }
+        };
+        (hit.point.is_finite() && hit.normal.is_finite()).then_some(hit)
+    }
+}
+
+/// POV-Ray's unit vectors are products with the reciprocal of the length.
+fn to_unit(v: DVec3) -> DVec3 {
+    v * v.length().recip()
+}
+
+/// A ray in the space of a stored shape, with a direction of length 1, and the factor of distances there.
+fn to_stored(ray: &Ray, stored: &Transform) -> (Ray, f64) {
+    let local = ray.to_object(&stored.object_from_world);
+    let length = local.dir.length();
+    (Ray::new(local.origin, local.dir * length.recip()), length)
+}
+
+/// The root next to `t` on the side of a cylinder of radius 1 along z, or of a cone of the radius z.
+fn side(ray: &Ray, is_cone: bool, t: f64) -> f64 {
+    let (p, d) = (ray.origin, ray.dir);
+    let [mut a, mut b, mut c] = [
+        d.x * d.x + d.y * d.y,
+        p.x * d.x + p.y * d.y,
+        p.x * p.x + p.y * p.y,
+    ];
+    if is_cone {
+        a -= d.z * d.z;
+        b -= d.z * p.z;
+        c -= p.z * p.z;
+        if a.abs() < TINY {
+            return -0.5 * c / b;
+        }
+    } else {
+        c -= 1.0;
+    }
+    let root = (b * b - a * c).sqrt();
+    let roots = [(-b - root) / a, (-b + root) / a];
+    let [first, second] = roots.map(|root| (root - t).abs());
+    roots[usize::from(second < first)]
+}
+
+fn ball(mut sphere: Sphere, steps: &[Step]) -> Form {
+    let mut steps = steps.iter();
+    while let Some(step) = steps.next() {
+        match step {
+            Step::Translate(by) => sphere.centre += *by,
+            Step::Rotate(degrees) => sphere.centre = rotation(*degrees) * sphere.centre,
+            Step::Scale(by) if by.x == by.y && by.y == by.z => {
+                sphere.centre *= *by;
+                sphere.radius *= by.x.abs();
+            }
+            Step::Scale(_) | Step::General(_) => {
+                let rest = Transform::from_steps(std::slice::from_ref(step));
+                let whole = steps.fold(rest, |sum, step| sum.then(&step.transform()));
+                return Form::Ellipsoid(sphere, Box::new(whole));
+            }
+        }
+    }
+    Form::Ball(sphere)
+}
+
+fn moved_plane(mut plane: Plane, steps: &[Step]) -> Option<Form> {
+    let is_exact = |step: &Step| !matches!(step, Step::General(_));
+    let is_moved = steps
+        .iter()
+        .all(|step| is_exact(step) && plane.absorb(step));
+    is_moved.then_some(Form::Plane(plane))
+}
+
+/// The transform from a space along z to one along a unit vector: scaling, rotation about an axis across z, translation.
+fn along_axis(dir: DVec3, origin: DVec3, radius: f64, length: f64) -> Transform {
+    let (axis, z) = if dir.z.abs() > 1.0 - TINY {
+        (DVec3::X, dir.z.signum())
+    } else {
+        (to_unit(DVec3::new(-dir.y, dir.x, 0.0)), dir.z)
+    };
+    let (sin, cos) = z.acos().sin_cos();
+    let (x, y) = (axis.x, axis.y);
+    let xy = x * y * (1.0 - cos);
+    // Zeros are added as in the general case, for their signs.
+    let turn = DMat3::from_cols(
+        DVec3::new(x * x + cos * (1.0 - x * x), xy + 0.0, 0.0 - y * sin),
+        DVec3::new(xy - 0.0, y * y + cos * (1.0 - y * y), 0.0 + x * sin),
+        DVec3::new(0.0 + y * sin, 0.0 - x * sin, cos),
+    );
+    let turn = Transform {
+        world_from_object: DAffine3::from_mat3(turn),
+        object_from_world: DAffine3::from_mat3(turn.transpose()),
+    };
+    Transform::scaling(DVec3::new(radius, radius, length))
+        .then(&turn)
+        .then(&Transform::translation(origin))
+}
+
+fn with_steps(stored: Transform, steps: &[Step]) -> Box<Transform> {
+    let whole = steps.iter();
+    Box::new(whole.fold(stored, |sum, step| sum.then(&step.transform())))
+}
+
+fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Form {
+    let (first, second, radius) = cylinder.ends_and_radius();
+    round_along(first, second, radius, steps)
+}
+
+fn round_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form {
+    let axis = first - second;
+    let length = axis.length();
+    let stored = along_axis(axis * length.recip(), second, radius, length);
+    Form::Round {
+        stored: with_steps(stored, steps),
+        start: 0.0,
+        is_cone: false,
+        wide: BASE,
+    }
+}
+
+fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
+    let [(first, first_radius), (second, second_radius)] = cone.ends();
+    if second_radius < 0.0 {
+        return None;
+    }
+    if (first_radius - second_radius).abs() < TINY {
+        return Some(round_along(first, second, first_radius, steps));
+    }
+    let ((wide, radius), (narrow, other), face) = if first_radius < second_radius {
+        ((second, second_radius), (first, first_radius), APEX)
+    } else {
+        ((first, first_radius), (second, second_radius), BASE)
+    };
+    let axis = wide - narrow;
+    let length = axis.length();
+    let dir = axis * length.recip();
+    let beyond = other * length / (radius - other);
+    let whole = length + beyond;
+    let stored = along_axis(dir, narrow - dir * beyond, radius, whole);
+    Some(Form::Round {
+        stored: with_steps(stored, steps),
+        start: beyond / whole,
+        is_cone: true,
+        wide: face,
+    })
+}
+
+fn of_disc(disc: &Disc, steps: &[Step]) -> Form {
+    let stored = along_axis(disc.normal, disc.centre, 1.0, 1.0);
+    let mut normal = disc.normal;
+    for step in steps {
+        normal = to_unit(step.transform().normal(normal));
+    }
+    Form::Disc(with_steps(stored, steps), normal)
+}
+
+/// POV-Ray may exchange the first two corners whenever it computes the plane, so with each step.
+fn of_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
+    let mut corners = triangle.corners;
+    let mut normal = plane_of(&mut corners);
+    for step in steps {
+        corners = corners.map(|corner| match step {
+            Step::Translate(by) => corner + *by,
+            Step::Scale(by) => corner * *by,
+            Step::Rotate(_) | Step::General(_) => {
+                step.transform().world_from_object.transform_point3(corner)
+            }
+        });
+        normal = plane_of(&mut corners);
+    }
+    Form::Triangle {
+        normal: normal.0,
+        distance: normal.1,
+    }
+}
+
+/// The plane of three corners, the first two of which change places where their projection turns the other way.
+fn plane_of(corners: &mut [DVec3; 3]) -> (DVec3, f64) {
+    let [a, b, c] = *corners;
+    let normal = to_unit((a - b).cross(c - b));
+    let distance = -normal.dot(a);
+    let size = normal.abs();
+    let turn = |i: usize, j: usize| (b[i] - c[i]) * (b[j] - a[j]) < (b[j] - c[j]) * (b[i] - a[i]);
+    let is_turned = if size.x >= size.y && size.x >= size.z {
+        turn(1, 2)
+    } else if size.y >= size.z {
+        turn(0, 2)
+    } else {
+        turn(0, 1)
+    };
+    if is_turned {
+        corners.swap(0, 1);
+    }
+    (normal, distance)
+}
