@@ -33,8 +33,7 @@ pub(super) struct Model {
     pub(super) programs: Vec<CsgProgram>,
     /// By ascending index of their first leaf.
     pub(super) instances: Vec<Instance>,
-    /// Leaves whose hits are wanted with POV-Ray's rounding.
-    pub(super) rounded: FxHashMap<u32, Rounded>,
+    pub(super) rounding: Rounding,
     pub(super) bvh: ItemBvh,
     /// All items as one array of spheres, if there are only a few spheres; packets can intersect them.
     pub(super) cluster: Option<SphereSoa>,
@@ -42,7 +41,38 @@ pub(super) struct Model {
     pub(super) strategies: Vec<PacketStrategy>,
 }
 
+/// The leaves whose hits are wanted with POV-Ray's rounding.
+#[derive(Debug, Default)]
+pub(super) struct Rounding {
+    /// What they are rounded by; spheres in world coordinates need nothing.
+    pub(super) forms: FxHashMap<u32, Rounded>,
+    /// A bit for each leaf; empty if no hit of a picture is rounded.
+    pub(super) leaves: Vec<u64>,
+}
+
+impl Rounding {
+    /// True if hits on a leaf are rounded.
+    #[inline(always)]
+    pub(super) fn is_wanted(&self, leaf: u32) -> bool {
+        let bits = self.leaves.get((leaf / u64::BITS) as usize);
+        bits.is_some_and(|bits| bits >> (leaf % u64::BITS) & 1 == 1)
+    }
+}
+
 impl Model {
+    /// Marks the leaves whose hits are rounded: those of surfaces for which `is_wanted` holds.
+    pub(super) fn round_leaves(&mut self, is_wanted: impl Fn(u32) -> bool) {
+        let mut bits = vec![0; self.leaves.len().div_ceil(u64::BITS as usize)];
+        for (number, leaf) in self.leaves.iter().enumerate() {
+            let can_be = leaf.world_sphere().is_some()
+                || u32::try_from(number).is_ok_and(|at| self.rounding.forms.contains_key(&at));
+            if can_be && is_wanted(leaf.surface) {
+                bits[number / u64::BITS as usize] |= 1 << (number % u64::BITS as usize);
+            }
+        }
+        self.rounding.leaves = bits;
+    }
+
     /// Number of its primitives, with those of its instances.
     pub(super) fn len(&self) -> u32 {
         match self.instances.last() {

@@ -366,6 +366,17 @@ impl Surface {
         self.traits.show();
     }
 
+    /// True if a texture of it is not the same everywhere.
+    pub(super) fn has_patterns(&self) -> bool {
+        self.textures().any(|texture| !texture.is_even())
+    }
+
+    /// True if rays go on from it: a texture of it reflects, or lets light through.
+    pub(super) fn sends_rays(&self) -> bool {
+        self.textures()
+            .any(|texture| texture.has_reflection() || !texture.is_opaque())
+    }
+
     /// Share of the radiosity sample rays to it that count, if set.
     #[must_use]
     pub fn importance(&self) -> Option<Importance> {

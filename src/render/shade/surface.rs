@@ -574,13 +574,14 @@ pub(super) fn mirror<'f>(
 /// section 4.5).
 pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     let image = mirrored(dir, tilted);
-    if tilted == flat || image.dot(flat) >= 0.0 {
+    let image = if tilted == flat || image.dot(flat) >= 0.0 {
         image
     } else if image.dot(tilted) < 0.0 {
         mirrored(dir, flat)
     } else {
         mirrored(image, flat)
-    }
+    };
+    image.normalize_or_zero()
 }
 
 /// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction.

@@ -32,6 +32,9 @@ struct Link {
 pub struct PreparedWarpChain {
     /// In the order in which they act on a point.
     steps: Vec<WarpStep>,
+    /// The linear parts of the forward matrices of its transforms, which turn normals: products of the steps' own matrices, not
+    /// inverted ones.
+    forward: Vec<DMat3>,
     turbulence: Option<Turbulence>,
 }
 
@@ -82,6 +85,7 @@ impl WarpChain {
     ) -> PreparedWarpChain {
         let mut chain = PreparedWarpChain {
             steps: Vec::new(),
+            forward: Vec::new(),
             turbulence,
         };
         let all: Vec<Step> = self.steps.iter().chain(after).cloned().collect();
@@ -97,9 +101,11 @@ impl WarpChain {
 
 impl PreparedWarpChain {
     fn push(&mut self, steps: &[Step]) {
-        let inverse = Transform::from_steps(steps).object_from_world;
-        if inverse != DAffine3::IDENTITY {
-            self.steps.push(WarpStep::Transform(inverse));
+        let transform = Transform::from_steps(steps);
+        if transform.object_from_world != DAffine3::IDENTITY {
+            self.steps
+                .push(WarpStep::Transform(transform.object_from_world));
+            self.forward.push(transform.world_from_object.matrix3);
         }
     }
 
@@ -130,12 +136,12 @@ impl PreparedWarpChain {
             WarpStep::Transform(inverse) => Some(inverse.matrix3),
             WarpStep::Warp(_) => None,
         });
-        let of_normals = |inverse: DMat3| NormalTransform {
-            to_pattern: inverse.inverse().transpose(),
+        let of_normals = |(inverse, forward): (DMat3, &DMat3)| NormalTransform {
+            to_pattern: forward.transpose(),
             from_pattern: inverse.transpose(),
             is_unit,
         };
-        NormalTransforms(transforms.map(of_normals).collect())
+        NormalTransforms(transforms.zip(&self.forward).map(of_normals).collect())
     }
 }
 
@@ -157,6 +163,12 @@ impl NormalTransforms {
     #[must_use]
     pub fn then(&self, others: &NormalTransforms) -> NormalTransforms {
         NormalTransforms(self.0.iter().chain(&others.0).copied().collect())
+    }
+
+    /// True if there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// True if unit normals stay unit vectors in pattern space.

@@ -147,13 +147,17 @@ fn reduced(rest: f64, multiple: f64) -> f64 {
     }
 }
 
+/// A turn in the steps by which POV-Ray multiplies and divides it, which rounds.
+pub(super) const STEPS: f64 = 50_000.0;
+
 /// The sine of an angle in turns; exactly odd.
 #[must_use]
 pub(super) fn cycloidal(turns: f64) -> f64 {
+    let angle = |turns: f64| (turns - floor(turns)) * STEPS / STEPS * TAU;
     if turns >= 0.0 {
-        ((turns - floor(turns)) * TAU).sin()
+        angle(turns).sin()
     } else {
-        -((-turns - floor(-turns)) * TAU).sin()
+        -angle(-turns).sin()
     }
 }
 

@@ -4,9 +4,9 @@
 //! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.
 
 use super::solid::axial::{APEX, BASE, SIDE};
-use super::{Cone, Cylinder, Disc, Geometry, Plane, Shape, Sphere, Triangle};
-use crate::base::math::{Ray, Step, Transform, rotation};
-use glam::{DAffine3, DMat3, DVec3};
+use super::{Cone, Cylinder, Disc, Quadric, Shape, Sphere, Triangle};
+use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
+use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 /// The axis of a cylinder that is closer than this to the z axis counts as it; cones whose radii differ by less are
 /// cylinders.
@@ -29,37 +29,46 @@ pub struct RoundedHit {
 
 #[derive(Clone, Debug)]
 enum Form {
-    Ball(Sphere),
+    Sphere(Sphere),
     /// A sphere that is transformed unevenly.
     Ellipsoid(Sphere, Box<Transform>),
-    Plane(Plane),
     /// A cylinder of radius 1 from z = 0 to 1, or a cone with the radius z from `start` to 1.
     Round {
-        stored: Box<Transform>,
+        stored: Box<DAffine3>,
         start: f64,
         is_cone: bool,
         /// The face at z = 1.
         wide: u32,
     },
     /// The plane z = 0, with its normal in the world.
-    Disc(Box<Transform>, DVec3),
+    Disc(Box<DAffine3>, DVec3),
     Triangle {
         normal: DVec3,
         distance: f64,
     },
+    Quadric(Box<Quadratic>),
+}
+
+/// The coefficients of a quadric in the world: of `x²`, `y²`, `z²`, of `xy`, `xz`, `yz`, of `x`, `y`, `z`, and the constant.
+#[derive(Clone, Debug)]
+struct Quadratic {
+    squares: DVec3,
+    mixed: DVec3,
+    linear: DVec3,
+    constant: f64,
 }
 
 impl Rounded {
-    /// A shape as written, with its transforms. `None` for other shapes.
+    /// A shape as written, with its transforms. `None` for other shapes; planes and boxes need nothing.
     #[must_use]
     pub fn new(shape: &Shape, steps: &[Step]) -> Option<Self> {
         Some(Rounded(match shape {
-            Shape::Sphere(sphere) => ball(*sphere, steps),
-            Shape::Plane(plane) => moved_plane(*plane, steps)?,
+            Shape::Sphere(sphere) => of_sphere(*sphere, steps),
             Shape::Cylinder(cylinder) => of_cylinder(cylinder, steps),
             Shape::Cone(cone) => of_cone(cone, steps)?,
             Shape::Disc(disc) => of_disc(disc, steps),
             Shape::Triangle(triangle) => of_triangle(triangle, steps),
+            Shape::Quadric(quadric) => Form::Quadric(Box::new(of_quadric(quadric, steps))),
             _ => return None,
         }))
     }
@@ -68,14 +77,9 @@ impl Rounded {
     #[must_use]
     pub fn hit(&self, ray: &Ray, t: f64, face: u32) -> Option<RoundedHit> {
         let hit = match &self.0 {
-            Form::Ball(sphere) => {
-                let t = sphere.rounded_root(ray, t);
-                let point = ray.at(t);
-                let normal = (point - sphere.centre) * sphere.radius.recip();
-                RoundedHit { t, point, normal }
-            }
+            Form::Sphere(sphere) => sphere.rounded_hit(ray, t),
             Form::Ellipsoid(sphere, stored) => {
-                let (local, length) = to_stored(ray, stored);
+                let (local, length) = to_stored(ray, &stored.object_from_world);
                 let local_t = sphere.rounded_root(&local, t * length);
                 let forward = &stored.world_from_object;
                 let point = forward.transform_point3(local.at(local_t));
@@ -84,15 +88,6 @@ impl Rounded {
                 let normal = to_unit(normal);
                 let t = local_t / length;
                 RoundedHit { t, point, normal }
-            }
-            Form::Plane(plane) => {
-                let slope = plane.normal.dot(ray.dir);
-                let t = (plane.distance - plane.normal.dot(ray.origin)) / slope;
-                RoundedHit {
-                    t,
-                    point: ray.at(t),
-                    normal: plane.normal,
-                }
             }
             Form::Round {
                 stored,
@@ -111,7 +106,7 @@ impl Rounded {
                 let point = ray.at(t);
                 let normal = match face {
                     SIDE => {
-                        let local = stored.object_from_world.transform_point3(point);
+                        let local = stored.transform_point3(point);
                         local.with_z(if *is_cone { -local.z } else { 0.0 })
                     }
                     face if face == *wide => DVec3::Z,
@@ -120,7 +115,7 @@ impl Rounded {
                 RoundedHit {
                     t,
                     point,
-                    normal: to_unit(stored.normal(normal)),
+                    normal: to_unit(normal_from_inverse(stored, normal)),
                 }
             }
             Form::Disc(stored, normal) => {
@@ -140,9 +135,61 @@ impl Rounded {
                     normal: *normal,
                 }
             }
+            Form::Quadric(quadratic) => {
+                let t = quadratic.root(ray, t);
+                let point = ray.at(t);
+                RoundedHit {
+                    t,
+                    point,
+                    normal: to_unit(quadratic.gradient(point)),
+                }
+            }
         };
         (hit.point.is_finite() && hit.normal.is_finite()).then_some(hit)
     }
+}
+
+impl Quadratic {
+    /// The root next to `t`.
+    fn root(&self, ray: &Ray, t: f64) -> f64 {
+        let Quadratic {
+            squares: s,
+            mixed: m,
+            linear: l,
+            constant,
+        } = self;
+        let (o, d) = (ray.origin, ray.dir);
+        let a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z)
+            + d.y * (s.y * d.y + m.z * d.z)
+            + d.z * s.z * d.z;
+        let b = d.x * (s.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x))
+            + d.y * (s.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y))
+            + d.z * (s.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z));
+        let c = o.x * (s.x * o.x + m.x * o.y + m.y * o.z + l.x)
+            + o.y * (s.y * o.y + m.z * o.z + l.y)
+            + o.z * (s.z * o.z + l.z)
+            + constant;
+        if a == 0.0 {
+            return -0.5 * c / b;
+        }
+        let root = (b * b - a * c).sqrt();
+        nearer([(-b + root) / a, (-b - root) / a], t)
+    }
+
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        let (s, m, l) = (self.squares, self.mixed, self.linear);
+        DVec3::new(
+            2.0 * s.x * p.x + m.x * p.y + m.y * p.z + l.x,
+            m.x * p.x + 2.0 * s.y * p.y + m.z * p.z + l.y,
+            m.y * p.x + m.z * p.y + 2.0 * s.z * p.z + l.z,
+        )
+    }
+}
+
+/// Of two roots the one next to `t`.
+fn nearer(roots: [f64; 2], t: f64) -> f64 {
+    let [first, second] = roots.map(|root| (root - t).abs());
+    roots[usize::from(second < first)]
 }
 
 /// POV-Ray's unit vectors are products with the reciprocal of the length.
@@ -151,8 +198,8 @@ fn to_unit(v: DVec3) -> DVec3 {
 }
 
 /// A ray in the space of a stored shape, with a direction of length 1, and the factor of distances there.
-fn to_stored(ray: &Ray, stored: &Transform) -> (Ray, f64) {
-    let local = ray.to_object(&stored.object_from_world);
+fn to_stored(ray: &Ray, stored: &DAffine3) -> (Ray, f64) {
+    let local = ray.to_object(stored);
     let length = local.dir.length();
     (Ray::new(local.origin, local.dir * length.recip()), length)
 }
@@ -176,12 +223,10 @@ fn side(ray: &Ray, is_cone: bool, t: f64) -> f64 {
         c -= 1.0;
     }
     let root = (b * b - a * c).sqrt();
-    let roots = [(-b - root) / a, (-b + root) / a];
-    let [first, second] = roots.map(|root| (root - t).abs());
-    roots[usize::from(second < first)]
+    nearer([(-b - root) / a, (-b + root) / a], t)
 }
 
-fn ball(mut sphere: Sphere, steps: &[Step]) -> Form {
+fn of_sphere(mut sphere: Sphere, steps: &[Step]) -> Form {
     let mut steps = steps.iter();
     while let Some(step) = steps.next() {
         match step {
@@ -198,15 +243,7 @@ fn ball(mut sphere: Sphere, steps: &[Step]) -> Form {
             }
         }
     }
-    Form::Ball(sphere)
-}
-
-fn moved_plane(mut plane: Plane, steps: &[Step]) -> Option<Form> {
-    let is_exact = |step: &Step| !matches!(step, Step::General(_));
-    let is_moved = steps
-        .iter()
-        .all(|step| is_exact(step) && plane.absorb(step));
-    is_moved.then_some(Form::Plane(plane))
+    Form::Sphere(sphere)
 }
 
 /// The transform from a space along z to one along a unit vector: scaling, rotation about an axis across z, translation.
@@ -234,9 +271,11 @@ fn along_axis(dir: DVec3, origin: DVec3, radius: f64, length: f64) -> Transform 
         .then(&Transform::translation(origin))
 }
 
-fn with_steps(stored: Transform, steps: &[Step]) -> Box<Transform> {
-    let whole = steps.iter();
-    Box::new(whole.fold(stored, |sum, step| sum.then(&step.transform())))
+/// The inverse matrix of a space with further steps.
+fn with_steps(stored: &Transform, steps: &[Step]) -> Box<DAffine3> {
+    Box::new(steps.iter().fold(stored.object_from_world, |sum, step| {
+        sum * step.transform().object_from_world
+    }))
 }
 
 fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Form {
@@ -249,7 +288,7 @@ fn round_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form
     let length = axis.length();
     let stored = along_axis(axis * length.recip(), second, radius, length);
     Form::Round {
-        stored: with_steps(stored, steps),
+        stored: with_steps(&stored, steps),
         start: 0.0,
         is_cone: false,
         wide: BASE,
@@ -276,7 +315,7 @@ fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
     let whole = length + beyond;
     let stored = along_axis(dir, narrow - dir * beyond, radius, whole);
     Some(Form::Round {
-        stored: with_steps(stored, steps),
+        stored: with_steps(&stored, steps),
         start: beyond / whole,
         is_cone: true,
         wide: face,
@@ -289,7 +328,41 @@ fn of_disc(disc: &Disc, steps: &[Step]) -> Form {
     for step in steps {
         normal = to_unit(step.transform().normal(normal));
     }
-    Form::Disc(with_steps(stored, steps), normal)
+    Form::Disc(with_steps(&stored, steps), normal)
+}
+
+/// A quadric is moved by products of 4 by 4 matrices with each step; what stands below the diagonal is then added to what
+/// stands above.
+fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Quadratic {
+    let columns = &quadric.matrix;
+    let mixed = DVec3::new(columns.y_axis.x, columns.z_axis.x, columns.z_axis.y);
+    let mut sum = Quadratic {
+        squares: DVec3::new(columns.x_axis.x, columns.y_axis.y, columns.z_axis.z),
+        mixed: 2.0 * mixed,
+        linear: quadric.linear,
+        constant: quadric.constant,
+    };
+    for step in steps {
+        let inverse = step.transform().object_from_world;
+        let [x, y, z] = [0, 1, 2].map(|row| inverse.matrix3.col(row).extend(0.0));
+        let back = DMat4::from_cols(x, y, z, inverse.translation.extend(1.0));
+        let (s, m, l) = (sum.squares, sum.mixed, sum.linear);
+        // Rows of the matrices of row vectors are columns here.
+        let own = DMat4::from_cols(
+            DVec4::new(s.x, m.x, m.y, l.x),
+            DVec4::new(0.0, s.y, m.z, l.y),
+            DVec4::new(0.0, 0.0, s.z, l.z),
+            DVec4::new(0.0, 0.0, 0.0, sum.constant),
+        );
+        let [a, b, c, d] = (back.transpose() * (own * back)).to_cols_array_2d();
+        sum = Quadratic {
+            squares: DVec3::new(a[0], b[1], c[2]),
+            mixed: DVec3::new(a[1] + b[0], a[2] + c[0], b[2] + c[1]),
+            linear: DVec3::new(a[3] + d[0], b[3] + d[1], c[3] + d[2]),
+            constant: d[3],
+        };
+    }
+    sum
 }
 
 /// POV-Ray may exchange the first two corners whenever it computes the plane, so with each step.
@@ -312,7 +385,7 @@ fn of_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
     }
 }
 
-/// The plane of three corners, the first two of which change places where their projection turns the other way.
+/// The plane of three corners, the first two of which are exchanged where their projection turns the other way.
 fn plane_of(corners: &mut [DVec3; 3]) -> (DVec3, f64) {
     let [a, b, c] = *corners;
     let normal = to_unit((a - b).cross(c - b));

@@ -176,7 +176,13 @@ impl PreparedNormal {
     }
 
     fn tilted_locally(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
-        let own = self.transforms.to_pattern(normal);
+        // POV-Ray normalizes twice to and twice from the pattern, with a transform in between if there is one.
+        let is_direct = self.transforms.is_empty();
+        let own = match (self.is_unit, is_direct) {
+            (true, true) => normal.normalize_or_zero().normalize_or_zero(),
+            (true, false) => self.transforms.to_pattern(normal.normalize_or_zero()),
+            (false, _) => self.transforms.to_pattern(normal),
+        };
         let tilted = match &self.relief {
             Relief::Flat => own,
             Relief::Pattern(pattern) => {
@@ -220,11 +226,10 @@ impl PreparedNormal {
             Relief::Facets(chain, facets) => facet(own, chain.to_pattern_space(point), facets),
             Relief::Uv(mapped) => mapped.tilted_locally(spot.uv_point(), own, spot),
         };
-        let tilted = self.transforms.from_pattern(tilted);
-        let result = if self.is_unit {
-            tilted.normalize_or_zero()
-        } else {
-            tilted
+        let result = match (self.is_unit, is_direct) {
+            (true, true) => tilted.normalize_or_zero().normalize_or_zero(),
+            (true, false) => self.transforms.from_pattern(tilted.normalize_or_zero()),
+            (false, _) => self.transforms.from_pattern(tilted),
         };
         if result == DVec3::ZERO {
             normal

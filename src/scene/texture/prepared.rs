@@ -252,6 +252,12 @@ impl PreparedTexture {
         self.selector().is_none() && self.layers().iter().all(is_plain)
     }
 
+    /// True if it is the same everywhere: uniform colours without bumps.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.has_uniform_color() && self.layers().iter().all(|layer| layer.normal().is_none())
+    }
+
     /// True if any layer has specular reflection.
     #[must_use]
     pub fn has_reflection(&self) -> bool {

@@ -216,7 +216,7 @@ impl Lowering {
                     Extent::Solid,
                 );
                 let shown = leaf.surface_bounds(&bounds);
-                let rounded = self.rounded(shape, &below.steps);
+                let rounded = self.rounded(shape, &below.steps, &leaf);
                 self.parts.push_leaf(leaf, rounded);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;

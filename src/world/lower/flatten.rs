@@ -106,12 +106,11 @@ impl Lowering {
 
     fn add_shape(&mut self, shape: &Shape, below: &Inherited) {
         let (surface, absorb) = self.surface_of(shape, below);
-        self.add_leaf(shape.clone(), &below.steps, absorb, surface);
+        self.add_leaf(shape, &below.steps, absorb, surface);
     }
 
-    fn add_leaf(&mut self, shape: Shape, steps: &[Step], absorb: Absorb, surface: u32) {
-        let rounded = self.rounded(&shape, steps);
-        let (leaf, mut bounds) = Leaf::new(shape, steps, absorb, surface, Extent::Surface);
+    fn add_leaf(&mut self, shape: &Shape, steps: &[Step], absorb: Absorb, surface: u32) {
+        let (leaf, mut bounds) = Leaf::new(shape.clone(), steps, absorb, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
         }
@@ -121,12 +120,18 @@ impl Lowering {
         }
         let number = index(self.parts.leaves.len());
         self.parts.push(PendingItem::Leaf(number), bounds);
+        let rounded = self.rounded(shape, steps, &leaf);
         self.parts.push_leaf(leaf, rounded);
     }
 
-    /// What the hits of a shape are rounded by, where that is wanted.
-    pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step]) -> Option<Rounded> {
-        if self.rounds {
+    /// What the hits of a shape are rounded by, where that may be wanted.
+    pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step], leaf: &Leaf) -> Option<Rounded> {
+        let may_matter = || {
+            let surface = self.surfaces.get(leaf.surface as usize);
+            self.slots.is_none()
+                && surface.is_some_and(|surface| surface.has_patterns() || surface.sends_rays())
+        };
+        if leaf.sphere().is_none() && (self.rounds || may_matter()) {
             Rounded::new(shape, steps)
         } else {
             None

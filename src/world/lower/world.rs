@@ -10,8 +10,9 @@ use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
 use crate::world::slabs::SingleBox;
-use crate::world::surface::SurfaceSummary;
+use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
@@ -111,6 +112,23 @@ impl World {
         let (suited, others) = world.packet_programs(&world.bvh().bounded);
         world.streams = suited > 0 && suited >= others;
         world.meshes = world.large_meshes();
+        world.round_hits(flat.rounds);
         world
+    }
+
+    /// Decides which hits get POV-Ray's rounding: where a texture is not the same everywhere, and where rays go on to such
+    /// textures. `always` holds for the forms of all leaves.
+    fn round_hits(&mut self, always: bool) {
+        let surfaces = &self.surfaces;
+        let has_patterns = surfaces.par_iter().any(Surface::has_patterns);
+        if has_patterns {
+            let is_wanted = |surface: u32| {
+                let surface = surfaces.get(surface as usize);
+                surface.is_some_and(|surface| surface.has_patterns() || surface.sends_rays())
+            };
+            self.model.round_leaves(is_wanted);
+        } else if !always && self.photons.is_none() {
+            self.model.rounding.forms = FxHashMap::default();
+        }
     }
 }

@@ -25,8 +25,8 @@ const POV_RAY_T_MIN: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
-/// The relative error of the distance from the centre at which a hit of a sphere is not taken as POV-Ray rounds it.
-const SPHERE_LOSS: f64 = 1e-9;
+/// The largest difference of POV-Ray's distance of a hit, in errors of its point.
+const ROUNDING_LOSS: f64 = 65536.0;
 
 /// Accepts the first hit that the query's kind of ray sees.
 struct ClosestQuery<'w> {
@@ -387,30 +387,34 @@ impl World {
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.
     pub(in crate::world) fn rounded_hit(&self, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
         let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
-        self.model.rounded.get(&leaf)?.hit(ray, hit.t, face)
+        match self.model.rounding.forms.get(&leaf) {
+            Some(form) => form.hit(ray, hit.t, face),
+            None => Some(self.model.world_sphere(leaf)?.rounded_hit(ray, hit.t)),
+        }
     }
 
     /// The hit with the rounding of POV-Ray, by which its photon maps are ordered.
     #[must_use]
     pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
-        let Some(sphere) = self.model.world_sphere(hit.spawn_surface.leaf) else {
-            return hit;
-        };
-        let t = sphere.rounded_root(ray, hit.t);
-        let point = ray.at(t);
-        let shading_normal = (point - sphere.centre) * sphere.radius.recip();
-        // The formula is not exact for spheres that are small for their distance.
-        let is_on_sphere = (shading_normal.length() - 1.0).abs() < SPHERE_LOSS;
-        if is_on_sphere {
-            Hit {
-                t,
-                point,
-                shading_normal,
-                ..hit
+        match self.rounded_hit(ray, &hit) {
+            // The formulas are not exact for shapes that are small for their distance.
+            Some(RoundedHit { t, point, normal })
+                if (t - hit.t).abs() <= ROUNDING_LOSS * hit.spawn_surface.blur =>
+            {
+                Hit {
+                    t,
+                    point,
+                    shading_normal: normal,
+                    ..hit
+                }
             }
-        } else {
-            hit
+            _ => hit,
         }
+    }
+
+    #[inline(never)]
+    fn rounded_again(&self, ray: &Ray, hit: Hit) -> Hit {
+        self.rounded(ray, hit)
     }
 
     #[inline]
@@ -428,12 +432,17 @@ impl World {
             crossing,
             blur,
         };
-        Hit {
+        let exact = Hit {
             t,
             point,
             shading_normal,
             surface: hit.surface,
             spawn_surface: departure,
+        };
+        if self.model.rounding.is_wanted(hit.leaf) {
+            self.rounded_again(ray, exact)
+        } else {
+            exact
         }
     }
 }

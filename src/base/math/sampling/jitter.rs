@@ -10,7 +10,12 @@ static OFFSETS: LazyLock<[f64; 256]> = LazyLock::new(|| {
         let parity = i.count_ones() & 1;
         let number = ((i ^ (2 * i)) & 511) ^ (256 * parity);
         let exact = -0.5 + f64::from(number) / 512.0 + f64::from(parity) / 32768.0;
-        *offset = (exact * 1e6).round() / 1e6;
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "POV-Ray stores the table in single precision"
+        )]
+        let decimals = ((exact * 1e6).round() / 1e6) as f32;
+        *offset = f64::from(decimals);
     }
     offsets
 });
@@ -39,8 +44,9 @@ mod tests {
 
     #[test]
     fn the_offsets_are_those_of_pov_ray() {
-        assert_eq!(OFFSETS[..4], [-0.5, 0.005_890, 0.011_749, -0.490_234]);
-        assert_eq!(OFFSETS[255], 0.001_953);
+        let single = [-0.5_f32, 0.005_890, 0.011_749, -0.490_234];
+        assert_eq!(OFFSETS[..4], single.map(f64::from));
+        assert_eq!(OFFSETS[255], f64::from(0.001_953_f32));
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::render::shade::bsdf::ViewPoint;
 use crate::render::shade::bsdf::facing_normal;
 use crate::render::shade::shading_point::{LightSamples, ShadingPoint};
 use crate::render::shade::surface::{Mirror, TextureUse, mirror, mirrored_off};
-use crate::render::shade::transmission::interior_stack::{Refraction, bend_unscaled};
+use crate::render::shade::transmission::interior_stack::{Refraction, bend};
 use crate::render::shade::transmission::spectrum;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
@@ -291,7 +291,7 @@ impl<'w> Tracer<'w> {
             return;
         }
         // All layers mirror about the normal of the lowest one.
-        let dir = mirrored_off(path.ray.dir, lowest, flat).normalize_or_zero();
+        let dir = mirrored_off(path.ray.dir, lowest, flat);
         for (mirror, normal) in &mirrors {
             if is_total && (*normal - top).abs().max_element() < SAME_NORMAL {
                 continue;
@@ -329,7 +329,7 @@ impl<'w> Tracer<'w> {
         };
         let total_reflection = || {
             let flat = facing_normal(interaction.hit, path.ray.dir);
-            mirrored_off(path.ray.dir, normal, flat).normalize_or_zero()
+            mirrored_off(path.ray.dir, normal, flat)
         };
         if path.wavelength.is_none() && crossing.splits() {
             let count = self.interior_of(interaction.hit).dispersion_samples;
@@ -338,7 +338,7 @@ impl<'w> Tracer<'w> {
                 let wavelength = Some(band.wavelength);
                 let whole = interaction.light * band.hue / f64::from(count);
                 let light = whole * interaction.filter;
-                match bend_unscaled(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
+                match bend(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
                     Refraction::None => send(path.ray.dir, &crossing.inside, light, wavelength),
                     Refraction::To(dir) => send(dir, &crossing.inside, light, wavelength),
                     Refraction::Total => send(total_reflection(), &path.inside, whole, wavelength),
@@ -346,7 +346,7 @@ impl<'w> Tracer<'w> {
             }
             return false;
         }
-        match bend_unscaled(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
+        match bend(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
             Refraction::None => send(path.ray.dir, &crossing.inside, light, path.wavelength),
             Refraction::To(dir) => send(dir, &crossing.inside, light, path.wavelength),
             Refraction::Total => {

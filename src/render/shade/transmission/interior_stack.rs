@@ -133,19 +133,9 @@ fn divided(a: Option<[f32; 2]>, b: Option<[f32; 2]>) -> [f64; 2] {
     [a[0] / b[0], a[1] / b[1]]
 }
 
-/// The direction behind a surface with a unit `normal` (Snell's law as a vector). Bump mapping may have turned the
-/// normal away from the viewer.
+/// The direction behind a surface with a unit `normal` (Snell's law as a vector), as long as rounding leaves it. Bump mapping
+/// may have turned the normal away from the viewer.
 pub(in crate::render::shade) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
-    match bend_unscaled(dir, normal, ratio) {
-        Refraction::To(bent) => bent
-            .try_normalize()
-            .map_or(Refraction::None, Refraction::To),
-        other => other,
-    }
-}
-
-/// As [`bend`], but the new direction is as long as rounding leaves it.
-pub(in crate::render::shade) fn bend_unscaled(dir: DVec3, normal: DVec3, ratio: f64) -> Refraction {
     if (ratio - 1.0).abs() < NO_BEND {
         return Refraction::None;
     }

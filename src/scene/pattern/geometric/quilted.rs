@@ -56,7 +56,7 @@ impl Quilted {
         let t = from_centre.length();
         let [c0, c1] = self.controls.map(f64::from);
         let s = 1.0 - t;
-        let height = t * t * t + 3.0 * t * s * s * c0 + 3.0 * t * t * s * c1;
+        let height = t * (t * t) + 3.0 * t * (s * s) * c0 + 3.0 * (t * t) * s * c1;
         from_centre * (height * SCALE)
     }
 }

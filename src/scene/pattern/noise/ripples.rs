@@ -8,6 +8,7 @@ use crate::base::math::rounding::floor_lanes;
 use crate::base::math::sampling::hash::{bits, next};
 use crate::base::math::simd::vec3::Vec3Lanes;
 use crate::base::math::simd::{F64x4, SimdKernel, vec3, with_widest};
+use crate::scene::pattern::wave::STEPS;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -29,8 +30,10 @@ pub(crate) fn sources(count: u32) -> Vec<Source> {
     let mut state = SEED;
     let source = |number: u32| {
         state = next(state);
+        let noise = vector_noise(DVec3::new(f64::from(number), 0.0, 0.0));
         Source {
-            centre: vector_noise(DVec3::new(f64::from(number), 0.0, 0.0)).normalize_or_zero(),
+            // A quotient, unlike POV-Ray's other unit vectors.
+            centre: noise / noise.length(),
             frequency: f64::from(bits(state)) * 0.000_030_518_509_476 + 0.01,
         }
     };
@@ -115,7 +118,8 @@ impl Prepared {
         let index = index + F::splat(self.phase);
         // As `cycloidal`, lane by lane.
         let size = index.abs();
-        let angles = ((size - floor_lanes(size)) * F::splat(TAU)).to_array();
+        let steps = F::splat(STEPS);
+        let angles = (((size - floor_lanes(size)) * steps / steps) * F::splat(TAU)).to_array();
         let is_positive = F::bitmask(F::splat(0.0).le(index));
         let mut heights = [0.0; 4];
         for (lane, (height, angle)) in heights.iter_mut().zip(angles).enumerate() {

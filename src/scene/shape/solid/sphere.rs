@@ -17,8 +17,8 @@ use crate::scene::shape::packet::{
 };
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
-    read, span, uniform_scale,
+    CLEAR_MARGIN, Crossing, Geometry, Root, RoundedHit, SpanEnd, Start, WELL_INSIDE, first_visible,
+    push_span, read, span, uniform_scale,
 };
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -151,6 +151,14 @@ impl Sphere {
         } else {
             middle + half
         }
+    }
+
+    /// The hit of a ray with a unit direction next to `t`, with POV-Ray's rounding.
+    pub(crate) fn rounded_hit(&self, ray: &Ray, t: f64) -> RoundedHit {
+        let t = self.rounded_root(ray, t);
+        let point = ray.at(t);
+        let normal = (point - self.centre) * self.radius.recip();
+        RoundedHit { t, point, normal }
     }
 
     /// The root of a ray with a unit direction that is known to lie at `t`, if it lies surely on one side of the middle

@@ -119,6 +119,9 @@ impl Prism {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
         let mut crossings = SmallVec::new();
         let speed_sq = dir.dot(dir);
+        if dir.x == 0.0 && self.ends_at(origin.x) {
+            return crossings;
+        }
         if speed_sq == 0.0 {
             return constant_crossings(self.outline.contains(origin));
         }
@@ -131,6 +134,17 @@ impl Prism {
             crossings.push(ahead + (point - near).dot(dir) / speed_sq);
         });
         crossings
+    }
+
+    /// True at the least and the largest x of the outline: rays there, across x, miss a prism (docs/povray-facts.md,
+    /// section 5.3).
+    #[cold]
+    fn ends_at(&self, x: f64) -> bool {
+        let corners = self.outline.iter();
+        let (low, high) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
+            (one.low.x.min(low), one.high.x.max(high))
+        });
+        x == low || x == high
     }
 
     /// Crossings of the line with the side of an infinite double cone.

@@ -8,7 +8,7 @@ use crate::base::memory::prefetch;
 use crate::scene::shape::Rounded;
 use crate::world::csg::program::CsgProgram;
 use crate::world::index::index;
-use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model};
+use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model, Rounding};
 use crate::world::primitive::Leaf;
 use crate::world::sphere_soa::SphereSoa;
 use crate::world::surface::Surface;
@@ -84,7 +84,10 @@ impl Model {
             leaves: parts.leaves,
             programs: parts.programs,
             instances: parts.instances,
-            rounded: parts.rounded,
+            rounding: Rounding {
+                forms: parts.rounded,
+                leaves: Vec::new(),
+            },
             bvh,
             cluster,
         }

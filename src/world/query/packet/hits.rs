@@ -412,7 +412,8 @@ impl World {
         if let Some(surface) = self.surfaces.get(hit.surface as usize) {
             prefetch(surface);
         }
-        if let Some(leaf) = self.model.leaves.get(hit.leaf as usize)
+        if !self.model.rounding.is_wanted(hit.leaf)
+            && let Some(leaf) = self.model.leaves.get(hit.leaf as usize)
             && let Some(sphere) = leaf.world_sphere()
         {
             *spheres |= 1 << lane;
@@ -430,7 +431,7 @@ impl World {
         hits: &mut HitPacket4,
         lane: usize,
     ) {
-        if knows_point {
+        if knows_point && !self.model.rounding.is_wanted(raw_hit.leaf) {
             let face = raw_hit.root.face;
             let (normal, shading) = self.model.normals(raw_hit.leaf, hits.point(lane), face);
             put(&mut hits.normal, lane, normal);
