@@ -212,13 +212,14 @@ impl Solid {
             start_t = RESUME_AFTER_ROOT * self.ray_accuracy();
             is_inside = search.value(start_t, 1.0) < 0.0;
         }
-        let is_too_short = leave.t - start_t < self.ray_accuracy();
+        let is_too_short = !self.is_open && leave.t - start_t < self.ray_accuracy();
+        let most_roots = if is_too_short { 0 } else { MAX_ROOTS };
         let start_side = if is_inside && !starts_outside {
             Start::Inside
         } else {
             Start::Outside
         };
-        for _ in 0..if is_too_short { 0 } else { MAX_ROOTS } {
+        for _ in 0..most_roots {
             let Some(t) = search.root(start_t, leave.t, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
