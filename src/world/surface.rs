@@ -366,9 +366,9 @@ impl Surface {
         self.traits.show();
     }
 
-    /// True if a texture of it is not the same everywhere.
-    pub(super) fn has_patterns(&self) -> bool {
-        self.textures().any(|texture| !texture.is_even())
+    /// True if a pattern on it jumps where surfaces may lie.
+    pub(super) fn has_jumps(&self) -> bool {
+        self.textures().any(PreparedTexture::jumps)
     }
 
     /// True if rays go on from it: a texture of it reflects, or lets light through.

@@ -109,6 +109,12 @@ impl PreparedWarpChain {
         }
     }
 
+    /// True if turbulence displaces points.
+    #[must_use]
+    pub fn is_turbulent(&self) -> bool {
+        self.turbulence.is_some()
+    }
+
     /// The point in pattern space for a shading point.
     #[must_use]
     #[inline]

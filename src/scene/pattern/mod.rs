@@ -206,6 +206,11 @@ pub trait PatternEval: Debug + Send + Sync {
     fn needs_normal(&self) -> bool {
         false
     }
+
+    /// True if the value jumps where surfaces may lie, at whole coordinates or distances: rounding decides there.
+    fn jumps(&self) -> bool {
+        true
+    }
 }
 
 /// The shading point, for patterns that need more than a point in pattern space.

@@ -43,6 +43,12 @@ impl PreparedPattern {
         self.value.needs_normal()
     }
 
+    /// True if rounding decides about the value where surfaces may lie; turbulence moves what jumps away from there.
+    #[must_use]
+    pub fn jumps(&self) -> bool {
+        !self.chain.is_turbulent() && self.value.jumps()
+    }
+
     /// The transforms of normals to and from pattern space, with normalization after each if `is_unit`.
     #[must_use]
     pub fn normal_transforms(&self, is_unit: bool) -> NormalTransforms {

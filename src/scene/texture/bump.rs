@@ -238,6 +238,21 @@ impl PreparedNormal {
         }
     }
 
+    /// True if some pattern in it jumps where surfaces may lie.
+    pub(super) fn jumps(&self) -> bool {
+        let any = |map: &Map<PreparedNormal>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.jumps())
+        };
+        match &self.relief {
+            Relief::Flat | Relief::Image(..) | Relief::Facets(..) => false,
+            Relief::Pattern(pattern) | Relief::Slopes(pattern, _) => pattern.jumps(),
+            Relief::Normals(pattern, map) => pattern.jumps() || any(map),
+            Relief::Average(_, map) => any(map),
+            Relief::Uv(mapped) => mapped.jumps(),
+        }
+    }
+
     pub(super) fn uses_uv(&self) -> bool {
         let any = |map: &Map<PreparedNormal>| {
             let mut entries = map.entries().iter();

@@ -252,10 +252,15 @@ impl PreparedTexture {
         self.selector().is_none() && self.layers().iter().all(is_plain)
     }
 
-    /// True if it is the same everywhere: uniform colours without bumps.
+    /// True if some pattern in it jumps where surfaces may lie.
     #[must_use]
-    pub fn is_even(&self) -> bool {
-        self.has_uniform_color() && self.layers().iter().all(|layer| layer.normal().is_none())
+    pub fn jumps(&self) -> bool {
+        let layers = || {
+            self.layers().iter().any(|layer| {
+                layer.pigment.jumps() || layer.normal().is_some_and(PreparedNormal::jumps)
+            })
+        };
+        self.selector().map_or_else(layers, Selector::jumps)
     }
 
     /// True if any layer has specular reflection.
@@ -397,6 +402,20 @@ impl PreparedPigment {
             PreparedPigment::Average(both) => any(&both.1),
             PreparedPigment::Image(both) => both.1.can_be_transparent(),
             PreparedPigment::Uv(mapped) => mapped.can_be_transparent(),
+        }
+    }
+
+    fn jumps(&self) -> bool {
+        let any = |map: &Map<PreparedPigment>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.jumps())
+        };
+        match self {
+            PreparedPigment::Plain(_) | PreparedPigment::Image(_) => false,
+            PreparedPigment::Colors(both) => both.0.jumps(),
+            PreparedPigment::Pigments(both) => both.0.jumps() || any(&both.1),
+            PreparedPigment::Average(both) => any(&both.1),
+            PreparedPigment::Uv(mapped) => mapped.jumps(),
         }
     }
 

@@ -133,6 +133,12 @@ impl Selector {
         matches!(self, Selector::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
     }
 
+    /// True if some pattern in it jumps where surfaces may lie.
+    pub(super) fn jumps(&self) -> bool {
+        matches!(self, Selector::Map(pattern, _) if pattern.jumps())
+            || self.textures().any(PreparedTexture::jumps)
+    }
+
     /// True if this selector, or one in its textures, depends on the normal.
     pub(super) fn needs_normal(&self) -> bool {
         matches!(self, Selector::Map(pattern, _) if pattern.needs_normal())

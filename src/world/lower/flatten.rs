@@ -129,7 +129,7 @@ impl Lowering {
         let may_matter = || {
             let surface = self.surfaces.get(leaf.surface as usize);
             self.slots.is_none()
-                && surface.is_some_and(|surface| surface.has_patterns() || surface.sends_rays())
+                && surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
         };
         if leaf.sphere().is_none() && (self.rounds || may_matter()) {
             Rounded::new(shape, steps)

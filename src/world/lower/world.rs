@@ -116,15 +116,15 @@ impl World {
         world
     }
 
-    /// Decides which hits get POV-Ray's rounding: where a texture is not the same everywhere, and where rays go on to such
+    /// Decides which hits get POV-Ray's rounding: where a pattern jumps, and where rays go on to such
     /// textures. `always` holds for the forms of all leaves.
     fn round_hits(&mut self, always: bool) {
         let surfaces = &self.surfaces;
-        let has_patterns = surfaces.par_iter().any(Surface::has_patterns);
-        if has_patterns {
+        let has_jumps = surfaces.par_iter().any(Surface::has_jumps);
+        if has_jumps {
             let is_wanted = |surface: u32| {
                 let surface = surfaces.get(surface as usize);
-                surface.is_some_and(|surface| surface.has_patterns() || surface.sends_rays())
+                surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
             };
             self.model.round_leaves(is_wanted);
         } else if !always && self.photons.is_none() {

@@ -69,6 +69,10 @@ impl Pattern for Brick {
 }
 
 impl PatternEval for Brick {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let brick = (point + self.mortar + NUDGE) / self.size;
         let mortar = self.mortar / self.size;

@@ -8,7 +8,7 @@ use crate::scene::pattern::{NUDGE, Pattern};
 use glam::DVec3;
 
 pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    Formula::new(value).boxed()
+    Formula::new(value).without_jumps().boxed()
 }
 
 fn value(point: DVec3) -> f64 {

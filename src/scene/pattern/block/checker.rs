@@ -14,7 +14,7 @@ const COLORS: [Stop; 2] = [
 ];
 
 pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    Formula::list(value, &COLORS).boxed()
+    Formula::list(value, &COLORS).without_jumps().boxed()
 }
 
 /// 0 where the sum of the floors of the coordinates is even, otherwise 1.

@@ -12,6 +12,7 @@ pub(crate) struct Formula {
     wave: Wave,
     map: &'static [Stop],
     has_list: bool,
+    jumps: bool,
 }
 
 /// A pattern whose value is a formula of the point and the noise generator.
@@ -33,6 +34,7 @@ impl Formula {
             wave: Wave::default(),
             map: &GREY,
             has_list: false,
+            jumps: true,
         }
     }
 
@@ -43,12 +45,21 @@ impl Formula {
             wave: Wave::NONE,
             map,
             has_list: true,
+            jumps: true,
         }
     }
 
     /// The same pattern with its own default colours.
     pub(crate) fn with_map(self, map: &'static [Stop]) -> Self {
         Formula { map, ..self }
+    }
+
+    /// The same pattern, if its value does not jump where surfaces may lie: it is smooth, or its coordinates are nudged.
+    pub(crate) fn without_jumps(self) -> Self {
+        Formula {
+            jumps: false,
+            ..self
+        }
     }
 
     /// The pattern as the result of a reader.
@@ -110,6 +121,10 @@ impl PatternEval for Formula {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         (self.value)(point)
     }
+
+    fn jumps(&self) -> bool {
+        self.jumps
+    }
 }
 
 impl Pattern for NoiseFormula {
@@ -135,6 +150,10 @@ struct PreparedNoise {
 }
 
 impl PatternEval for PreparedNoise {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         (self.value)(self.noise, point)
     }

@@ -6,7 +6,7 @@ use crate::scene::pattern::Pattern;
 use glam::DVec3;
 
 pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    Formula::new(value).boxed()
+    Formula::new(value).without_jumps().boxed()
 }
 
 fn value(p: DVec3) -> f64 {

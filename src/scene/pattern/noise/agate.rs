@@ -58,6 +58,10 @@ impl Pattern for Agate {
 }
 
 impl PatternEval for Prepared {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let bend = self.amount * self.noise.turbulence(point, &self.octaves);
         let band = cycloidal(1.3 * bend + 1.1 * point.z) + 1.0;

@@ -91,6 +91,10 @@ impl Pattern for Crackle {
 }
 
 impl PatternEval for Prepared {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let metric = &self.metric;
         if self.is_solid {

@@ -51,6 +51,10 @@ impl Pattern for Marble {
 }
 
 impl PatternEval for Prepared {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         if self.amount == 0.0 {
             return point.x;

@@ -189,6 +189,10 @@ impl SimdKernel for Tilt<'_> {
 }
 
 impl PatternEval for Prepared {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let sum = with_widest(
             #[inline(always)]

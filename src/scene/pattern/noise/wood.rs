@@ -50,6 +50,10 @@ impl Pattern for Wood {
 }
 
 impl PatternEval for Prepared {
+    fn jumps(&self) -> bool {
+        false
+    }
+
     fn value(&self, p: DVec3, _spot: &SurfacePoint) -> f64 {
         let (mut x, mut y) = (p.x, p.y);
         if self.amount != DVec3::ZERO {
