@@ -17,13 +17,13 @@ const MOST_TESTS: usize = 512;
 
 /// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SingleBox {
+pub(in crate::world) struct SingleBox {
     lower: Vec3,
     size: Vec3,
 }
 
 impl SingleBox {
-    pub(super) fn new(bounds: &Bounds) -> Self {
+    pub(in crate::world) fn new(bounds: &Bounds) -> Self {
         SingleBox {
             lower: bounds.min.as_vec3(),
             size: (bounds.max - bounds.min).as_vec3(),

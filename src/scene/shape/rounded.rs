@@ -5,7 +5,7 @@
 
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::{Cone, Cylinder, Disc, Quadric, Shape, Sphere, Triangle};
-use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
+use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse, rotation};
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 /// The axis of a cylinder that is closer than this to the z axis counts as it; cones whose radii differ by less are
@@ -71,6 +71,30 @@ impl Rounded {
             Shape::Quadric(quadric) => Form::Quadric(Box::new(of_quadric(quadric, steps))),
             _ => return None,
         }))
+    }
+
+    /// True for cylinders and cones.
+    #[must_use]
+    pub fn is_axial(&self) -> bool {
+        matches!(self.0, Form::Round { .. })
+    }
+
+    /// POV-Ray's box around a cylinder or cone; `None` for other shapes.
+    #[must_use]
+    pub fn axial_box(&self) -> Option<Bounds> {
+        let Form::Round { stored, start, .. } = &self.0 else {
+            return None;
+        };
+        let world_from_stored = stored.inverse();
+        #[allow(clippy::cast_possible_truncation, reason = "as POV-Ray keeps it")]
+        let [low, height] = [*start, 1.0 - start].map(|z| f64::from(z as f32));
+        let corners = (0..8u8).map(|corner| {
+            let end = |axis: u8| f64::from(corner >> axis & 1);
+            let [x, y] = [0, 1].map(|axis| -1.0 + 2.0 * end(axis));
+            let corner = DVec3::new(x, y, low + height * end(2));
+            world_from_stored.transform_point3(corner)
+        });
+        Some(corners.fold(Bounds::EMPTY, |bounds, corner| bounds.with_point(corner)))
     }
 
     /// The hit of a ray with a unit direction on a face near `t`; `None` in doubt.

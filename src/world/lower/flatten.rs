@@ -16,6 +16,10 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
+/// With more shapes than this, cylinders and cones are not stored as POV-Ray rounds them for the few pixels in which they
+/// coincide with others.
+const MOST_AXIAL: usize = 1 << 14;
+
 impl Lowering {
     /// Empty; `settings` are the scene-wide settings for patterns.
     pub(crate) fn new(settings: Settings) -> Self {
@@ -131,7 +135,9 @@ impl Lowering {
             self.slots.is_none()
                 && surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
         };
-        if leaf.sphere().is_none() && (self.rounds || may_matter()) {
+        let is_axial = matches!(shape, Shape::Cylinder(_) | Shape::Cone(_));
+        let may_tie = is_axial && self.parts.rounded.len() < MOST_AXIAL;
+        if leaf.sphere().is_none() && (self.rounds || may_tie || may_matter()) {
             Rounded::new(shape, steps)
         } else {
             None

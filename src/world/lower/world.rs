@@ -9,10 +9,8 @@ use crate::world::compiled::{Globals, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
-use crate::world::slabs::SingleBox;
 use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
@@ -32,7 +30,7 @@ impl World {
         options: &RenderOptions,
     ) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
-        let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
+        let boxes = flat.parts.povray_boxes();
         let parts = std::mem::take(&mut flat.parts);
         let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
         let transparent = Color {
@@ -128,7 +126,10 @@ impl World {
             };
             self.model.round_leaves(is_wanted);
         } else if !always && self.photons.is_none() {
-            self.model.rounding.forms = FxHashMap::default();
+            // Cylinders and cones may coincide with others.
+            let forms = &mut self.model.rounding.forms;
+            forms.retain(|_, form| form.is_axial());
+            forms.shrink_to_fit();
         }
     }
 }

@@ -28,6 +28,15 @@ const COHERENT: f64 = 0.98;
 /// The largest difference of POV-Ray's distance of a hit, in errors of its point.
 const ROUNDING_LOSS: f64 = 65536.0;
 
+/// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
+const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
+
+/// A far limit that leaves in hits at the same point as one at this distance.
+#[inline(always)]
+fn behind(t: f64) -> f64 {
+    t + TIE * t
+}
+
 /// Accepts the first hit that the query's kind of ray sees.
 struct ClosestQuery<'w> {
     world: &'w World,
@@ -232,7 +241,7 @@ impl World {
         best: &mut Option<ClosestHit>,
         scratch: &mut QueryScratch,
     ) {
-        let far = best.map_or(query.t_max, |best| best.hit.root.t);
+        let far = best.map_or(query.t_max, |best| behind(best.hit.root.t));
         self.bvh().tree.nearest_in(
             lanes,
             &query.ray,
@@ -280,7 +289,8 @@ impl World {
             .first_hit(item.item, search, far, scratch, &mut policy)
     }
 
-    /// Replaces the closest hit so far by `hit` if that is closer, and returns the new far limit.
+    /// Replaces the closest hit so far by `hit` if that is closer, and returns the new far limit, a little behind the
+    /// closest hit: of two hits at almost one distance POV-Ray's roundings decide.
     #[inline(always)]
     pub(in crate::world) fn accept_if_closer(
         &self,
@@ -296,16 +306,42 @@ impl World {
         let is_better = match best {
             None => true,
             Some(best) => {
-                hit.root.t < best.hit.root.t
-                    || (hit.root.t == best.hit.root.t
-                        && self.comes_first(item, best.item, &query.ray))
+                let ahead = best.hit.root.t - hit.root.t;
+                let slack = TIE * hit.root.t;
+                ahead > slack
+                    || (ahead >= -slack && self.wins_tie(&ClosestHit { hit, item }, best, query))
             }
         };
         if !is_better {
             return far;
         }
         *best = Some(ClosestHit { hit, item });
-        hit.root.t
+        behind(hit.root.t)
+    }
+
+    /// Returns true if a hit at almost the distance of the closest one so far is shown instead of it. POV-Ray comes to
+    /// one of the two items first; to the other one only if the ray enters its box before the hit, and then shows it
+    /// only if its distance is rounded to a smaller number.
+    #[cold]
+    fn wins_tie(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> bool {
+        let ray = &query.ray;
+        let rounded = |of: &ClosestHit| {
+            let form = self.model.rounding.forms.get(&of.hit.leaf);
+            let form = form.filter(|form| form.is_axial())?;
+            let hit = form.hit(ray, of.hit.root.t, of.hit.root.face)?;
+            Some(hit.t)
+        };
+        let (t, other) = (new.hit.root.t, best.hit.root.t);
+        let known = (rounded(new), rounded(best));
+        if known == (None, None) || new.item == best.item {
+            return t < other || (t == other && self.comes_first(new.item, best.item, ray));
+        }
+        let (t, other) = (known.0.unwrap_or(t), known.1.unwrap_or(other));
+        if self.comes_first(new.item, best.item, ray) {
+            !(other < t && self.entry(best.item, ray) < t)
+        } else {
+            t < other && self.entry(new.item, ray) < other
+        }
     }
 
     /// Distance up to which hits are ignored: the error of the ray's origin.
@@ -367,12 +403,7 @@ impl World {
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
-            let entry = |item: u32| {
-                let item_box = &self.boxes[item as usize];
-                let entry = item_box.is_finite().then(|| item_box.entry(ray));
-                entry.unwrap_or(f64::NEG_INFINITY)
-            };
-            let (entry_a, entry_b) = (entry(a), entry(b));
+            let (entry_a, entry_b) = (self.entry(a, ray), self.entry(b, ray));
             if entry_a != entry_b {
                 return entry_a < entry_b;
             }
@@ -382,6 +413,17 @@ impl World {
             }
         }
         a < b
+    }
+
+    /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
+    /// it uses no boxes.
+    fn entry(&self, item: u32, ray: &Ray) -> f64 {
+        let item_box = &self.boxes[item as usize];
+        if self.ties_by_box && item_box.is_finite() {
+            item_box.entry(ray)
+        } else {
+            f64::NEG_INFINITY
+        }
     }
 
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.

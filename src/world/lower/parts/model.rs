@@ -10,6 +10,7 @@ use crate::world::csg::program::CsgProgram;
 use crate::world::index::index;
 use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model, Rounding};
 use crate::world::primitive::Leaf;
+use crate::world::slabs::SingleBox;
 use crate::world::sphere_soa::SphereSoa;
 use crate::world::surface::Surface;
 use rayon::prelude::*;
@@ -47,6 +48,20 @@ impl ModelBuilder {
     pub(in crate::world) fn push(&mut self, item: PendingItem, bounds: Bounds) {
         self.items.push(item);
         self.bounds.push(bounds);
+    }
+
+    /// POV-Ray's boxes of the items, as far as they are known; the others are those of the items' bounds.
+    pub(in crate::world) fn povray_boxes(&self) -> Vec<SingleBox> {
+        let povray_box = |(item, bounds): (&PendingItem, &Bounds)| {
+            let form = match item {
+                PendingItem::Leaf(leaf) => self.rounded.get(leaf),
+                _ => None,
+            };
+            let axial = form.and_then(Rounded::axial_box);
+            SingleBox::new(&axial.unwrap_or(*bounds))
+        };
+        let items = self.items.par_iter().zip(&self.bounds);
+        items.map(povray_box).collect()
     }
 
     /// Adds a leaf and what its hits are rounded by.
