@@ -16,7 +16,7 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
-/// With more shapes than this, cylinders and cones are not stored as POV-Ray rounds them for the few pixels in which they
+/// Beyond this number of rounded shapes, cylinders and cones are not rounded: it decides only the pixels where they
 /// coincide with others.
 const MOST_AXIAL: usize = 1 << 14;
 
