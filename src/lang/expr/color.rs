@@ -134,7 +134,7 @@ impl Reader<'_> {
             ));
         }
         let mut parts = number.promoted(wanted).v;
-        if matches!(word, Word::Rgbt | Word::Srgbt) && number.len <= wanted {
+        if matches!(word, Word::Rgbt | Word::Srgbt) {
             parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
         }
         if matches!(word, Word::Srgb | Word::Srgbf | Word::Srgbt | Word::Srgbft) {
