@@ -1,5 +1,4 @@
 // A bicubic patch with an edge drawn together to a point.
-// compare: channel<=90 pixels<=0.1% because "at the pole the normals of POV-Ray are rounding noise"
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1.5, 3, -6> look_at <1.5, 1.2, 0> }

@@ -22,9 +22,6 @@ use std::sync::Arc;
 
 /// More steps would give more than two million triangles.
 const MAX_STEPS: u32 = 20;
-/// A normal shorter than this, relative to the square of the size, is rounding noise. POV-Ray 3.7 uses the noise, so
-/// that its poles show rays of light and shade.
-const MIN_NORMAL: f64 = 1e-12;
 /// Corners nearer than this, relative to the size of the part, are the same; POV-Ray's tolerance is in scene units.
 const MIN_CORNER_DISTANCE: f64 = 1e-10;
 /// The flatness of the old syntax without keywords.
@@ -218,7 +215,8 @@ impl Net {
         }
     }
 
-    /// The unit normal of the true surface, or zero at a pole.
+    /// The unit normal of the true surface. At a pole it is the direction of the rounding errors, or x if there are none,
+    /// as in POV-Ray.
     fn normal(&self, params: DVec2) -> DVec3 {
         let mut tangents = [DVec3::ZERO; 2];
         let (u, v) = (bernstein(params.x), bernstein(params.y));
@@ -233,14 +231,10 @@ impl Net {
             }
         }
         let normal = tangents[0].cross(tangents[1]);
-        let size = self.points.iter().flatten();
-        let size = size.fold(0.0_f64, |size, point| {
-            size.max((*point - self.points[0][0]).abs().max_element())
-        });
-        if normal.length() > MIN_NORMAL * size * size {
-            normal.normalize()
+        if normal == DVec3::ZERO {
+            DVec3::X
         } else {
-            DVec3::ZERO
+            normal.normalize()
         }
     }
 
