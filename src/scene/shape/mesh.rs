@@ -10,7 +10,7 @@
 //! that of the midpoint, and the state beyond the outermost roots is outside.
 
 use super::face_texture::{FaceTexture, TextureWeights};
-use super::mesh::attributes::{NO_TRIPLE, TriangleAttributes};
+use super::mesh::attributes::{NO_TRIPLE, TriangleAttributes, only};
 use super::mesh::build::{MeshBuilder, single_pair};
 use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
@@ -237,7 +237,7 @@ fn read_triangle(args: &mut dyn Args, builder: &mut MeshBuilder, shading: Shadin
 fn read_textures(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<Option<[u32; 3]>> {
     if args.accept(Word::Texture)? {
         let texture = builder.texture_index(FaceTexture::read(args)?);
-        return Ok(Some([texture; 3]));
+        return Ok(Some(only(texture)));
     }
     if !args.accept(Word::TextureList)? {
         return Ok(None);

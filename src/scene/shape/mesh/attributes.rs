@@ -5,7 +5,13 @@ use crate::scene::shape::face_texture::{FaceTexture, TextureWeight, TextureWeigh
 use glam::Vec2;
 
 /// Entry in a per-triangle list: the triangle has none of its own.
-pub(crate) const NO_TRIPLE: [u32; 3] = [u32::MAX; 3];
+pub(crate) const NO_TRIPLE: [u32; 3] = only(u32::MAX);
+
+/// Entry in a per-triangle list: one texture for the whole triangle. Three equal indices are blended like any other
+/// three, which differs in the last digits of single precision.
+pub(crate) const fn only(texture: u32) -> [u32; 3] {
+    [texture, u32::MAX, u32::MAX]
+}
 
 /// Texture coordinates and textures of triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,21 +44,21 @@ pub(crate) enum TexturesOf {
     Object,
     /// Per triangle one index into [`TriangleAttributes::textures`], or `u32::MAX` for the texture of the object.
     One(Vec<u32>),
-    /// Per triangle an index for each corner, or [`NO_TRIPLE`].
+    /// Per triangle an index for each corner, [`only`] one, or [`NO_TRIPLE`].
     Three(Vec<[u32; 3]>),
 }
 
 impl TexturesOf {
     /// Appends the textures of the next triangle.
     pub(crate) fn push(&mut self, triple: [u32; 3], triangles_before: usize) {
-        let is_one = triple[0] == triple[1] && triple[1] == triple[2];
+        let is_one = triple == only(triple[0]);
         if matches!(self, TexturesOf::Object) && triple != NO_TRIPLE {
             *self = TexturesOf::One(vec![u32::MAX; triangles_before]);
         }
         if let TexturesOf::One(list) = self
             && !is_one
         {
-            *self = TexturesOf::Three(list.iter().map(|&skin| [skin; 3]).collect());
+            *self = TexturesOf::Three(list.iter().copied().map(only).collect());
         }
         match self {
             TexturesOf::Object => {}
@@ -65,7 +71,7 @@ impl TexturesOf {
         let face = face as usize;
         match self {
             TexturesOf::Object => NO_TRIPLE,
-            TexturesOf::One(list) => list.get(face).map_or(NO_TRIPLE, |&skin| [skin; 3]),
+            TexturesOf::One(list) => list.get(face).copied().map_or(NO_TRIPLE, only),
             TexturesOf::Three(list) => list.get(face).copied().unwrap_or(NO_TRIPLE),
         }
     }
@@ -98,7 +104,7 @@ impl TriangleAttributes {
         if triple == NO_TRIPLE {
             return TextureWeights::new();
         }
-        if triple[0] == triple[1] && triple[1] == triple[2] {
+        if triple == only(triple[0]) {
             return TextureWeights::from_slice(&[TextureWeight {
                 weight: 1.0,
                 texture: triple[0],

@@ -3,7 +3,7 @@
 //! Counts and indices are truncated to integers, as in POV-Ray. A triangle may be followed by the index of its texture,
 //! or by those of its three corners.
 
-use super::attributes::UvOf;
+use super::attributes::{UvOf, only};
 use super::build::{MeshBuilder, single, single_normal, single_pair};
 use super::read_inside_vector;
 use crate::base::args::{Args, Parse, Word};
@@ -189,8 +189,9 @@ fn read_textured_faces(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<
         }
         let textures = match len {
             0 => continue,
-            1 => [given[0]; 3],
-            3 => given,
+            1 => indices([given[0]], texture_count, "texture", "textures")
+                .map(|[texture]| only(texture)),
+            3 => indices(given, texture_count, "texture", "textures"),
             _ => {
                 return Err(fault(
                     args,
@@ -198,7 +199,6 @@ fn read_textured_faces(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<
                 ));
             }
         };
-        let textures = indices(textures, texture_count, "texture", "textures");
         builder.set_textures_of_last(textures.map_err(|wrong| fault(args, wrong))?);
     }
     close_list(args, &FACES, count)
