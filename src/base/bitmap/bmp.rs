@@ -5,24 +5,10 @@
 //! skipped by run-length data get the last palette entry, and so do all pixels of 1-bit images. Bit fields and 16-bit
 //! pixels, which POV-Ray rejects, are decoded by the `image` crate.
 
+use super::Bitmap;
 use super::format::Format;
-use super::handling::{Fault, Handling, bitmap_from_image, decode_by_crate};
-use super::png::palette_color;
-use super::{Bitmap, Samples};
+use super::handling::{Content, Fault, Handling, bitmap_from_content, decode_by_crate};
 use image::{DynamicImage, RgbImage, RgbaImage};
-
-/// Decoded pixels, before any colour conversion.
-pub(crate) enum Content {
-    /// Indices into an RGB palette.
-    Indexed {
-        width: usize,
-        height: usize,
-        indices: Vec<u8>,
-        palette: Vec<[u8; 3]>,
-    },
-    /// RGB or RGBA samples.
-    Colors(DynamicImage),
-}
 
 /// The file header and the info header.
 struct Header {
@@ -43,25 +29,7 @@ struct Header {
 
 pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault> {
     let transfer = handling.transfer(Format::Bmp, None);
-    match content(bytes)? {
-        Content::Colors(image) => bitmap_from_image(image, transfer, handling),
-        Content::Indexed {
-            width,
-            height,
-            indices,
-            palette,
-        } => {
-            let colors = palette.iter();
-            let palette = colors.map(|rgb| palette_color(rgb, None, transfer));
-            Ok(Bitmap {
-                width,
-                height,
-                samples: Samples::Indexed(indices, palette.collect()),
-                has_alpha: false,
-                is_premultiplied: false,
-            })
-        }
-    }
+    bitmap_from_content(content(bytes)?, transfer, handling)
 }
 
 /// Width and height of the image, and the bytes that decoding needs; `None` for formats left to the `image` crate.
@@ -145,7 +113,7 @@ impl Header {
         let length = self.colors * self.bytes_per_color;
         let (palette, pixels) = rest.split_at_checked(length).ok_or_else(ends_early)?;
         let colors = palette.chunks_exact(self.bytes_per_color);
-        let palette = colors.map(|color| [color[2], color[1], color[0]]).collect();
+        let palette = colors.map(|color| [color[2], color[1], color[0], u8::MAX]);
         let last = u8::try_from(self.colors.saturating_sub(1)).unwrap_or(u8::MAX);
         let mut indices = if self.compression == 0 {
             self.uncompressed(pixels).ok_or_else(ends_early)?
@@ -159,7 +127,7 @@ impl Header {
             width: self.width,
             height: self.height,
             indices,
-            palette,
+            palette: palette.collect(),
         })
     }
 

@@ -1,6 +1,7 @@
 //! Steps that decoders share: gamma, limits on the size, and decoding by the `image` crate.
 
 use super::format::Format;
+use super::png::palette_color;
 use super::{Bitmap, Pixels, Samples, Transfer};
 use crate::base::color::Gamma;
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
@@ -21,8 +22,8 @@ pub(crate) struct Handling {
     pub(crate) working: Option<Gamma>,
     /// True if files without gamma information are sRGB, as from version 3.7 on.
     pub(crate) assumes_srgb: bool,
-    /// True if colours are premultiplied with alpha.
-    pub(crate) is_premultiplied: bool,
+    /// Whether colours are premultiplied with alpha, if the scene specifies it.
+    pub(crate) is_premultiplied: Option<bool>,
 }
 
 impl Handling {
@@ -41,6 +42,19 @@ impl Handling {
             working: self.working,
         }
     }
+}
+
+/// Decoded pixels, before any colour conversion.
+pub(crate) enum Content {
+    /// Indices into an RGBA palette.
+    Indexed {
+        width: usize,
+        height: usize,
+        indices: Vec<u8>,
+        palette: Vec<[u8; 4]>,
+    },
+    /// Samples of grey or colours.
+    Colors(DynamicImage),
 }
 
 /// The reason why a file cannot be decoded.
@@ -76,6 +90,34 @@ pub(crate) fn decode_by_crate(bytes: &[u8], format: Format) -> Result<DynamicIma
     limits.max_alloc = Some(MAX_BYTES);
     reader.limits(limits);
     reader.decode().map_err(|error| error.to_string())
+}
+
+/// Builds a bitmap from decoded pixels.
+pub(crate) fn bitmap_from_content(
+    content: Content,
+    transfer: Transfer,
+    handling: &Handling,
+) -> Result<Bitmap, Fault> {
+    match content {
+        Content::Colors(image) => bitmap_from_image(image, transfer, handling),
+        Content::Indexed {
+            width,
+            height,
+            indices,
+            palette,
+        } => {
+            let has_alpha = palette.iter().any(|color| color[3] != u8::MAX);
+            let colors = palette.iter();
+            let palette = colors.map(|rgba| palette_color(rgba, Some(rgba[3]), transfer));
+            Ok(Bitmap {
+                width,
+                height,
+                samples: Samples::Indexed(indices, palette.collect()),
+                has_alpha,
+                is_premultiplied: false,
+            })
+        }
+    }
 }
 
 /// Builds a bitmap from a decoded image. Float samples are converted to the working space here, integer samples on
@@ -117,6 +159,6 @@ pub(crate) fn bitmap_from_image(
         height,
         samples,
         has_alpha,
-        is_premultiplied: handling.is_premultiplied,
+        is_premultiplied: handling.is_premultiplied.unwrap_or(false),
     })
 }

@@ -160,9 +160,9 @@ impl Mapping {
         }
         let mut sum = Sum::default();
         self.visit_neighbours(bitmap, at, |weight, x, y| {
-            sum.add(weight, bitmap.color(x, y));
+            sum.add(weight, bitmap.stored_color(x, y));
         });
-        sum.color()
+        bitmap.divided_by_alpha(sum.color())
     }
 
     /// The palette index at an image position, interpolated like a colour and truncated to an integer. Without a

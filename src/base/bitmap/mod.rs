@@ -8,19 +8,24 @@ mod decode;
 mod format;
 mod gif;
 mod handling;
+mod hdr;
 mod jpeg;
 mod mapping;
 mod png;
 mod read;
 mod size;
+mod tga;
+mod tiff;
 
-pub(crate) use bmp::{Content as BmpContent, content as bmp_content};
+pub(crate) use bmp::content as bmp_content;
 pub(crate) use decode::decode_samples;
 pub(crate) use format::Format;
+pub(crate) use handling::Content;
 pub use mapping::Purpose;
 pub use mapping::{Interpolation, MapType, Mapping};
 pub use read::{AddedTransparency, Alpha, MappedBitmap, read, read_gamma};
 pub(crate) use size::bytes_to_decode;
+pub(crate) use tga::content as tga_content;
 
 use crate::base::color::{Color, Gamma, Rgb};
 
@@ -155,6 +160,24 @@ impl Bitmap {
     /// The colour of a pixel. `x < width`, `y < height`, from the top.
     #[must_use]
     pub fn color(&self, x: usize, y: usize) -> Color {
+        self.divided_by_alpha(self.stored_color(x, y))
+    }
+
+    /// The colour of one or several pixels as stored, divided by alpha if it is stored multiplied.
+    fn divided_by_alpha(&self, stored: Color) -> Color {
+        let alpha = 1.0 - stored.transmit;
+        if !self.is_premultiplied || alpha <= 0.0 {
+            return stored;
+        }
+        let Rgb { r, g, b } = stored.rgb;
+        Color {
+            rgb: Rgb::new(r / alpha, g / alpha, b / alpha),
+            ..stored
+        }
+    }
+
+    /// The colour of a pixel before any division by alpha.
+    fn stored_color(&self, x: usize, y: usize) -> Color {
         let at = y * self.width + x;
         let [r, g, b, alpha] = match &self.samples {
             Samples::Indexed(indices, palette) => {
@@ -174,13 +197,8 @@ impl Bitmap {
             Samples::Floats(pixels) => pixels.get(at, 1.0),
             Samples::Colors(colors) => return colors[at],
         };
-        let rgb = if self.is_premultiplied && alpha != 0.0 {
-            Rgb::new(r / alpha, g / alpha, b / alpha)
-        } else {
-            Rgb::new(r, g, b)
-        };
         Color {
-            rgb,
+            rgb: Rgb::new(r, g, b),
             filter: 0.0,
             transmit: 1.0 - alpha,
         }

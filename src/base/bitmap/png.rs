@@ -22,6 +22,7 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
         info.color_type == ColorType::Grayscale && info.bit_depth != BitDepth::Sixteen;
     let mut reader = decoder.read_info().map_err(fault)?;
     let has_transparency_chunk = reader.info().trns.is_some();
+    let has_clear_color = has_transparency_chunk && reader.info().color_type == ColorType::Rgb;
     let transfer = handling.transfer(Format::Png, gamma_of(reader.info()));
     if is_8_bit_grey && !has_transparency_chunk {
         let mut image = decode_by_crate(bytes)?.into_luma8();
@@ -32,7 +33,14 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     }
     // This reader served for the chunks only; the `image` crate decodes the file again from the start.
     let _ = reader.finish();
-    bitmap_from_image(decode_by_crate(bytes)?, transfer, handling)
+    let image = decode_by_crate(bytes)?;
+    let image = match image {
+        // The colour that the file declares clear is opaque in POV-Ray.
+        DynamicImage::ImageRgba8(_) if has_clear_color => image.into_rgb8().into(),
+        DynamicImage::ImageRgba16(_) if has_clear_color => image.into_rgb16().into(),
+        image => image,
+    };
+    bitmap_from_image(image, transfer, handling)
 }
 
 /// The identity transfer, for values already in the working space.

@@ -135,7 +135,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         gamma: None,
         working: args.working_gamma(),
         assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
-        is_premultiplied: false,
+        is_premultiplied: None,
     };
     // Values are used as stored unless the block specifies a gamma.
     if purpose != Purpose::Colors {
@@ -161,7 +161,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
             }
             Word::Premultiplied => {
                 args.accept(word)?;
-                handling.is_premultiplied = args.float_or(1.0)? != 0.0;
+                handling.is_premultiplied = Some(args.float_or(1.0)? != 0.0);
             }
             Word::BumpSize if purpose == Purpose::Bumps => {
                 args.accept(word)?;

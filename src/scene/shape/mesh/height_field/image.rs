@@ -4,13 +4,14 @@
 //!   precision that lowers about half of all values by one;
 //! * 16-bit grey: unchanged;
 //! * palette: the index times 256;
-//! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value.
+//! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value; HDR: the sum of red times 256 and green,
+//!   times 255, modulo 65536.
 //!
 //! `gamma` decodes the samples to linear light first, whatever the gamma of the scene; indices stay. The gamma that a
 //! file declares has no effect.
 
 use crate::base::args::{SampledFunction, Word};
-use crate::base::bitmap::{self, BmpContent, Format};
+use crate::base::bitmap::{self, Content, Format};
 use crate::base::color::{Color, Gamma};
 use image::DynamicImage;
 use std::io::Cursor;
@@ -31,10 +32,10 @@ pub(super) const KINDS: &[Kind] = &[
     Kind::new(
         Word::Tiff,
         &[".tif", ".TIF", ".tiff", ".TIFF"],
-        Decoder::Unsupported,
+        Decoder::Other(Format::Tiff),
     ),
     Kind::new(Word::Exr, &[".exr", ".EXR"], Decoder::Unsupported),
-    Kind::new(Word::Hdr, &[".hdr", ".HDR"], Decoder::Unsupported),
+    Kind::new(Word::Hdr, &[".hdr", ".HDR"], Decoder::Other(Format::Hdr)),
     Kind::new(Word::Pot, &[".pot", ".POT"], Decoder::Pot),
     Kind::new(Word::Iff, &[".iff", ".IFF"], Decoder::Unsupported),
     Kind::new(Word::Sys, &[], Decoder::Unsupported),
@@ -138,8 +139,12 @@ pub(super) fn heights(decoder: Decoder, bytes: &[u8], gamma: Gamma) -> Result<He
     let read = match decoder {
         Decoder::Png => png(bytes, samples),
         Decoder::Gif => gif(bytes),
-        Decoder::Tga => tga(bytes, samples),
-        Decoder::Bmp => bmp(bytes, samples),
+        Decoder::Tga => bitmap::tga_content(bytes)
+            .map(|it| of_content(it, samples))
+            .map_err(Fault::from),
+        Decoder::Bmp => bitmap::bmp_content(bytes)
+            .map(|it| of_content(it, samples))
+            .map_err(Fault::from),
         Decoder::Pot => pot(bytes),
         Decoder::Other(format) => other(format, bytes, samples),
         Decoder::Unsupported => Err("this kind of image is not supported yet".into()),
@@ -199,6 +204,12 @@ impl Samples {
             let [red, green] = [red, green].map(|sample| f64::from(self.decoded(sample)));
             ((red * 256.0 + green) * 255.0) as u16
         }
+    }
+
+    /// The height of a colour in single precision; what is too bright wraps around.
+    fn float_color(self, [red, green, _]: [f32; 3]) -> u16 {
+        let [red, green] = [red, green].map(|sample| f64::from(self.gamma.decode(sample)));
+        ((red * 256.0 + green) * 255.0) as i64 as u16
     }
 
     fn deep_color(self, color: [u16; 3]) -> u16 {
@@ -348,22 +359,14 @@ fn stored_order(height: usize) -> Vec<usize> {
     passes.into_iter().flat_map(rows).collect()
 }
 
-fn bmp(bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
-    Ok(match bitmap::bmp_content(bytes)? {
-        BmpContent::Colors(picture) => decoded(picture, samples),
-        BmpContent::Indexed { width, indices, .. } => Heights {
+fn of_content(content: Content, samples: Samples) -> Heights {
+    match content {
+        Content::Colors(picture) => decoded(picture, samples),
+        Content::Indexed { width, indices, .. } => Heights {
             width,
             rows: indices.into_iter().map(from_index).collect(),
         },
-    })
-}
-
-fn tga(bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
-    // The second byte flags a palette; the decoder returns only its colours, not the indices.
-    if bytes.get(1) == Some(&1) {
-        return Err("a TGA file with a palette is not supported yet".into());
     }
-    other(Format::Tga, bytes, samples)
 }
 
 fn other(format: Format, bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
@@ -382,6 +385,10 @@ fn decoded(image: DynamicImage, samples: Samples) -> Heights {
         DynamicImage::ImageRgb16(image) => {
             let pixels = image.pixels();
             pixels.map(|p| samples.deep_color(p.0)).collect()
+        }
+        DynamicImage::ImageRgb32F(image) => {
+            let pixels = image.pixels();
+            pixels.map(|p| samples.float_color(p.0)).collect()
         }
         colors => {
             let colors = colors.into_rgb8();
