@@ -1,5 +1,4 @@
 // Both methods at three thresholds and three depths: glass before stripes.
-// compare: channel<=16 pixels<=0.2% because "rays at the rim of glass go another way (5 of 307200 without antialiasing), and means of many bent rays round otherwise"
 // switches: +A0.3 +AM1 +R2
 // switches: +A0.3 +AM1 +R3 -J
 // switches: +A0.3 +AM1 +R4
