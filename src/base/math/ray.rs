@@ -21,12 +21,14 @@ impl Ray {
 
     /// The point at `t`.
     #[must_use]
+    #[inline(always)]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.dir
     }
 
     /// The ray transformed to object space, with the same `t`.
     #[must_use]
+    #[inline]
     pub fn to_object(&self, object_from_world: &DAffine3) -> Ray {
         Ray {
             origin: object_from_world.transform_point3(self.origin),

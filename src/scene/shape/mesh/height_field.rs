@@ -274,21 +274,25 @@ impl Field {
         DVec3::new(self.cells[0] as f64, HEIGHT, self.cells[1] as f64)
     }
 
+    #[inline(always)]
     fn height(&self, x: usize, z: usize) -> f64 {
         f64::from(self.heights[z * (self.cells[0] + 1) + x])
     }
 
     /// Least and greatest height at the corners of a cell.
-    #[inline]
+    #[inline(always)]
     fn heights_of(&self, x: usize, z: usize) -> [u16; 2] {
         let row_length = self.cells[0] + 1;
         let index = z * row_length + x;
-        let [near, far] = [index, index + row_length].map(|index| &self.heights[index..index + 2]);
+        // Written out: `map` is not always inlined.
+        let near = &self.heights[index..index + 2];
+        let far = &self.heights[index + row_length..index + row_length + 2];
         let (low, high) = (near[0].min(near[1]), near[0].max(near[1]));
         [low.min(far[0]).min(far[1]), high.max(far[0]).max(far[1])]
     }
 
     /// The cell of a face, and true for the triangle away from the origin.
+    #[inline(always)]
     fn cell(&self, face: u32) -> (usize, usize, bool) {
         let cell = (face / 2) as usize;
         (cell % self.cells[0], cell / self.cells[0], face % 2 == 1)

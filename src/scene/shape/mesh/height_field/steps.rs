@@ -15,10 +15,10 @@ pub(super) struct Steps {
 struct Axis {
     origin: f64,
     dir: f64,
-    /// The current cell.
+    /// The current cell, the direction to the next one, and the number of cells on the ray behind it.
     cell: usize,
-    /// The last cell on the ray.
-    last: usize,
+    step: isize,
+    left: usize,
     /// Coordinate of the border at which the ray leaves the cell, and the distance from there to the next.
     border: f64,
     stride: f64,
@@ -34,7 +34,7 @@ impl Axis {
         clippy::cast_precision_loss,
         reason = "cut to the cells there are"
     )]
-    #[inline]
+    #[inline(always)]
     fn new(at: f64, [origin, dir]: [f64; 2], size: f64, [first, end]: [usize; 2]) -> Self {
         let cell_at = at / size;
         let whole = cell_at.max(0.0) as usize;
@@ -43,18 +43,19 @@ impl Axis {
         let cell = whole
             .saturating_sub(usize::from(is_before))
             .clamp(first, end - 1);
-        let last = if dir > 0.0 {
-            end - 1
+        let (step, left) = if dir > 0.0 {
+            (1, end - 1 - cell)
         } else if dir < 0.0 {
-            first
+            (-1, cell - first)
         } else {
-            cell
+            (0, 0)
         };
         let mut axis = Axis {
             origin,
             dir,
             cell,
-            last,
+            step,
+            left,
             border: (cell + usize::from(dir > 0.0)) as f64 * size,
             stride: size.copysign(dir),
             exit: f64::INFINITY,
@@ -66,16 +67,13 @@ impl Axis {
     }
 
     /// Advances to the next cell; false at the end.
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self) -> bool {
-        if self.cell == self.last {
+        let Some(left) = self.left.checked_sub(1) else {
             return false;
-        }
-        self.cell = if self.dir > 0.0 {
-            self.cell + 1
-        } else {
-            self.cell - 1
         };
+        self.left = left;
+        self.cell = self.cell.wrapping_add_signed(self.step);
         self.border += self.stride;
         self.exit = (self.border - self.origin) / self.dir;
         true
@@ -85,6 +83,7 @@ impl Axis {
 impl Steps {
     /// Traverses the cells of `size` from `grid[0]` up to but not including `grid[1]`, counted from the origin.
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
+    #[inline(always)]
     pub(super) fn new(ray: &Ray, near: f64, last: f64, size: usize, grid: [[usize; 2]; 2]) -> Self {
         let size = size as f64;
         let Ray { origin, dir } = *ray;
@@ -105,7 +104,7 @@ impl Steps {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     /// The next cell, and the parameters at which the ray enters and leaves it.
     pub(super) fn next(&mut self) -> Option<(usize, usize, f64, f64)> {
         if self.is_done {

@@ -3,6 +3,7 @@
 use super::steps::Steps;
 use super::{Field, WALL, WATER};
 use crate::base::math::Ray;
+use crate::base::math::simd::with_widest;
 use crate::scene::shape::{Crossing, Root, Start};
 use glam::DVec3;
 
@@ -44,7 +45,7 @@ struct Ground {
 }
 
 impl Ground {
-    #[inline]
+    #[inline(always)]
     fn height(&self, point: DVec3) -> f64 {
         let (u, v) = (point.x - self.corner[0], point.z - self.corner[1]);
         let Ground {
@@ -67,6 +68,20 @@ impl Field {
     /// Passes the roots of a ray in order to `emit` until it returns false. Roots outside of `from..to` may be missing,
     /// and so may the first root inside.
     pub(super) fn traverse(
+        &self,
+        ray: &Ray,
+        from: f64,
+        to: f64,
+        emit: &mut dyn FnMut(Root) -> bool,
+    ) -> Start {
+        with_widest(
+            #[inline(always)]
+            |_| self.traverse_wide(ray, from, to, emit),
+        )
+    }
+
+    #[inline(always)]
+    fn traverse_wide(
         &self,
         ray: &Ray,
         from: f64,
@@ -151,6 +166,7 @@ impl Field {
         point.y < self.water || point.y < self.ground(point, face)
     }
 
+    #[inline(always)]
     fn face(&self, x: usize, z: usize, is_far: bool) -> u32 {
         let cell = u32::try_from(z * self.cells[0] + x).expect("cells are counted in 31 bits");
         2 * cell + u32::from(is_far)
@@ -163,6 +179,7 @@ impl Field {
     }
 
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
+    #[inline(always)]
     fn plane_of(&self, [x, z]: [usize; 2], is_far: bool) -> Ground {
         let offset = usize::from(is_far);
         Ground {
@@ -176,7 +193,7 @@ impl Field {
 }
 
 impl Traversal<'_> {
-    #[inline]
+    #[inline(always)]
     fn at(&self, t: f64) -> DVec3 {
         if t.is_finite() {
             self.ray.at(t)
@@ -196,6 +213,7 @@ impl Traversal<'_> {
     }
 
     /// The triangle below a point of the ray.
+    #[inline(never)]
     fn face_at(&self, t: f64) -> u32 {
         let point = self.at(t);
         let (x, u) = cell(point.x, self.field.cells[0]);
@@ -204,12 +222,13 @@ impl Traversal<'_> {
     }
 
     /// Height of a point of the ray.
-    #[inline]
+    #[inline(always)]
     fn height(&self, t: f64) -> f64 {
         self.at(t).y
     }
 
     /// Sets the inside state from `t` on, and emits a visible root if it changes; `on` is the triangle, if known.
+    #[inline(never)]
     fn set_inside(&mut self, t: f64, is_inside: bool, triangle: Option<u32>) {
         if self.inside == Some(is_inside) || self.is_done {
             return;
@@ -222,6 +241,7 @@ impl Traversal<'_> {
         self.root(t, is_inside, face, true);
     }
 
+    #[inline(never)]
     fn cross_wall(&mut self, t: f64, is_inside: bool) {
         let was_inside = self.inside.replace(is_inside);
         if was_inside != Some(is_inside) && t.is_finite() {
@@ -247,6 +267,7 @@ impl Traversal<'_> {
     }
 
     /// Traverses the blocks of cells.
+    #[inline(always)]
     fn walk_blocks(&mut self, start: f64, end: f64, from: f64, to: f64) {
         let field = self.field;
         let blocks = [
@@ -276,13 +297,14 @@ impl Traversal<'_> {
 
     /// Skips ground with heights in `low..=high` if the ray, at heights `a` and `b` at its ends, is entirely above or
     /// below it; returns true if so.
-    #[inline]
+    #[inline(always)]
     fn skip_clear(&mut self, [low, high]: [u16; 2], [a, b]: [f64; 2], near: f64) -> bool {
         let water = self.field.water;
-        let [low, high] = [low, high].map(|height| {
+        let above_water = |height: u16| {
             let height = f64::from(height);
             if height > water { height } else { water }
-        });
+        };
+        let (low, high) = (above_water(low), above_water(high));
         let (lowest, highest) = if a < b { (a, b) } else { (b, a) };
         let is_above = lowest > high + SLACK;
         let is_below = highest < low - SLACK;
@@ -298,10 +320,12 @@ impl Traversal<'_> {
 
     /// Traverses the cells of a block.
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
+    #[inline(always)]
     fn walk_cells(&mut self, [x, z]: [usize; 2], start: f64, end: f64) {
         let size = self.field.block_size;
         let first = [x * size, z * size];
-        let last = [0, 1].map(|axis| (first[axis] + size).min(self.field.cells[axis]));
+        let last_along = |axis: usize| (first[axis] + size).min(self.field.cells[axis]);
+        let last = [last_along(0), last_along(1)];
         let mut steps = Steps::new(&self.ray, start, end, 1, [first, last]);
         let Ray { origin, dir } = self.ray;
         let mut end_height = self.height(start);
@@ -342,12 +366,13 @@ impl Traversal<'_> {
     }
 
     /// Intersects one triangle.
+    #[inline(always)]
     fn intersect_triangle(&mut self, interval: TriangleInterval) {
         let TriangleInterval { from, to, .. } = interval;
         let [x, z] = interval.cell;
         let face = self.field.face(x, z, interval.is_far);
         let plane = self.field.plane_of([x, z], interval.is_far);
-        let [start, end] = [from, to].map(|t| self.at(t));
+        let (start, end) = (self.at(from), self.at(to));
         let above = match self.above {
             Some(above) => above,
             None => start.y - plane.height(start),
@@ -406,6 +431,7 @@ impl Traversal<'_> {
     }
 
     /// Crosses the water level: ground of the same height is hit instead (measured with POV-Ray).
+    #[inline(never)]
     fn cross_water_level(&mut self, t: f64, is_inside: bool, face: u32) {
         if self.field.ground(self.at(t), face) >= self.field.water {
             self.set_inside(t, is_inside, Some(face));
@@ -422,6 +448,7 @@ impl Traversal<'_> {
 }
 
 /// The zero of a height that is linear over the interval, if its sign changes.
+#[inline(always)]
 fn sign_change(interval: TriangleInterval, before: f64, after: f64) -> Option<f64> {
     let TriangleInterval { from, to, .. } = interval;
     ((before < 0.0) != (after < 0.0))
