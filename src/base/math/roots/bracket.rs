@@ -49,8 +49,12 @@ where
     x
 }
 
+/// Value and derivative at a finite `x`.
 #[inline]
 pub(crate) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
+    let [rest @ .., below, last] = c else {
+        return (c.first().map_or(0.0, |c| *c), 0.0);
+    };
     let both = |(value, slope): (f64, f64), c: &f64| (value * x + c, slope * x + value);
-    c.iter().rev().fold((0.0, 0.0), both)
+    rest.iter().rev().fold((last * x + below, *last), both)
 }

@@ -87,10 +87,13 @@ fn between_extrema<const N: usize>(c: &[f64; N], extrema: &[f64]) -> Roots {
     roots
 }
 
-/// The value at `x`.
+/// The value at a finite `x`.
 #[inline]
 pub(crate) fn value(c: &[f64], x: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+    match c {
+        [rest @ .., last] => rest.iter().rev().fold(*last, |sum, c| sum * x + c),
+        [] => 0.0,
+    }
 }
 
 #[inline]

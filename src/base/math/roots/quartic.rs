@@ -11,6 +11,9 @@ pub(crate) const LAST_STEP: f64 = 1e-9;
 /// With more steps the roots are so close together that the general solver is as fast.
 pub(crate) const MAX_STEPS: u32 = 24;
 
+/// Above the error of a value, relative to the Bernstein coefficients.
+const ROUNDING: f64 = 1e-12;
+
 /// The sign changes in `-1 < x < 1`, equal to those of [`polynomial::sign_changes`] up to the last digits.
 pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Roots {
     if is_convex(c)
@@ -29,19 +32,34 @@ pub(crate) fn quartic_changes_between(
     ends_negative: bool,
 ) -> Roots {
     let form = bernstein_form(c);
-    let is_negative = form.map(|c| c < 0.0);
-    if is_negative[0] != starts_negative || is_negative[4] != ends_negative {
+    if (form[0] < 0.0) != starts_negative || (form[4] < 0.0) != ends_negative {
         return sign_changes_between(c, starts_negative, ends_negative);
     }
-    let changes = is_negative.windows(2).filter(|pair| pair[0] != pair[1]);
+    let changes = form
+        .windows(2)
+        .filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0));
     match changes.count() {
         0 => Roots::new(),
         1 => Roots::from_slice(&[bracketed(c, -1.0, 1.0, starts_negative)]),
         _ if !starts_negative && !ends_negative && is_convex(c) => {
             from_both_ends(c).unwrap_or_else(|| polynomial::quartic(c))
         }
+        _ if !starts_negative && !ends_negative && is_positive_on_halves(&form) => Roots::new(),
         _ => sign_changes_between(c, starts_negative, ends_negative),
     }
+}
+
+/// True if the Bernstein coefficients of both halves (de Casteljau) are positive by more than what rounding does to any
+/// value of the quartic.
+fn is_positive_on_halves(form: &[f64; 5]) -> bool {
+    let middle = |a: f64, b: f64| 0.5 * (a + b);
+    let [a, b, c, d, e] = *form;
+    let [ab, bc, cd, de] = [middle(a, b), middle(b, c), middle(c, d), middle(d, e)];
+    let [abc, bcd, cde] = [middle(ab, bc), middle(bc, cd), middle(cd, de)];
+    let [left, right] = [middle(abc, bcd), middle(bcd, cde)];
+    let coefficients = [a, ab, abc, left, middle(left, right), right, cde, de, e];
+    let least = coefficients.into_iter().fold(f64::INFINITY, f64::min);
+    least > ROUNDING * form.iter().fold(0.0, |size: f64, c| size.max(c.abs()))
 }
 
 /// The Bernstein coefficients for `-1 <= x <= 1`.
