@@ -13,14 +13,10 @@
 //! values. The error of a root is that divided by the slope there.
 
 use super::bracket::{Roots, bracketed};
-use smallvec::SmallVec;
 
-/// The Bernstein coefficients of an interval; up to `N` of them stay off the heap.
-type Form<const N: usize> = SmallVec<[f64; N]>;
-
-/// Inline capacity that suffices for most polynomials and is cheap to copy.
+/// Capacity that suffices for most polynomials and is cheap to copy.
 const SMALL: usize = 12;
-/// Inline capacity for every polynomial a scene can contain.
+/// Capacity for every polynomial a scene can contain.
 const LARGE: usize = 36;
 
 /// Rounding error of a value per coefficient, relative to the sum of the absolute coefficients.
@@ -48,15 +44,22 @@ pub(crate) fn sign_changes(powers: &[f64]) -> Roots {
         roots: Roots::new(),
     };
     if powers.len() <= SMALL {
-        bisection.search(bernstein_form::<SMALL>(powers), -1.0, 1.0, MAX_BISECTIONS);
+        bisection.search_all::<SMALL>();
     } else {
-        bisection.search(bernstein_form::<LARGE>(powers), -1.0, 1.0, MAX_BISECTIONS);
+        bisection.search_all::<LARGE>();
     }
     bisection.roots
 }
 
 impl Bisection<'_> {
-    fn search<const N: usize>(&mut self, mut form: Form<N>, low: f64, high: f64, depth: u32) {
+    /// Searches with a capacity of `N` coefficients.
+    fn search_all<const N: usize>(&mut self) {
+        let form = &mut [0.0; N][..self.powers.len()];
+        to_bernstein_form(self.powers, form);
+        self.search::<N>(form, -1.0, 1.0, MAX_BISECTIONS);
+    }
+
+    fn search<const N: usize>(&mut self, form: &mut [f64], low: f64, high: f64, depth: u32) {
         let changes = form
             .windows(2)
             .filter(|pair| is_negative(pair[0]) != is_negative(pair[1]))
@@ -64,23 +67,19 @@ impl Bisection<'_> {
         if changes == 0 {
             return;
         }
-        let is_change = match (form.first(), form.last()) {
-            (Some(first), Some(last)) => is_negative(*first) != is_negative(*last),
-            _ => return,
-        };
-        let is_noise = depth == 0 || form.iter().all(|c| c.abs() <= self.noise);
-        if changes == 1 || is_noise {
-            if is_change {
-                let is_rising = is_negative(form[0]);
+        if changes == 1 || depth == 0 || form.iter().all(|c| c.abs() <= self.noise) {
+            let is_rising = is_negative(form[0]);
+            if changes % 2 == 1 {
                 self.roots
                     .push(bracketed(self.powers, low, high, is_rising));
             }
             return;
         }
         let middle = 0.5 * (low + high);
-        let left = halve(&mut form);
-        self.search(left, low, middle, depth - 1);
-        self.search(form, middle, high, depth - 1);
+        let left = &mut [0.0; N][..form.len()];
+        halve(form, left);
+        self.search::<N>(left, low, middle, depth - 1);
+        self.search::<N>(form, middle, high, depth - 1);
     }
 }
 
@@ -89,46 +88,43 @@ fn is_negative(x: f64) -> bool {
     x < 0.0
 }
 
-/// De Casteljau's algorithm: returns the form of the left half and leaves that of the right half in `form`.
-fn halve<const N: usize>(form: &mut Form<N>) -> Form<N> {
-    let mut left = Form::with_capacity(form.len());
-    for last in (0..form.len()).rev() {
-        left.push(form[0]);
+/// De Casteljau's algorithm: writes the form of the left half and leaves that of the right half in `form`.
+fn halve(form: &mut [f64], left: &mut [f64]) {
+    for (left, last) in left.iter_mut().zip((0..form.len()).rev()) {
+        *left = form[0];
         for i in 0..last {
             form[i] = 0.5 * (form[i] + form[i + 1]);
         }
     }
-    left
 }
 
-/// The Bernstein coefficients on -1..1, by Horner's rule: each step `f·x + c` raises the degree by one, and the product
-/// with `x` blends neighbouring coefficients with weights between -1 and 1.
-fn bernstein_form<const N: usize>(powers: &[f64]) -> Form<N> {
-    let mut form = Form::<N>::new();
-    for c in powers.iter().rev() {
-        let len = form.len();
-        let degree = to_f64(len);
-        form.push(0.0);
+/// Writes the Bernstein coefficients on -1..1, by Horner's rule: each step `f·x + c` raises the degree by one, and the
+/// product with `x` blends neighbouring coefficients with weights between -1 and 1.
+fn to_bernstein_form(powers: &[f64], form: &mut [f64]) {
+    for (len, (c, weights)) in powers.iter().rev().zip(&WEIGHTS).enumerate() {
         // From the end, since each coefficient needs the old values of its neighbours.
         for j in (0..=len).rev() {
-            let weight = if degree > 0.0 {
-                to_f64(j) / degree
-            } else {
-                0.0
-            };
+            let [weight, rest] = weights[j];
             // The Bernstein coefficients of x are -1 and 1.
             let before = if j > 0 { weight * form[j - 1] } else { 0.0 };
-            let after = if j < len {
-                (1.0 - weight) * form[j]
-            } else {
-                0.0
-            };
+            let after = if j < len { rest * form[j] } else { 0.0 };
             form[j] = before - after + c;
         }
     }
-    form
 }
 
-fn to_f64(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
-}
+/// `[j / degree, 1 - j / degree]` by degree and `j`, without divisions at run time.
+static WEIGHTS: [[[f64; 2]; LARGE]; LARGE] = {
+    let mut weights = [[[0.0, 1.0]; LARGE]; LARGE];
+    let mut degree = 1;
+    while degree < LARGE {
+        let mut j = 0;
+        while j <= degree {
+            let weight = j as f64 / degree as f64;
+            weights[degree][j] = [weight, 1.0 - weight];
+            j += 1;
+        }
+        degree += 1;
+    }
+    weights
+};

@@ -21,6 +21,17 @@ pub(super) struct ChordEnds {
     d_bend: Poly,
 }
 
+/// The chord at one parameter, with the derivatives of its polynomials.
+#[derive(Clone, Copy)]
+struct ChordPoint {
+    half: f64,
+    b: f64,
+    d_slope: f64,
+    b_slope: f64,
+    d_bend: f64,
+    b_bend: f64,
+}
+
 impl ChordEnds {
     pub(super) fn new(curve: &[DVec4], origin: DVec3, dir: DVec3) -> Self {
         let mut b = Poly::new();
@@ -60,8 +71,9 @@ impl ChordEnds {
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
             let inner = params.iter().copied().filter(|x| from < *x && *x < to);
             for x in inner.chain([from, to, 0.5 * (from + to)]) {
-                low = low.min(self.polished(x, from, to, -1.0));
-                high = high.max(self.polished(x, from, to, 1.0));
+                let at = self.at(x);
+                low = low.min(self.polished(x, &at, from, to, -1.0));
+                high = high.max(self.polished(x, &at, from, to, 1.0));
             }
             give(low, high);
         }
@@ -83,30 +95,52 @@ impl ChordEnds {
         params
     }
 
+    fn at(&self, x: f64) -> ChordPoint {
+        let (half, b) = self.chord(x);
+        self.with_slopes(x, half, b)
+    }
+
+    /// Half-length and `b` of the chord at a parameter.
+    fn chord(&self, x: f64) -> (f64, f64) {
+        (value(&self.d, x).max(0.0).sqrt(), value(&self.b, x))
+    }
+
+    fn with_slopes(&self, x: f64, half: f64, b: f64) -> ChordPoint {
+        ChordPoint {
+            half,
+            b,
+            d_slope: value(&self.d_slope, x),
+            b_slope: value(&self.b_slope, x),
+            d_bend: value(&self.d_bend, x),
+            b_bend: value(&self.b_bend, x),
+        }
+    }
+
     /// The distance to the entry (`side` −1) or the exit (`side` 1) of the sphere at a parameter, or a more extreme one
     /// nearby.
-    fn polished(&self, x: f64, from: f64, to: f64, side: f64) -> f64 {
-        let distance = |x: f64| side * value(&self.d, x).max(0.0).sqrt() - value(&self.b, x);
-        let mut best = distance(x);
-        let mut x = x;
-        for _ in 0..POLISH {
-            let half = value(&self.d, x).max(0.0).sqrt();
-            let slope = value(&self.d_slope, x);
-            let rise = side * slope / (2.0 * half) - value(&self.b_slope, x);
+    fn polished(&self, mut x: f64, at: &ChordPoint, from: f64, to: f64, side: f64) -> f64 {
+        let mut best = side * at.half - at.b;
+        let mut at = *at;
+        for left in (0..POLISH).rev() {
+            let (half, slope) = (at.half, at.d_slope);
+            let rise = side * slope / (2.0 * half) - at.b_slope;
             let bend = side
-                * (value(&self.d_bend, x) / (2.0 * half)
-                    - slope * slope / (4.0 * half * half * half))
-                - value(&self.b_bend, x);
+                * (at.d_bend / (2.0 * half) - slope * slope / (4.0 * half * half * half))
+                - at.b_bend;
             let next = x - rise / bend;
             let is_inside = from < next && next < to;
             if !is_inside {
                 break;
             }
-            let at_next = distance(next);
+            let (half, b) = self.chord(next);
+            let at_next = side * half - b;
             if side * at_next <= side * best {
                 break;
             }
             (x, best) = (next, at_next);
+            if left > 0 {
+                at = self.with_slopes(x, half, b);
+            }
         }
         best
     }
