@@ -264,13 +264,14 @@ impl FrameRay {
             ray.high[axis] = loose_above(origin[axis] + error);
             ray.inverse[axis] = nearest(1.0 / dir[axis]);
         }
-        ray.dir = [dir.x, dir.y, dir.z].map(nearest);
+        // Written out: `map` is not always inlined.
+        ray.dir = [nearest(dir.x), nearest(dir.y), nearest(dir.z)];
         let [u, v, w] = ray.dir;
         ray.speed_sq = u * u + v * v + w * w;
         let size = origin.abs().max_element();
         let slack = nearest(error) + POINT_ERROR * nearest(size);
         if slack < MAX_SLACK {
-            ray.middle = [origin.x, origin.y, origin.z].map(nearest);
+            ray.middle = [nearest(origin.x), nearest(origin.y), nearest(origin.z)];
             ray.slack = slack;
         }
         ray

@@ -35,7 +35,7 @@ pub(crate) struct TriangleHit {
 
 impl RayFrame {
     /// Prepares a ray. A ray with a zero direction hits nothing.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(ray: &Ray) -> Self {
         let length = ray.dir.abs();
         let along = if length.x > length.y && length.x > length.z {
@@ -54,7 +54,7 @@ impl RayFrame {
     }
 
     /// The vertices relative to the sheared ray: their coordinates across it and along it.
-    #[inline]
+    #[inline(always)]
     fn sheared(&self, corners: &[DVec3; 3]) -> ([DVec2; 3], [f64; 3]) {
         let mut flat = [DVec2::ZERO; 3];
         let mut depth = [0.0; 3];
@@ -94,7 +94,7 @@ impl RayFrame {
     }
 
     /// The hit of the whole line on a triangle; edges and vertices belong to the triangle.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn hit(&self, corners: &[DVec3; 3]) -> Option<TriangleHit> {
         let (flat, depth) = self.sheared(corners);
         let mut edges = edge_signs(&flat);
@@ -112,7 +112,8 @@ impl RayFrame {
                 return None;
             }
         }
-        let weights = edges.map(|e| e / sum);
+        // Written out: `map` is not always inlined.
+        let weights = [edges[0] / sum, edges[1] / sum, edges[2] / sum];
         let t = self.parameter(corners, &depth, &weights);
         t.is_finite().then_some(TriangleHit { t, weights })
     }
@@ -120,7 +121,7 @@ impl RayFrame {
     /// The `t` of a hit. For a triangle perpendicular to an axis it has the same bits as for a box face or a plane
     /// there. For any other it is a weighted mean of the vertex depths, which stays between them however thin the
     /// triangle is.
-    #[inline]
+    #[inline(always)]
     fn parameter(&self, corners: &[DVec3; 3], depth: &[f64; 3], weights: &[f64; 3]) -> f64 {
         let [a, b, c] = *corners;
         let is_level = a.cmpeq(b) & a.cmpeq(c);

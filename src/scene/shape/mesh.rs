@@ -304,7 +304,7 @@ impl Triangles {
         [corner(a), corner(b), corner(c)]
     }
 
-    #[inline]
+    #[inline(always)]
     fn intersect(&self, frame: &RayFrame, face: u32) -> Option<TriangleHit> {
         match self.inside {
             Some(_) => frame.crossing(&self.corners(face)),
@@ -331,23 +331,28 @@ impl Triangles {
     ) -> Option<(f64, u32)> {
         let frame = RayFrame::new(ray);
         let mut closest = None;
-        let visit = |face, end| {
-            let Some(TriangleHit { t, .. }) = self.intersect(&frame, face) else {
-                return end;
-            };
-            let is_first = match closest {
-                None => true,
-                Some((closest_t, closest_face)) => {
-                    t < closest_t || (t == closest_t && face < closest_face)
+        self.tree().nearest_in(
+            lanes,
+            ray,
+            (from, to),
+            #[inline(always)]
+            |face, end| {
+                let Some(TriangleHit { t, .. }) = self.intersect(&frame, face) else {
+                    return end;
+                };
+                let is_first = match closest {
+                    None => true,
+                    Some((closest_t, closest_face)) => {
+                        t < closest_t || (t == closest_t && face < closest_face)
+                    }
+                };
+                if face != skip && from < t && t < to && is_first {
+                    closest = Some((t, face));
+                    return t;
                 }
-            };
-            if face != skip && from < t && t < to && is_first {
-                closest = Some((t, face));
-                return t;
-            }
-            end
-        };
-        self.tree().nearest_in(lanes, ray, (from, to), visit);
+                end
+            },
+        );
         closest
     }
 
