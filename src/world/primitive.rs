@@ -197,6 +197,16 @@ impl Leaf {
         self.shape.is_exiting(self.to_object(ray, &mut None))
     }
 
+    /// A `t` up to which a world ray that leaves the shape outward certainly does not hit it again; `None` if unknown.
+    #[must_use]
+    #[inline]
+    pub(super) fn departure(&self, ray: &Ray) -> Option<f64> {
+        match &self.shape {
+            Shape::Blob(blob) => blob.departure(self.to_object(ray, &mut None)),
+            _ => None,
+        }
+    }
+
     #[inline(never)]
     fn other_has_exited_convex(&self, ray: &Ray) -> bool {
         !self.shape.is_faceted() && self.is_exiting(ray)

@@ -95,6 +95,10 @@ fn an_exited_convex_shape_is_not_entered_again() {
         (Word::Cone, "<0,0,0>, 1, <0,1,0>, -0.5"),
         (Word::Plane, "<0.3,1,0.2>, -1"),
         (Word::Torus, "1, .3"),
+        (
+            Word::Blob,
+            "threshold .4 sphere { <0,0,0>, 1, 1 } sphere { <.5,.2,0>, 1, 1 }",
+        ),
         (Word::Superellipsoid, "<.5, .3>"),
         (Word::Superellipsoid, "<2, 1.1>"),
     ] {

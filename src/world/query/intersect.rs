@@ -111,9 +111,13 @@ impl Model {
                         Some(origin) if origin.leaf == number && leaf.shape.is_faceted() => {
                             leaf.nearest_beside(ray, t_min, beyond(far), origin.face)?
                         }
-                        Some(origin) if origin.leaf == number => {
-                            nearest_but(leaf, origin, ray, t_min, &mut scratch.roots)?
-                        }
+                        Some(origin) if origin.leaf == number => nearest_but(
+                            leaf,
+                            origin,
+                            ray,
+                            (t_min, beyond(far)),
+                            &mut scratch.roots,
+                        )?,
                         _ => leaf.nearest(ray, t_min, beyond(far))?,
                     };
                     let hit = RawHit {
@@ -221,18 +225,23 @@ impl Model {
     }
 }
 
-/// The first visible root beyond `t_min` on the leaf that the ray starts on.
+/// The first visible root beyond `t_min` on the leaf that the ray starts on; one from `far` on may be missing.
 #[inline(never)]
 fn nearest_but(
     leaf: &Leaf,
     origin: &SpawnSurface,
     ray: &Ray,
-    t_min: f64,
+    (t_min, far): (f64, f64),
     roots: &mut Vec<Root>,
 ) -> Option<Root> {
     if let Some(sphere) = leaf.world_sphere() {
         let root = sphere.other_root(ray, origin.normal.dot(ray.dir) > 0.0)?;
         return (root.t > t_min).then_some(root);
+    }
+    if origin.normal.dot(ray.dir) > 0.0
+        && let Some(start) = leaf.departure(ray)
+    {
+        return leaf.nearest(ray, start.max(t_min), far);
     }
     // Of the roots of the same crossing, the one that the ray left is nearest to its origin: a root this near is that
     // one.

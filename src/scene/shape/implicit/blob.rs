@@ -14,7 +14,7 @@ mod component;
 mod reach;
 
 use self::component::{Component, Segment, Segments};
-use self::reach::BoundingSpheres;
+use self::reach::{BoundingSpheres, Part};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::roots::quartic::quartic_changes_between;
@@ -114,7 +114,7 @@ impl Blob {
             None => (0..).zip(&components).map(|(number, _)| number).collect(),
         };
         let ordered = order.iter().map(|&number| &components[number as usize]);
-        let spheres = BoundingSpheres::new(ordered);
+        let spheres = BoundingSpheres::new(ordered, threshold);
         Blob(Arc::new(Field {
             components,
             textures,
@@ -125,15 +125,26 @@ impl Blob {
             order,
         }))
     }
+
+    /// A `t` up to which a ray that leaves the surface outward certainly does not hit it again; `None` if unknown.
+    pub(crate) fn departure(&self, ray: &Ray) -> Option<f64> {
+        let spheres = self.0.spheres.as_ref().filter(|spheres| spheres.is_plain);
+        let line = spheres?.line(ray)?;
+        with_widest(
+            #[inline(always)]
+            |lanes| line.departure(lanes),
+        )
+    }
 }
 
 impl Field {
-    /// Collects the segments of the ray inside the components.
-    fn gather(&self, ray: &Ray, segments: &mut Segments) {
-        if let Some(spheres) = &self.spheres {
-            let mut hit_mask = with_widest(|lanes| spheres.hit_mask(lanes, ray));
-            while let Some(&number) = self.order.get(hit_mask.trailing_zeros() as usize) {
-                hit_mask &= hit_mask - 1;
+    /// Collects the segments of the ray inside the components; of those with bounding spheres only in the ones of a bit
+    /// mask.
+    #[inline(always)]
+    fn gather(&self, ray: &Ray, mut reached: u64, segments: &mut Segments) {
+        if self.spheres.is_some() {
+            while let Some(&number) = self.order.get(reached.trailing_zeros() as usize) {
+                reached &= reached - 1;
                 self.components[number as usize].segments(ray, segments);
             }
             return;
@@ -154,69 +165,85 @@ impl Field {
     }
 
     /// Roots of a ray in the intervals that overlap `from..to`, perhaps with some outside; roots after the first one
-    /// beyond `enough` may be missing.
-    fn crossings(&self, ray: &Ray, from: f64, to: f64, enough: f64) -> Crossings {
+    /// beyond `enough` may be missing, with `skips` also some before.
+    fn crossings(&self, ray: &Ray, [from, to, enough]: [f64; 3], skips: bool) -> Crossings {
         let mut roots = Crossings::new();
+        let spheres = self.spheres.as_ref();
+        let line = spheres.and_then(|spheres| spheres.line(ray));
+        let is_plain = spheres.is_some_and(|spheres| spheres.is_plain);
+        let scanned = (is_plain && enough < f64::INFINITY).then_some(enough);
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                let part = match &line {
+                    Some(line) => line.part(lanes, [from, to], scanned, skips),
+                    None => Some(Part {
+                        from,
+                        to,
+                        reached: u64::MAX,
+                    }),
+                };
+                if let Some(part) = part {
+                    self.find_crossings(ray, &part, enough, &mut roots);
+                }
+            },
+        );
+        roots
+    }
+
+    #[inline(always)]
+    fn find_crossings(&self, ray: &Ray, part: &Part, enough: f64, roots: &mut Crossings) {
+        let Part { from, to, reached } = *part;
         let mut segments = Segments::new();
-        self.gather(ray, &mut segments);
+        self.gather(ray, reached, &mut segments);
+        let segments = &segments[..];
         // The safety factor is squared since this sum has another order than the sum of an interval.
         if segments.iter().map(Segment::max_field).sum::<f64>() < SAFETY * SAFETY * self.threshold {
-            return roots;
+            return;
         }
-        let ends = SegmentEnds::new(&segments);
-        let mut index = 0;
-        let (mut active, mut next_active) = (
-            ActiveSegments::none(&segments),
-            ActiveSegments::none(&segments),
-        );
+        // Their ends, sorted, each with the index of its segment.
+        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::new();
+        for (segment, number) in segments.iter().zip(0..) {
+            ends.push((segment.from, number));
+            ends.push((segment.to, number));
+        }
+        ends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let mut bits = Bits::from_elem(0, segments.len().div_ceil(WORD));
+        let mut active = ActiveSegments::none(&mut bits);
         let (mut interval_start, mut starts_inside) = (f64::NEG_INFINITY, self.is_inside(0.0));
-        while let Some(joint) = ends.joint(index) {
+        let mut rest = &ends[..];
+        while let Some(&(joint, _)) = rest.first() {
             if interval_start >= to || roots.last().is_some_and(|root| root.t > enough) {
                 break;
             }
-            next_active.bits.copy_from_slice(&active.bits);
-            index = ends.toggle_ends(index, &mut next_active.bits);
-            next_active.bound(&segments);
+            let at_joint = rest.iter().take_while(|end| end.0 == joint).count();
+            let (at_joint, behind) = rest.split_at(at_joint);
+            rest = behind;
             // Skip intervals that end before the ray begins.
-            if joint > from || ends.joint(index).is_some_and(|end| end > from) {
-                let ends_inside = self.is_inside_at(&segments, &active, &next_active, joint);
-                let is_empty = active.is_empty() || joint <= from;
-                let is_outside =
-                    !starts_inside && !ends_inside && self.is_surely_below(active.max_field);
-                if !is_empty && !is_outside {
+            if joint > from || rest.first().is_some_and(|end| end.0 > from) {
+                let is_gap = active.len == 0;
+                let max_field = active.max_field(segments);
+                let ends_inside = if is_gap || active.len_behind(at_joint) == 0 {
+                    self.is_inside(0.0)
+                } else {
+                    !self.is_surely_below(max_field)
+                        && self.is_inside(active.field(segments, joint))
+                };
+                let is_outside = !starts_inside && !ends_inside && self.is_surely_below(max_field);
+                if !is_gap && joint > from && !is_outside {
                     let interval = Interval {
                         low: interval_start,
                         high: joint,
                         starts_inside,
                         ends_inside,
                     };
-                    self.solve(&segments, &active, &interval, &mut roots);
+                    self.solve(segments, &active, &interval, roots);
                 }
                 starts_inside = ends_inside;
             }
             interval_start = joint;
-            std::mem::swap(&mut active, &mut next_active);
+            active.pass(at_joint);
         }
-        roots
-    }
-
-    /// Inside test at the joint of two intervals.
-    fn is_inside_at(
-        &self,
-        segments: &[Segment],
-        active: &ActiveSegments,
-        next_active: &ActiveSegments,
-        joint: f64,
-    ) -> bool {
-        if active.is_empty() || next_active.is_empty() {
-            return self.is_inside(0.0);
-        }
-        if self.is_surely_below(active.max_field) {
-            return false;
-        }
-        let mut field = 0.0;
-        active.each_segment(segments, |segment| field += segment.field(joint));
-        self.is_inside(field)
     }
 
     /// True if a field bounded by `max_field` is below the threshold, by more than rounding.
@@ -224,6 +251,7 @@ impl Field {
         max_field < SAFETY * self.threshold
     }
 
+    #[inline(always)]
     fn solve(
         &self,
         segments: &[Segment],
@@ -277,28 +305,46 @@ struct Interval {
 }
 
 /// The segments that overlap an interval.
-struct ActiveSegments {
-    bits: Bits,
-    /// Upper bound of the field.
-    max_field: f64,
+struct ActiveSegments<'a> {
+    bits: &'a mut [u64],
+    len: usize,
 }
 
-impl ActiveSegments {
-    fn none(segments: &[Segment]) -> Self {
-        ActiveSegments {
-            bits: Bits::from_elem(0, segments.len().div_ceil(WORD)),
-            max_field: 0.0,
+impl<'a> ActiveSegments<'a> {
+    fn none(bits: &'a mut [u64]) -> Self {
+        ActiveSegments { bits, len: 0 }
+    }
+
+    fn contains(&self, number: u32) -> bool {
+        self.bits[number as usize / WORD] >> (number as usize % WORD) & 1 == 1
+    }
+
+    /// Number of the segments behind a joint with these ends.
+    fn len_behind(&self, joint: &[(f64, u32)]) -> usize {
+        let closing = joint.iter().filter(|end| self.contains(end.1)).count();
+        self.len + joint.len() - 2 * closing
+    }
+
+    /// Passes all ends at one joint: segments that begin there become active, segments that end there inactive.
+    fn pass(&mut self, joint: &[(f64, u32)]) {
+        self.len = self.len_behind(joint);
+        for &(_, number) in joint {
+            self.bits[number as usize / WORD] ^= 1 << (number as usize % WORD);
         }
     }
 
-    fn is_empty(&self) -> bool {
-        self.bits.iter().all(|word| *word == 0)
-    }
-
-    fn bound(&mut self, segments: &[Segment]) {
+    /// Upper bound of the field.
+    fn max_field(&self, segments: &[Segment]) -> f64 {
         let mut max_field = 0.0;
         self.each_segment(segments, |segment| max_field += segment.max_field());
-        self.max_field = max_field;
+        max_field
+    }
+
+    /// The field at `t`.
+    fn field(&self, segments: &[Segment], t: f64) -> f64 {
+        let mut field = 0.0;
+        self.each_segment(segments, |segment| field += segment.field(t));
+        field
     }
 
     /// Visits the segments in the order of their indices.
@@ -314,43 +360,10 @@ impl ActiveSegments {
     }
 }
 
-/// Ends of the segments of a ray, sorted, each with the index of its segment.
-struct SegmentEnds(SmallVec<[(f64, u32); 24]>);
-
-impl SegmentEnds {
-    fn new(segments: &[Segment]) -> Self {
-        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::with_capacity(2 * segments.len());
-        for (segment, number) in segments.iter().zip(0..) {
-            ends.push((segment.from, number));
-            ends.push((segment.to, number));
-        }
-        ends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        SegmentEnds(ends)
-    }
-
-    fn joint(&self, index: usize) -> Option<f64> {
-        self.0.get(index).map(|end| end.0)
-    }
-
-    /// Passes all ends at one joint: segments that begin there become active, segments that end there inactive.
-    fn toggle_ends(&self, mut index: usize, bits: &mut [u64]) -> usize {
-        let Some(joint) = self.joint(index) else {
-            return index;
-        };
-        while let Some(&(t, number)) = self.0.get(index)
-            && t == joint
-        {
-            bits[number as usize / WORD] ^= 1 << (number as usize % WORD);
-            index += 1;
-        }
-        index
-    }
-}
-
 impl Geometry for Blob {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
-        roots.extend(self.0.crossings(ray, from, to, f64::INFINITY));
+        let all = [f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
+        roots.extend_from_slice(&self.0.crossings(ray, all, false));
         if self.0.is_inside(0.0) {
             Start::Inside
         } else {
@@ -359,12 +372,16 @@ impl Geometry for Blob {
     }
 
     fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
-        roots.extend(self.0.crossings(ray, from, f64::INFINITY, enough));
+        roots.extend_from_slice(&self.0.crossings(ray, [from, f64::INFINITY, enough], false));
         false
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.0.crossings(ray, from, to, from), from, to)
+        first_visible(&self.0.crossings(ray, [from, to, from], true), from, to)
+    }
+
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.departure(ray) == Some(f64::INFINITY)
     }
 
     fn moves_face_textures(&self) -> bool {

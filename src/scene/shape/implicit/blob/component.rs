@@ -24,6 +24,8 @@ pub(super) struct Component {
     bounds: Bounds,
     /// Centre and radius of a bounding sphere.
     bounding_sphere: (DVec3, f64),
+    /// True if the bounding sphere is where the field ends.
+    is_sphere: bool,
 }
 
 /// An interval of a ray on which `d = |origin + t · dir|`.
@@ -165,6 +167,8 @@ impl Component {
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let bounds = Bounds::new(low - half_extent - slack, high + half_extent + slack);
         let is_empty = half_extent == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
+        let radius = blob_from_unit.matrix3.x_axis.x;
+        let is_uniform = blob_from_unit.matrix3 == DMat3::from_diagonal(DVec3::splat(radius));
         Component {
             strength,
             skin: TextureWeight::OF_THE_OBJECT,
@@ -175,6 +179,7 @@ impl Component {
                 ends[0].midpoint(ends[1]),
                 0.5 * ends[0].distance(ends[1]) + max_scale,
             ),
+            is_sphere: is_uniform && length == 0.0 && !is_empty,
         }
     }
 
@@ -182,11 +187,16 @@ impl Component {
         self.bounding_sphere
     }
 
+    pub(super) fn is_sphere(&self) -> bool {
+        self.is_sphere
+    }
+
     pub(super) fn bounds(&self) -> Bounds {
         self.bounds
     }
 
     /// Appends the segments of a ray inside the component.
+    #[inline(always)]
     pub(super) fn segments(&self, ray: &Ray, segments: &mut Segments) {
         if self.bounds.is_empty() {
             return;
@@ -194,35 +204,44 @@ impl Component {
         let local = ray.to_object(&self.unit_from_blob);
         if self.length == 0.0 {
             self.push(&local, f64::NEG_INFINITY, f64::INFINITY, segments);
-            return;
-        }
-        let above = Ray::new(local.origin - self.length * DVec3::Y, local.dir);
-        let flat = |v: DVec3| DVec3::new(v.x, 0.0, v.z);
-        let between = Ray::new(flat(local.origin), flat(local.dir));
-        if local.dir.y == 0.0 {
-            let piece = if local.origin.y < 0.0 {
-                &local
-            } else if above.origin.y > 0.0 {
-                &above
-            } else {
-                &between
-            };
-            self.push(piece, f64::NEG_INFINITY, f64::INFINITY, segments);
-            return;
-        }
-        let bottom = -local.origin.y / local.dir.y;
-        let top = -above.origin.y / local.dir.y;
-        let (first, second, locals) = if local.dir.y > 0.0 {
-            (bottom, top, [&local, &between, &above])
         } else {
-            (top, bottom, [&above, &between, &local])
+            self.cylinder_segments(&local, segments);
+        }
+    }
+
+    #[inline(never)]
+    fn cylinder_segments(&self, local: &Ray, segments: &mut Segments) {
+        let above = &Ray::new(local.origin - self.length * DVec3::Y, local.dir);
+        let flat = |v: DVec3| DVec3::new(v.x, 0.0, v.z);
+        let between = &Ray::new(flat(local.origin), flat(local.dir));
+        let (first, second, pieces) = if local.dir.y == 0.0 {
+            let piece = if local.origin.y < 0.0 {
+                local
+            } else if above.origin.y > 0.0 {
+                above
+            } else {
+                between
+            };
+            (f64::INFINITY, f64::INFINITY, [piece; 3])
+        } else {
+            let bottom = -local.origin.y / local.dir.y;
+            let top = -above.origin.y / local.dir.y;
+            if local.dir.y > 0.0 {
+                (bottom, top, [local, between, above])
+            } else {
+                (top, bottom, [above, between, local])
+            }
         };
-        self.push(locals[0], f64::NEG_INFINITY, first, segments);
-        self.push(locals[1], first, second, segments);
-        self.push(locals[2], second, f64::INFINITY, segments);
+        let ends = [f64::NEG_INFINITY, first, second, f64::INFINITY];
+        for (piece, ends) in pieces.into_iter().zip(ends.windows(2)) {
+            if ends[0] < ends[1] {
+                self.push(piece, ends[0], ends[1], segments);
+            }
+        }
     }
 
     /// Appends the segment of a ray, relative to a centre, that lies in the unit sphere and between two parameters.
+    #[inline(always)]
     fn push(&self, about: &Ray, start: f64, end: f64, segments: &mut Segments) {
         let Some((enter, leave)) = unit_chord(about, start, end) else {
             return;
@@ -241,6 +260,7 @@ impl Component {
     }
 
     /// Upper bound of the field on an interval of a ray relative to a centre.
+    #[inline(always)]
     fn max_field_along(&self, about: &Ray, from: f64, to: f64) -> f64 {
         if self.strength <= 0.0 {
             return 0.0;
@@ -284,6 +304,7 @@ impl Component {
 }
 
 /// Interval of a ray inside the unit sphere about the origin; without a direction, `start..end` or nothing.
+#[inline(always)]
 fn unit_chord(about: &Ray, start: f64, end: f64) -> Option<(f64, f64)> {
     let dir_sq = about.dir.dot(about.dir);
     let origin_sq = about.origin.dot(about.origin);
@@ -293,6 +314,11 @@ fn unit_chord(about: &Ray, start: f64, end: f64) -> Option<(f64, f64)> {
     if is_comfortable(1.0, dir_sq, origin_sq) {
         return sphere_span(about.origin, about.dir, 1.0);
     }
+    rescaled_chord(about)
+}
+
+#[cold]
+fn rescaled_chord(about: &Ray) -> Option<(f64, f64)> {
     let rescaled = RescaledRay::new(about, 1.0)?;
     let (enter, leave) = sphere_span(rescaled.ray.origin, rescaled.ray.dir, 1.0 / rescaled.size)?;
     Some((rescaled.t(enter), rescaled.t(leave)))

@@ -1,5 +1,6 @@
 use super::*;
 use crate::base::args::text::TextArgs;
+use crate::base::math::sampling::random::Random;
 use crate::scene::shape::Crossing;
 use crate::scene::shape::tests::check;
 
@@ -35,6 +36,56 @@ fn many_components_are_visited_through_the_bvh() {
     let whole = blob(&text);
     assert!(whole.0.bvh.is_some());
     check::solid(&whole);
+}
+
+#[test]
+fn skipped_parts_of_a_line_have_no_roots() {
+    let mut rng = Random::new(41);
+    let (mut hits, mut departures) = (0, 0);
+    for round in 0..60 {
+        let mut text = String::from("threshold 0.5");
+        for _ in 0..3 + round % 20 {
+            let DVec3 { x, y, z } = rng.vector(1.0);
+            let (radius, strength) = (0.1 + 0.6 * rng.uniform(), 0.2 + rng.uniform());
+            text += &format!(" sphere {{ <{x},{y},{z}>, {radius}, {strength} }}");
+        }
+        if round % 3 == 1 {
+            text += " sphere { <.1,.2,.3>, .5, -1 } cylinder { <0,0,0>, <1,.5,0>, .4, .7 }";
+        }
+        let blob = blob(&text);
+        let mut roots = Vec::new();
+        for _ in 0..1000 {
+            let ray = Ray::new(rng.vector(3.0), rng.vector(1.0));
+            roots.clear();
+            blob.roots(&ray, &mut roots);
+            let from = 4.0 * rng.uniform() - 2.0;
+            let to = from + 4.0 * rng.uniform();
+            let first = first_visible(&roots, from, to);
+            assert_eq!(blob.nearest(&ray, from, to), first, "{text}: {ray:?}");
+            let mut later = Vec::new();
+            blob.roots_from(&ray, from, to, &mut later);
+            let [expected, found] = [&roots, &later].map(|roots| {
+                let beyond = roots.iter().filter(|root| root.t > from);
+                let enough = beyond.clone().filter(|root| root.t <= to).count() + 1;
+                beyond.take(enough).copied().collect::<Vec<_>>()
+            });
+            assert_eq!(found, expected, "{text}: {ray:?}");
+            for root in &roots {
+                hits += 1;
+                let out = Ray::new(ray.at(root.t), rng.vector(1.0));
+                let leaves = blob.normal(out.origin, 0).dot(out.dir) > 0.0;
+                let Some(departure) = blob.departure(&out).filter(|_| leaves) else {
+                    continue;
+                };
+                departures += 1;
+                let mut all = Vec::new();
+                blob.roots(&out, &mut all);
+                let early = all.iter().find(|root| 1e-9 < root.t && root.t <= departure);
+                assert_eq!(early, None, "{text}: {out:?}");
+            }
+        }
+    }
+    assert!(hits > 4_000 && departures > 1_000, "{hits} {departures}");
 }
 
 #[test]
