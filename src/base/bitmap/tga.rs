@@ -96,7 +96,8 @@ fn rgba(stored: &[u8], bits: u8) -> [u8; 4] {
     match *stored {
         [low, high] => {
             let word = u16::from_le_bytes([low, high]);
-            let [r, g, b] = [10, 5, 0].map(|shift| ((word >> shift & 31) << 3) as u8);
+            let five_bits = |shift: u32| (word >> shift << 3).to_le_bytes()[0];
+            let [r, g, b] = [10, 5, 0].map(five_bits);
             let is_opaque = bits == 15 || word >> 15 == 1;
             [r, g, b, if is_opaque { u8::MAX } else { 0 }]
         }
