@@ -244,12 +244,9 @@ impl Net {
         let corner = a;
         let all = points.iter().flatten();
         let size = all.fold(0.0_f64, |size, p| size.max((*p - a).abs().max_element()));
-        let other = if (a - b).length() < MIN_CORNER_DISTANCE * size {
-            c
-        } else {
-            b
-        };
-        let Some(normal) = (other - a).cross(d - a).try_normalize() else {
+        let is_near = |point: DVec3| (a - point).length() < MIN_CORNER_DISTANCE * size;
+        let [one, other] = [b, d].map(|point| if is_near(point) { c } else { point });
+        let Some(normal) = (one - a).cross(other - a).try_normalize() else {
             return true;
         };
         let mut all = points.iter().flatten();
