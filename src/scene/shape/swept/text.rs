@@ -217,6 +217,13 @@ impl Line {
             return Spans::new();
         };
         let mut spans = Spans::new();
+        if self.depth[0] == self.depth[1] {
+            spans.extend(
+                self.sheet(number, ray, near.t)
+                    .filter(|_| near.t > from && near.t < to),
+            );
+            return spans;
+        }
         let interval = [near.t.max(from), far.t.min(to)];
         let is_hit = near.t < far.t && interval[0] < interval[1];
         if !is_hit {
@@ -256,6 +263,18 @@ impl Line {
             push(enter, SpanEnd::new(interval[1], far.face));
         }
         spans
+    }
+
+    /// A ray through the plane of a text without thickness: both ends of its span lie on the back, as in POV-Ray.
+    #[cold]
+    fn sheet(&self, number: u32, ray: &Ray, t: f64) -> Option<[Root; 2]> {
+        let letter = &self.letters[number as usize];
+        let at = ray.origin - letter.at + t * ray.dir;
+        let end = SpanEnd::new(t, self.first_faces[number as usize] + BACK);
+        let is_hit = t.is_finite() && letter.outline.contains(at.truncate());
+        is_hit
+            .then(|| crate::scene::shape::span(end, end))
+            .flatten()
     }
 
     /// Appends the roots of a ray beyond `from`.
