@@ -48,11 +48,13 @@ fn pnm(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Faul
     bitmap_from_image(image, handling.transfer(format, None), handling)
 }
 
-/// The maximum that the header states for samples, if it is below 256.
+/// The maximum that the header of a PGM or PPM file states for samples, if it is below 256.
 fn pnm_maximum(bytes: &[u8]) -> Option<u8> {
-    let mut numbers = [None; 3];
+    matches!(bytes.get(1)?, b'2' | b'3' | b'5' | b'6').then_some(())?;
+    let mut last = None;
     let mut rest = bytes.get(2..)?;
-    for number in &mut numbers {
+    // Width, height and the maximum.
+    for _ in 0..3 {
         loop {
             rest = rest.trim_ascii_start();
             match rest.first()? {
@@ -61,8 +63,8 @@ fn pnm_maximum(bytes: &[u8]) -> Option<u8> {
             }
         }
         let (digits, behind) = rest.split_at(rest.iter().position(u8::is_ascii_whitespace)?);
-        *number = std::str::from_utf8(digits).ok();
+        last = std::str::from_utf8(digits).ok();
         rest = behind;
     }
-    numbers[2]?.parse().ok()
+    last?.parse().ok().filter(|&most| most > 0)
 }

@@ -50,7 +50,7 @@ pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
     let (w, h) = sizes().ok_or("it is too large")?;
     match (header.kind, header.bits) {
         (1, 8) if header.has_palette => {
-            let entry = usize::from(header.color_bits).div_ceil(8);
+            let entry = bytes_of(header.color_bits);
             let black = [0, 0, 0, u8::MAX];
             let colors = palette.chunks_exact(entry.max(1));
             let colors = colors.map(|color| rgba(color, header.color_bits));

@@ -86,13 +86,11 @@ impl Bounds {
         }
     }
 
-    /// The bounds and a few roundings of their largest coordinate around them; those that are not finite as they are.
+    /// The bounds and a few roundings of their largest finite coordinate around them.
     #[must_use]
     pub fn with_slack(&self) -> Bounds {
-        let slack = 8.0 * f64::EPSILON * self.min.abs().max(self.max.abs()).max_element();
-        if !slack.is_finite() {
-            return *self;
-        }
+        let finite = |v: DVec3| DVec3::select(v.abs().cmplt(DVec3::INFINITY), v.abs(), DVec3::ZERO);
+        let slack = 8.0 * f64::EPSILON * finite(self.min).max(finite(self.max)).max_element();
         Bounds::new(self.min - slack, self.max + slack)
     }
 

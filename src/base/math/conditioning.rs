@@ -33,14 +33,19 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some(near_one / near_one.length())
 }
 
-/// The same as the product with the reciprocal of the length, as POV-Ray rounds it.
+/// A vector times the reciprocal of its length: as POV-Ray rounds unit vectors.
+pub(crate) fn to_unit(v: DVec3) -> DVec3 {
+    v * v.length().recip()
+}
+
+/// [`to_unit`] at any scale; `None` for the zero vector and for one that is not finite.
 pub(crate) fn unit_by_reciprocal(v: DVec3) -> Option<DVec3> {
     let size = v.abs().max_element();
     if size == 0.0 || !v.is_finite() {
         return None;
     }
     let near_one = v / power_of_two(size);
-    Some(near_one * near_one.length().recip())
+    Some(to_unit(near_one))
 }
 
 /// True if a shape of this size can be intersected with a ray without rescaling. `dir_sq` is the squared length of the

@@ -5,7 +5,8 @@
 //! cells, so samples beyond the first depth may be lost; the same ones are lost here.
 
 use super::cell::{Cell, Cube};
-use super::sample::IrradianceSample;
+use super::lists::Mean;
+use super::sample::{CacheQuery, IrradianceSample};
 use glam::DVec3;
 
 /// No sample or node.
@@ -163,6 +164,26 @@ impl Cache {
         }
     }
 
+    /// The weighted mean of the samples at a point.
+    pub(super) fn mean(&self, query: &CacheQuery) -> Mean {
+        let point = query.point / self.unit;
+        let mut mean = Mean::default();
+        self.visit(query.depth, [point, DVec3::ZERO], &mut |number, cube| {
+            let sample = &self.samples[number as usize];
+            let weight = sample.weight_at(query, self.unit);
+            if weight > 0.0 && cube.holds(point) {
+                mean.weight += weight;
+                mean.sum += sample.light * weight;
+            }
+        });
+        mean
+    }
+
+    /// The number of the root node.
+    pub(super) fn root(&self) -> u32 {
+        self.root
+    }
+
     /// The level of the cell of a sample, on average.
     pub(super) fn mean_level(&self) -> i32 {
         let count = i64::try_from(self.samples.len()).unwrap_or(i64::MAX);
@@ -222,7 +243,7 @@ mod tests {
     use super::*;
     use crate::base::color::Rgb;
     use crate::base::math::sampling::random::Random;
-    use crate::render::radiosity::{CacheQuery, SampleLists};
+    use crate::render::radiosity::SampleLists;
 
     fn sample(point: DVec3, radius: f64) -> IrradianceSample {
         IrradianceSample {
@@ -238,33 +259,41 @@ mod tests {
     }
 
     #[test]
-    fn no_sample_of_the_first_depth_is_lost() {
+    fn lists_have_the_samples_of_a_traversal_and_none_of_the_first_depth_is_lost() {
         let mut rng = Random::new(7);
         let mut cache = Cache::new(1.0);
-        let random_point = |rng: &mut Random| {
-            DVec3::new(rng.uniform(), 0.1 * rng.uniform(), rng.uniform()) * 20.0 - 10.0
-        };
-        for _ in 0..500 {
-            let (point, radius) = (
-                random_point(&mut rng),
-                0.01 + rng.uniform() * rng.uniform() * 3.0,
-            );
-            cache.add(sample(point, radius), radius * 1.5);
-        }
         let mut lists = SampleLists::default();
-        for number in 0..500 {
+        for number in 0..3000 {
+            // The octree grows with the region.
+            let size = f64::from(number / 100) + 1.0;
+            let mut random_point = || {
+                DVec3::new(rng.uniform(), 0.1 * rng.uniform(), rng.uniform()) * size - 0.5 * size
+            };
+            let depth = number % 2;
             let query = CacheQuery {
-                point: random_point(&mut rng),
+                point: random_point(),
                 normal: DVec3::Y,
                 error: if number % 7 == 0 { 1.5 } else { 1.2 },
-                depth: 0,
-                is_smooth: number % 2 == 0,
+                depth: usize::from(depth == 1),
+                is_smooth: number % 3 == 0,
             };
-            let all = cache.samples.iter();
-            let sum: f64 = all.map(|sample| sample.weight_at(&query, 1.0)).sum();
-            assert!((lists.mean(&cache, &query).weight - sum).abs() < 1e-9);
-            let deeper = CacheQuery { depth: 1, ..query };
-            assert_eq!(lists.mean(&cache, &deeper).weight, 0.0);
+            let mean = lists.mean(&cache, &query);
+            let expected = cache.mean(&query);
+            assert_eq!(mean.weight.to_bits(), expected.weight.to_bits());
+            assert_eq!(mean.sum, expected.sum);
+            if depth == 0 {
+                let all = cache.samples.iter().filter(|sample| sample.depth == 0);
+                let sum: f64 = all.map(|sample| sample.weight_at(&query, 1.0)).sum();
+                assert!((mean.weight - sum).abs() < 1e-9);
+            }
+            if number % 5 < 2 {
+                let point = random_point();
+                let radius = 0.01 + rng.uniform() * rng.uniform() * 3.0;
+                let depth = usize::from(number % 5 == 1);
+                let reach = radius * if depth == 0 { 1.5 } else { 1.5 / 8.0 };
+                let sample = sample(point, radius);
+                cache.add(IrradianceSample { depth, ..sample }, reach);
+            }
         }
     }
 

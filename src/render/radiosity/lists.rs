@@ -18,6 +18,8 @@ const LEVELS: [i32; 2] = [-20, 30];
 const HALF: f64 = 0.5 + 1.0 / 64.0;
 /// Slack for rounding of the distance at which a sample is too far from a box.
 const SLACK: f64 = 1.0 + 1e-9;
+/// The most samples of a list; for more the octree is traversed.
+const MAX_COUNT: usize = 256;
 /// The samples of a block.
 const BLOCK: usize = 4;
 
@@ -42,8 +44,10 @@ struct List {
     depth: usize,
     /// The largest error of lookups.
     error: f64,
-    /// The number of samples in the cache when the list was made.
+    /// The number of samples in the cache that the list was made or checked with.
     samples: usize,
+    /// The root of the octree then: its samples are found everywhere.
+    root: u32,
     count: usize,
     blocks: Vec<Block>,
 }
@@ -76,6 +80,9 @@ impl SampleLists {
         if !list.serves(cache, query, point) {
             list.fill(cache, query, point, &cell);
         }
+        if list.count > MAX_COUNT {
+            return cache.mean(query);
+        }
         with_widest(
             #[inline(always)]
             |lanes| {
@@ -105,7 +112,8 @@ impl List {
     /// Returns true if the list has the samples of a lookup, after a look at those that were added since.
     fn serves(&mut self, cache: &Cache, query: &CacheQuery, point: DVec3) -> bool {
         let [centre, half] = self.area;
-        let is_made_for = self.depth == query.depth
+        let is_made_for = self.root == cache.root()
+            && self.depth == query.depth
             && query.error <= self.error
             && (point - centre).abs().cmple(half).all();
         let mut since = cache.samples().iter().skip(self.samples);
@@ -126,6 +134,7 @@ impl List {
     fn fill(&mut self, cache: &Cache, query: &CacheQuery, point: DVec3, cell: &Cell) {
         self.area = cell.box_around(HALF);
         self.samples = cache.samples().len();
+        self.root = cache.root();
         self.depth = query.depth;
         self.error = query.error;
         self.count = 0;
@@ -141,10 +150,14 @@ impl List {
                 return;
             }
             let at = self.count % BLOCK;
+            self.count += 1;
+            if self.count > MAX_COUNT {
+                self.blocks.clear();
+                return;
+            }
             if at == 0 {
                 self.blocks.push(Block::default());
             }
-            self.count += 1;
             if let Some(block) = self.blocks.last_mut() {
                 for axis in 0..3 {
                     block.point[axis][at] = sample.point[axis];

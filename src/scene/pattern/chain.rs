@@ -32,15 +32,16 @@ struct Link {
 pub struct PreparedWarpChain {
     /// In the order in which they act on a point.
     steps: Vec<WarpStep>,
-    /// The linear parts of the forward matrices of its transforms, which turn normals: products of the steps' own matrices, not
-    /// inverted ones.
-    forward: Vec<DMat3>,
     turbulence: Option<Turbulence>,
 }
 
 #[derive(Debug)]
 enum WarpStep {
-    Transform(DAffine3),
+    Transform {
+        inverse: DAffine3,
+        /// The linear part of the forward matrix, which turns normals: a product of the steps' matrices, not inverted.
+        forward: DMat3,
+    },
     Warp(Box<dyn WarpEval>),
 }
 
@@ -85,7 +86,6 @@ impl WarpChain {
     ) -> PreparedWarpChain {
         let mut chain = PreparedWarpChain {
             steps: Vec::new(),
-            forward: Vec::new(),
             turbulence,
         };
         let all: Vec<Step> = self.steps.iter().chain(after).cloned().collect();
@@ -103,9 +103,10 @@ impl PreparedWarpChain {
     fn push(&mut self, steps: &[Step]) {
         let transform = Transform::from_steps(steps);
         if transform.object_from_world != DAffine3::IDENTITY {
-            self.steps
-                .push(WarpStep::Transform(transform.object_from_world));
-            self.forward.push(transform.world_from_object.matrix3);
+            self.steps.push(WarpStep::Transform {
+                inverse: transform.object_from_world,
+                forward: transform.world_from_object.matrix3,
+            });
         }
     }
 
@@ -122,7 +123,7 @@ impl PreparedWarpChain {
         let mut point = point;
         for step in &self.steps {
             point = match step {
-                WarpStep::Transform(inverse) => inverse.transform_point3(point),
+                WarpStep::Transform { inverse, .. } => inverse.transform_point3(point),
                 WarpStep::Warp(warp) => warp.moved(point),
             };
         }
@@ -139,15 +140,14 @@ impl PreparedWarpChain {
     #[must_use]
     pub fn normal_transforms(&self, is_unit: bool) -> NormalTransforms {
         let transforms = self.steps.iter().filter_map(|step| match step {
-            WarpStep::Transform(inverse) => Some(inverse.matrix3),
+            WarpStep::Transform { inverse, forward } => Some(NormalTransform {
+                to_pattern: forward.transpose(),
+                from_pattern: inverse.matrix3.transpose(),
+                is_unit,
+            }),
             WarpStep::Warp(_) => None,
         });
-        let of_normals = |(inverse, forward): (DMat3, &DMat3)| NormalTransform {
-            to_pattern: forward.transpose(),
-            from_pattern: inverse.transpose(),
-            is_unit,
-        };
-        NormalTransforms(transforms.zip(&self.forward).map(of_normals).collect())
+        NormalTransforms(transforms.collect())
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::{Cone, Cylinder, Disc, Quadric, Shape, Sphere, Triangle};
+use crate::base::math::conditioning::to_unit;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse, rotation};
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
@@ -33,7 +34,7 @@ enum Form {
     /// A sphere that is transformed unevenly.
     Ellipsoid(Sphere, Box<Transform>),
     /// A cylinder of radius 1 from z = 0 to 1, or a cone with the radius z from `start` to 1.
-    Round {
+    Axial {
         stored: Box<DAffine3>,
         start: f64,
         is_cone: bool,
@@ -76,13 +77,13 @@ impl Rounded {
     /// True for cylinders and cones.
     #[must_use]
     pub fn is_axial(&self) -> bool {
-        matches!(self.0, Form::Round { .. })
+        matches!(self.0, Form::Axial { .. })
     }
 
     /// POV-Ray's box around a cylinder or cone; `None` for other shapes.
     #[must_use]
     pub fn axial_box(&self) -> Option<Bounds> {
-        let Form::Round { stored, start, .. } = &self.0 else {
+        let Form::Axial { stored, start, .. } = &self.0 else {
             return None;
         };
         let world_from_stored = stored.inverse();
@@ -97,7 +98,7 @@ impl Rounded {
         Some(corners.fold(Bounds::EMPTY, |bounds, corner| bounds.with_point(corner)))
     }
 
-    /// The hit of a ray with a unit direction on a face near `t`; `None` in doubt.
+    /// The hit of a ray on a face near `t`; `None` in doubt.
     #[must_use]
     pub fn hit(&self, ray: &Ray, t: f64, face: u32) -> Option<RoundedHit> {
         let hit = match &self.0 {
@@ -113,7 +114,7 @@ impl Rounded {
                 let t = local_t / length;
                 RoundedHit { t, point, normal }
             }
-            Form::Round {
+            Form::Axial {
                 stored,
                 start,
                 is_cone,
@@ -216,11 +217,6 @@ fn nearer(roots: [f64; 2], t: f64) -> f64 {
     roots[usize::from(second < first)]
 }
 
-/// POV-Ray's unit vectors are products with the reciprocal of the length.
-fn to_unit(v: DVec3) -> DVec3 {
-    v * v.length().recip()
-}
-
 /// A ray in the space of a stored shape, with a direction of length 1, and the factor of distances there.
 fn to_stored(ray: &Ray, stored: &DAffine3) -> (Ray, f64) {
     let local = ray.to_object(stored);
@@ -304,14 +300,14 @@ fn with_steps(stored: &Transform, steps: &[Step]) -> Box<DAffine3> {
 
 fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Form {
     let (first, second, radius) = cylinder.ends_and_radius();
-    round_along(first, second, radius, steps)
+    axial_along(first, second, radius, steps)
 }
 
-fn round_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form {
+fn axial_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form {
     let axis = first - second;
     let length = axis.length();
     let stored = along_axis(axis * length.recip(), second, radius, length);
-    Form::Round {
+    Form::Axial {
         stored: with_steps(&stored, steps),
         start: 0.0,
         is_cone: false,
@@ -325,7 +321,7 @@ fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
         return None;
     }
     if (first_radius - second_radius).abs() < TINY {
-        return Some(round_along(first, second, first_radius, steps));
+        return Some(axial_along(first, second, first_radius, steps));
     }
     let ((wide, radius), (narrow, other), face) = if first_radius < second_radius {
         ((second, second_radius), (first, first_radius), APEX)
@@ -338,7 +334,7 @@ fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
     let beyond = other * length / (radius - other);
     let whole = length + beyond;
     let stored = along_axis(dir, narrow - dir * beyond, radius, whole);
-    Some(Form::Round {
+    Some(Form::Axial {
         stored: with_steps(&stored, steps),
         start: beyond / whole,
         is_cone: true,

@@ -16,8 +16,7 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
-/// Beyond this number of rounded shapes, cylinders and cones are not rounded: it decides only the pixels where they
-/// coincide with others.
+/// The most cylinders and cones that are rounded for the pixels in which they coincide with others.
 const MOST_AXIAL: usize = 1 << 14;
 
 impl Lowering {
@@ -130,18 +129,23 @@ impl Lowering {
 
     /// What the hits of a shape are rounded by, where that may be wanted.
     pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step], leaf: &Leaf) -> Option<Rounded> {
-        let may_matter = || {
-            let surface = self.surfaces.get(leaf.surface as usize);
-            self.slots.is_none()
-                && surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
-        };
-        let is_axial = matches!(shape, Shape::Cylinder(_) | Shape::Cone(_));
-        let may_tie = is_axial && self.parts.rounded.len() < MOST_AXIAL;
-        if leaf.sphere().is_none() && (self.rounds || may_tie || may_matter()) {
-            Rounded::new(shape, steps)
-        } else {
-            None
+        self.may_round(leaf, self.parts.axials)
+            .then(|| Rounded::new(shape, steps))
+            .flatten()
+    }
+
+    /// Returns true if hits on a leaf may be wanted with POV-Ray's rounding; `axials` cylinders and cones are already
+    /// stored for it.
+    pub(crate) fn may_round(&self, leaf: &Leaf, axials: usize) -> bool {
+        if leaf.sphere().is_some() {
+            return false;
         }
+        let is_axial = matches!(leaf.shape, Shape::Cylinder(_) | Shape::Cone(_));
+        let is_wanted = || {
+            let surface = self.surfaces.get(leaf.surface as usize);
+            surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
+        };
+        self.rounds || self.slots.is_none() && (is_axial && axials < MOST_AXIAL || is_wanted())
     }
 
     /// Adds a light and returns its `looks_like` object; the `projected_through` object waits until the object around

@@ -5,7 +5,7 @@ use super::parts::model::PendingItem;
 use super::parts::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::base::math::Bounds;
 use crate::base::memory;
-use crate::scene::shape::Geometry;
+use crate::scene::shape::{Geometry, Rounded};
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
@@ -125,11 +125,22 @@ impl Lowering {
             )
         };
         let mut lists = (take(&mut parts.leaves), take(&mut parts.bounds));
-        lists.par_extend(indices.zip(surfaces).map(leaf));
+        lists.par_extend(indices.clone().zip(surfaces).map(leaf));
         (parts.leaves, parts.bounds) = lists;
         parts
             .items
-            .par_extend(leaves.into_par_iter().map(PendingItem::Leaf));
+            .par_extend(leaves.clone().into_par_iter().map(PendingItem::Leaf));
+        let rounded = |(at, number): (usize, u32)| {
+            let leaf = &self.parts.leaves[number as usize];
+            let object = self
+                .may_round(leaf, self.parts.axials + at)
+                .then(|| shapes.object(at))?;
+            Some((number, Rounded::new(&object.shape, object.steps)?))
+        };
+        let rounded: Vec<_> = indices.zip(leaves).filter_map(rounded).collect();
+        for (leaf, rounded) in rounded {
+            self.parts.round(leaf, rounded);
+        }
     }
 
     /// Adds the surfaces of the shapes.

@@ -25,8 +25,11 @@ const POV_RAY_T_MIN: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
-/// The largest difference of POV-Ray's distance of a hit, in errors of its point.
+/// POV-Ray's distance of a hit is not taken if it differs by more than this many errors of the point: its formulas lose
+/// digits where shapes are small for their distance.
 const ROUNDING_LOSS: f64 = 65536.0;
+/// Nor is it if the normal differs by more than this.
+const NORMAL_LOSS: f64 = 1e-9;
 
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
@@ -316,32 +319,29 @@ impl World {
             return far;
         }
         *best = Some(ClosestHit { hit, item });
-        behind(hit.root.t)
+        far.min(behind(hit.root.t))
     }
 
-    /// Returns true if a hit at almost the distance of the closest one so far is shown instead of it. POV-Ray comes to
-    /// one of the two items first; to the other one only if the ray enters its box before the hit, and then shows it
-    /// only if its distance is rounded to a smaller number.
+    /// Returns true if a hit at almost the distance of the closest one so far is shown instead of it: POV-Ray rounds its
+    /// distance to a smaller number, or to the same one and comes to it first.
     #[cold]
     fn wins_tie(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> bool {
         let ray = &query.ray;
-        let rounded = |of: &ClosestHit| {
-            let form = self.model.rounding.forms.get(&of.hit.leaf);
-            let form = form.filter(|form| form.is_axial())?;
-            let hit = form.hit(ray, of.hit.root.t, of.hit.root.face)?;
-            Some(hit.t)
-        };
-        let (t, other) = (new.hit.root.t, best.hit.root.t);
-        let known = (rounded(new), rounded(best));
-        if known == (None, None) || new.item == best.item {
-            return t < other || (t == other && self.comes_first(new.item, best.item, ray));
-        }
-        let (t, other) = (known.0.unwrap_or(t), known.1.unwrap_or(other));
-        if self.comes_first(new.item, best.item, ray) {
-            !(other < t && self.entry(best.item, ray) < t)
-        } else {
-            t < other && self.entry(new.item, ray) < other
-        }
+        let [t, other] = [new, best].map(|of| self.povray_distance(of, ray));
+        t < other || (t == other && self.comes_first(new.item, best.item, ray))
+    }
+
+    /// The distance of a hit as POV-Ray rounds it where that is known, for cylinders and cones. It lies within a quarter
+    /// of a tie of the exact one, so that the order of hits is one order for all of them.
+    fn povray_distance(&self, of: &ClosestHit, ray: &Ray) -> f64 {
+        let Root { t, face, .. } = of.hit.root;
+        let form = self.model.rounding.forms.get(&of.hit.leaf);
+        let hit = form
+            .filter(|form| form.is_axial())
+            .and_then(|form| form.hit(ray, t, face));
+        hit.map(|hit| hit.t)
+            .filter(|rounded| (rounded - t).abs() <= 0.25 * TIE * t)
+            .unwrap_or(t)
     }
 
     /// Distance up to which hits are ignored: the error of the ray's origin.
@@ -398,12 +398,17 @@ impl World {
         }
     }
 
-    /// Tie rule for two items at exactly the same distance: unbounded ones come first, then the one whose box the ray
+    /// Tie rule for two items at the same distance: unbounded ones come first, then the one whose box the ray
     /// enters first, then the one that POV-Ray's tree of boxes delivers first (docs/povray-facts.md, section 5.2).
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
-            let (entry_a, entry_b) = (self.entry(a, ray), self.entry(b, ray));
+            let entry = |item: u32| {
+                let item_box = &self.boxes[item as usize];
+                let entry = item_box.is_finite().then(|| item_box.entry(ray));
+                entry.unwrap_or(f64::NEG_INFINITY)
+            };
+            let (entry_a, entry_b) = (entry(a), entry(b));
             if entry_a != entry_b {
                 return entry_a < entry_b;
             }
@@ -413,17 +418,6 @@ impl World {
             }
         }
         a < b
-    }
-
-    /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
-    /// it uses no boxes.
-    fn entry(&self, item: u32, ray: &Ray) -> f64 {
-        let item_box = &self.boxes[item as usize];
-        if self.ties_by_box && item_box.is_finite() {
-            item_box.entry(ray)
-        } else {
-            f64::NEG_INFINITY
-        }
     }
 
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.
@@ -437,11 +431,13 @@ impl World {
 
     /// The hit with the rounding of POV-Ray, by which its photon maps are ordered.
     #[must_use]
+    #[inline(never)]
     pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
         match self.rounded_hit(ray, &hit) {
-            // The formulas are not exact for shapes that are small for their distance.
             Some(RoundedHit { t, point, normal })
-                if (t - hit.t).abs() <= ROUNDING_LOSS * hit.spawn_surface.blur =>
+                if (t - hit.t).abs() <= ROUNDING_LOSS * hit.spawn_surface.blur
+                    && (normal.length_squared() - 1.0).abs() < NORMAL_LOSS
+                    && normal.dot(hit.shading_normal).abs() > 1.0 - NORMAL_LOSS =>
             {
                 Hit {
                     t,
@@ -452,11 +448,6 @@ impl World {
             }
             _ => hit,
         }
-    }
-
-    #[inline(never)]
-    fn rounded_again(&self, ray: &Ray, hit: Hit) -> Hit {
-        self.rounded(ray, hit)
     }
 
     #[inline]
@@ -482,7 +473,7 @@ impl World {
             spawn_surface: departure,
         };
         if self.model.rounding.is_wanted(hit.leaf) {
-            self.rounded_again(ray, exact)
+            self.rounded(ray, exact)
         } else {
             exact
         }

@@ -42,6 +42,8 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) bounds: Vec<Bounds>,
     /// Leaves whose hits are wanted with POV-Ray's rounding.
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
+    /// The cylinders and cones among them.
+    pub(in crate::world) axials: usize,
 }
 
 impl ModelBuilder {
@@ -67,17 +69,23 @@ impl ModelBuilder {
     /// Adds a leaf and what its hits are rounded by.
     pub(in crate::world) fn push_leaf(&mut self, leaf: Leaf, rounded: Option<Rounded>) {
         if let Some(rounded) = rounded {
-            self.rounded.insert(index(self.leaves.len()), rounded);
+            self.round(index(self.leaves.len()), rounded);
         }
         self.leaves.push(leaf);
     }
 
+    /// Sets what the hits of a leaf are rounded by.
+    pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded) {
+        self.axials += usize::from(rounded.is_axial());
+        self.rounded.insert(leaf, rounded);
+    }
+
     /// Removes the leaves from `first` on.
     pub(in crate::world) fn truncate_leaves(&mut self, first: u32) {
-        self.leaves.truncate(first as usize);
-        if !self.rounded.is_empty() {
-            self.rounded.retain(|leaf, _| *leaf < first);
+        for leaf in first..index(self.leaves.len()) {
+            self.rounded.remove(&leaf);
         }
+        self.leaves.truncate(first as usize);
     }
 }
 

@@ -439,6 +439,7 @@ impl World {
             return;
         }
         let hit = self.hit(&Ray::new(one_of(origin, lane), hits.dir(lane)), raw_hit);
+        hits.t[lane] = hit.t;
         put(&mut hits.point, lane, hit.point);
         put(&mut hits.normal, lane, hit.spawn_surface.normal);
         put(&mut hits.facing, lane, hit.shading_normal);
