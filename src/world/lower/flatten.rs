@@ -17,7 +17,7 @@ use crate::world::surface::Surface;
 use std::sync::Arc;
 
 /// The most cylinders and cones that are rounded for the pixels in which they coincide with others.
-const MOST_AXIAL: usize = 1 << 14;
+const MOST_AXIAL: usize = 1 << 9;
 
 impl Lowering {
     /// Empty; `settings` are the scene-wide settings for patterns.
