@@ -74,10 +74,10 @@ impl Rounded {
         }))
     }
 
-    /// True for cylinders and cones.
+    /// True if its distances decide ties: for discs, cylinders and cones.
     #[must_use]
-    pub fn is_axial(&self) -> bool {
-        matches!(self.0, Form::Axial { .. })
+    pub fn decides_ties(&self) -> bool {
+        matches!(self.0, Form::Disc(..) | Form::Axial { .. })
     }
 
     /// POV-Ray's box around a cylinder or cone; `None` for other shapes.

@@ -16,8 +16,8 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
-/// The most cylinders and cones that are rounded for the pixels in which they coincide with others.
-const MOST_AXIAL: usize = 1 << 9;
+/// The most discs, cylinders and cones that are rounded for the pixels in which they coincide with others.
+const MOST_TYING: usize = 1 << 9;
 
 impl Lowering {
     /// Empty; `settings` are the scene-wide settings for patterns.
@@ -129,23 +129,26 @@ impl Lowering {
 
     /// What the hits of a shape are rounded by, where that may be wanted.
     pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step], leaf: &Leaf) -> Option<Rounded> {
-        self.may_round(leaf, self.parts.axials)
+        self.may_round(leaf, self.parts.tying)
             .then(|| Rounded::new(shape, steps))
             .flatten()
     }
 
-    /// Returns true if hits on a leaf may be wanted with POV-Ray's rounding; `axials` cylinders and cones are already
-    /// stored for it.
-    pub(crate) fn may_round(&self, leaf: &Leaf, axials: usize) -> bool {
+    /// Returns true if hits on a leaf may be wanted with POV-Ray's rounding; `tying` of those that
+    /// decide ties are already stored.
+    pub(crate) fn may_round(&self, leaf: &Leaf, tying: usize) -> bool {
         if leaf.sphere().is_some() {
             return false;
         }
-        let is_axial = matches!(leaf.shape, Shape::Cylinder(_) | Shape::Cone(_));
+        let may_tie = matches!(
+            leaf.shape,
+            Shape::Disc(_) | Shape::Cylinder(_) | Shape::Cone(_)
+        );
         let is_wanted = || {
             let surface = self.surfaces.get(leaf.surface as usize);
             surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
         };
-        self.rounds || self.slots.is_none() && (is_axial && axials < MOST_AXIAL || is_wanted())
+        self.rounds || self.slots.is_none() && (may_tie && tying < MOST_TYING || is_wanted())
     }
 
     /// Adds a light and returns its `looks_like` object; the `projected_through` object waits until the object around

@@ -133,7 +133,7 @@ impl Lowering {
         let rounded = |(at, number): (usize, u32)| {
             let leaf = &self.parts.leaves[number as usize];
             let object = self
-                .may_round(leaf, self.parts.axials + at)
+                .may_round(leaf, self.parts.tying + at)
                 .then(|| shapes.object(at))?;
             Some((number, Rounded::new(&object.shape, object.steps)?))
         };

@@ -126,9 +126,8 @@ impl World {
             };
             self.model.round_leaves(is_wanted);
         } else if !always && self.photons.is_none() {
-            // Cylinders and cones may coincide with others.
             let forms = &mut self.model.rounding.forms;
-            forms.retain(|_, form| form.is_axial());
+            forms.retain(|_, form| form.decides_ties());
             forms.shrink_to_fit();
         }
     }

@@ -12,9 +12,11 @@ use crate::base::options::TMinRule;
 use crate::scene::shape::{Root, RoundedHit};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
-use crate::world::model::IndexedItem;
+use crate::world::model::{IndexedItem, ItemBvh};
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 use crate::world::slabs::SlabTree;
+use smallvec::SmallVec;
+use std::cmp::Ordering;
 
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
 /// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
@@ -306,42 +308,107 @@ impl World {
         if hit.root.t >= query.t_max {
             return far;
         }
-        let is_better = match best {
-            None => true,
-            Some(best) => {
-                let ahead = best.hit.root.t - hit.root.t;
-                let slack = TIE * hit.root.t;
-                ahead > slack
-                    || (ahead >= -slack && self.wins_tie(&ClosestHit { hit, item }, best, query))
+        let new = ClosestHit { hit, item };
+        let Some(known) = best else {
+            *best = Some(new);
+            return far.min(behind(hit.root.t));
+        };
+        let ahead = known.hit.root.t - hit.root.t;
+        let slack = TIE * hit.root.t;
+        let nearest = if ahead > slack {
+            new
+        } else if ahead < -slack {
+            return far;
+        } else {
+            self.shown_of_tied(new, *known, query)
+        };
+        let end = far.min(behind(nearest.hit.root.t));
+        *best = Some(nearest);
+        end
+    }
+
+    /// The hit that is shown of all within a tie of the nearest, among which these two are. POV-Ray comes to one item
+    /// after the other, leaves out one whose box begins behind the nearest hit so far, and replaces that by a hit whose
+    /// distance it rounds to a smaller number. Where no roundings are known, the least distance decides.
+    #[cold]
+    #[inline(never)]
+    fn shown_of_tied(&self, new: ClosestHit, best: ClosestHit, query: &Query) -> ClosestHit {
+        let ray = &query.ray;
+        let comes_first = |a: &ClosestHit, b: &ClosestHit| self.comes_first(a.item, b.item, ray);
+        if self.model.rounding.forms.is_empty() {
+            let (t, other) = (new.hit.root.t, best.hit.root.t);
+            let is_better = t < other || (t == other && comes_first(&new, &best));
+            return if is_better { new } else { best };
+        }
+        // All of them, so that the order in which rays come to items does not matter.
+        let mut tied = self.tied_hits(query, new.hit.root.t.min(best.hit.root.t));
+        tied.sort_by(|a, b| match (comes_first(a, b), comes_first(b, a)) {
+            (true, _) => Ordering::Less,
+            (_, true) => Ordering::Greater,
+            _ => Ordering::Equal,
+        });
+        let distance = |of: &ClosestHit| self.povray_distance(of, ray);
+        let nearer = |a: ClosestHit, b: ClosestHit| {
+            let end = distance(&a);
+            let is_tested = self.box_entry(b.item, ray) < end;
+            if is_tested && distance(&b) < end {
+                b
+            } else {
+                a
             }
         };
-        if !is_better {
-            return far;
+        tied.into_iter().reduce(nearer).unwrap_or(best)
+    }
+
+    /// The first hits of all items within a tie of the nearest one, which lies at `least` or before.
+    fn tied_hits(&self, query: &Query, mut least: f64) -> SmallVec<[ClosestHit; 4]> {
+        let mut scratch = QueryScratch::default();
+        let search = self.search_for(query);
+        let mut tied = SmallVec::<[ClosestHit; 4]>::new();
+        let mut far = behind(least);
+        let mut visit = |item: IndexedItem| {
+            let hit = self.intersect_item(item, query, &search, behind(least), &mut scratch);
+            if let Some(hit) = hit.filter(|hit| hit.root.t < query.t_max) {
+                least = least.min(hit.root.t);
+                let item = item.number;
+                tied.push(ClosestHit { hit, item });
+            }
+            behind(least)
+        };
+        for &item in &self.bvh().unbounded {
+            far = visit(item);
         }
-        *best = Some(ClosestHit { hit, item });
-        far.min(behind(hit.root.t))
+        let ItemBvh { tree, bounded, .. } = self.bvh();
+        with_widest(|lanes| {
+            tree.nearest_in(lanes, &query.ray, (0.0, far), |number, _| {
+                visit(bounded[number as usize])
+            });
+        });
+        tied.retain(|of| of.hit.root.t <= behind(least));
+        tied
     }
 
-    /// Returns true if a hit at almost the distance of the closest one so far is shown instead of it: POV-Ray rounds its
-    /// distance to a smaller number, or to the same one and comes to it first.
-    #[cold]
-    fn wins_tie(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> bool {
-        let ray = &query.ray;
-        let [t, other] = [new, best].map(|of| self.povray_distance(of, ray));
-        t < other || (t == other && self.comes_first(new.item, best.item, ray))
-    }
-
-    /// The distance of a hit as POV-Ray rounds it where that is known, for cylinders and cones. It lies within a quarter
-    /// of a tie of the exact one, so that the order of hits is one order for all of them.
+    /// The distance of a hit as POV-Ray rounds it where that is known.
     fn povray_distance(&self, of: &ClosestHit, ray: &Ray) -> f64 {
         let Root { t, face, .. } = of.hit.root;
         let form = self.model.rounding.forms.get(&of.hit.leaf);
         let hit = form
-            .filter(|form| form.is_axial())
+            .filter(|form| form.decides_ties())
             .and_then(|form| form.hit(ray, t, face));
         hit.map(|hit| hit.t)
-            .filter(|rounded| (rounded - t).abs() <= 0.25 * TIE * t)
+            .filter(|rounded| (rounded - t).abs() <= TIE * t)
             .unwrap_or(t)
+    }
+
+    /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
+    /// it uses no boxes.
+    fn box_entry(&self, item: u32, ray: &Ray) -> f64 {
+        let item_box = &self.boxes[item as usize];
+        if self.ties_by_box && item_box.is_finite() {
+            item_box.entry(ray)
+        } else {
+            f64::NEG_INFINITY
+        }
     }
 
     /// Distance up to which hits are ignored: the error of the ray's origin.
@@ -403,12 +470,7 @@ impl World {
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
-            let entry = |item: u32| {
-                let item_box = &self.boxes[item as usize];
-                let entry = item_box.is_finite().then(|| item_box.entry(ray));
-                entry.unwrap_or(f64::NEG_INFINITY)
-            };
-            let (entry_a, entry_b) = (entry(a), entry(b));
+            let (entry_a, entry_b) = (self.box_entry(a, ray), self.box_entry(b, ray));
             if entry_a != entry_b {
                 return entry_a < entry_b;
             }

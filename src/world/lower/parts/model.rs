@@ -42,8 +42,8 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) bounds: Vec<Bounds>,
     /// Leaves whose hits are wanted with POV-Ray's rounding.
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
-    /// The cylinders and cones among them.
-    pub(in crate::world) axials: usize,
+    /// The number of those that decide ties.
+    pub(in crate::world) tying: usize,
 }
 
 impl ModelBuilder {
@@ -76,7 +76,7 @@ impl ModelBuilder {
 
     /// Sets what the hits of a leaf are rounded by.
     pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded) {
-        self.axials += usize::from(rounded.is_axial());
+        self.tying += usize::from(rounded.decides_ties());
         self.rounded.insert(leaf, rounded);
     }
 
