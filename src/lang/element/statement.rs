@@ -169,6 +169,12 @@ impl Reader<'_> {
                 self.pass();
                 self.run_default()?;
             }
+            Some(Word::Version) => {
+                let message = "`version` without `#`; read as `#version`";
+                self.warning(Diagnostic::warning(self.here_span(), message));
+                self.pass();
+                self.run_version()?;
+            }
             _ => self.object_statement()?,
         }
         Ok(true)
