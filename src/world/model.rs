@@ -44,7 +44,7 @@ pub(super) struct Model {
 /// The leaves whose hits are wanted with POV-Ray's rounding.
 #[derive(Debug, Default)]
 pub(super) struct Rounding {
-    /// What they are rounded by; spheres in world coordinates need nothing.
+    /// Their rounded forms; spheres in world coordinates need none.
     pub(super) forms: FxHashMap<u32, Rounded>,
     /// A bit for each leaf; empty if no hit of a picture is rounded.
     pub(super) leaves: Vec<u64>,

@@ -22,7 +22,7 @@ pub(crate) struct Handling {
     pub(crate) working: Option<Gamma>,
     /// True if files without gamma information are sRGB, as from version 3.7 on.
     pub(crate) assumes_srgb: bool,
-    /// Whether colours are premultiplied with alpha, if the scene specifies it.
+    /// The scene's `premultiplied`: true if colours are multiplied by their alpha. `None` leaves it to the format.
     pub(crate) is_premultiplied: Option<bool>,
 }
 

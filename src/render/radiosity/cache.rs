@@ -241,22 +241,9 @@ impl Cache {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::color::Rgb;
     use crate::base::math::sampling::random::Random;
     use crate::render::radiosity::SampleLists;
-
-    fn sample(point: DVec3, radius: f64) -> IrradianceSample {
-        IrradianceSample {
-            point,
-            normal: DVec3::Y,
-            light: Rgb::WHITE,
-            radius,
-            nearest: radius,
-            to_nearest: DVec3::Y,
-            quality: 1.0,
-            depth: 0,
-        }
-    }
+    use crate::render::radiosity::sample::tests::sample;
 
     #[test]
     fn lists_have_the_samples_of_a_traversal_and_none_of_the_first_depth_is_lost() {

@@ -50,7 +50,7 @@ pub struct CacheQuery {
     pub is_smooth: bool,
 }
 
-/// What the weights of samples depend on, a sample per lane.
+/// Points, normals and distances of samples in structure-of-arrays form, a sample per lane.
 pub(super) struct SampleLanes<F> {
     pub(super) point: Vec3Lanes<F>,
     pub(super) normal: Vec3Lanes<F>,
@@ -125,10 +125,11 @@ impl<F: F64Lanes> SampleLanes<F> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn sample(point: DVec3, radius: f64) -> IrradianceSample {
+    /// A sample of white light at a point, with its normal and nearest hit along y.
+    pub(in crate::render::radiosity) fn sample(point: DVec3, radius: f64) -> IrradianceSample {
         IrradianceSample {
             point,
             normal: DVec3::Y,

@@ -127,7 +127,7 @@ impl Lowering {
         self.parts.push_leaf(leaf, rounded);
     }
 
-    /// What the hits of a shape are rounded by, where that may be wanted.
+    /// The rounded form of a shape, if [`Lowering::may_round`] holds for its leaf and the form is known.
     pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step], leaf: &Leaf) -> Option<Rounded> {
         self.may_round(leaf, self.parts.tying)
             .then(|| Rounded::new(shape, steps))

@@ -66,7 +66,7 @@ impl ModelBuilder {
         items.map(povray_box).collect()
     }
 
-    /// Adds a leaf and what its hits are rounded by.
+    /// Adds a leaf with its rounded form.
     pub(in crate::world) fn push_leaf(&mut self, leaf: Leaf, rounded: Option<Rounded>) {
         if let Some(rounded) = rounded {
             self.round(index(self.leaves.len()), rounded);
@@ -74,7 +74,7 @@ impl ModelBuilder {
         self.leaves.push(leaf);
     }
 
-    /// Sets what the hits of a leaf are rounded by.
+    /// Sets the rounded form of a leaf.
     pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded) {
         self.tying += usize::from(rounded.decides_ties());
         self.rounded.insert(leaf, rounded);
