@@ -36,8 +36,13 @@ impl ExtentBox {
         }
     }
 
+    /// The box of a shape moved by `steps`.
+    pub(crate) fn of_shape(shape: &Shape, steps: &[Step]) -> ExtentBox {
+        shape_box(shape, steps)
+    }
+
     /// The box as a pair of corners, the upper one in double precision.
-    fn bounds(&self) -> Bounds {
+    pub(crate) fn bounds(&self) -> Bounds {
         Bounds {
             min: self.min,
             max: self.min + self.sides,

@@ -274,6 +274,17 @@ pub trait Geometry {
         None
     }
 
+    /// The shape moved by `steps`, with POV-Ray's rounding; `None` where that is not known, or planes and boxes, whose roots
+    /// are rounded alike.
+    fn rounded(&self, _steps: &[Step]) -> Option<Rounded> {
+        None
+    }
+
+    /// True if the rounded distances of its hits decide ties.
+    fn decides_ties(&self) -> bool {
+        false
+    }
+
     /// The root at `t`, where the ray is known to have one; `None` in doubt.
     fn root_at(&self, _ray: &Ray, _t: f64) -> Option<Root> {
         None
@@ -452,6 +463,12 @@ macro_rules! shapes {
             }
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }
+            }
+            fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+                match self { $(Shape::$name(shape) => shape.rounded(steps)),+ }
+            }
+            fn decides_ties(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.decides_ties()),+ }
             }
             #[inline]
             fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {

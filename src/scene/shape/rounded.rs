@@ -4,9 +4,9 @@
 //! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.
 
 use super::solid::axial::{APEX, BASE, SIDE};
-use super::{Cone, Cylinder, Disc, Quadric, Shape, Sphere, Triangle};
+use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
 use crate::base::math::conditioning::to_unit;
-use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse, rotation};
+use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 /// The axis of a cylinder that is closer than this to the z axis counts as it; cones whose radii differ by less are
@@ -60,42 +60,35 @@ struct Quadratic {
 }
 
 impl Rounded {
-    /// A shape as written, with its transforms. `None` for other shapes; planes and boxes need nothing.
-    #[must_use]
-    pub fn new(shape: &Shape, steps: &[Step]) -> Option<Self> {
-        Some(Rounded(match shape {
-            Shape::Sphere(sphere) => of_sphere(*sphere, steps),
-            Shape::Cylinder(cylinder) => of_cylinder(cylinder, steps),
-            Shape::Cone(cone) => of_cone(cone, steps)?,
-            Shape::Disc(disc) => of_disc(disc, steps),
-            Shape::Triangle(triangle) => of_triangle(triangle, steps),
-            Shape::Quadric(quadric) => Form::Quadric(Box::new(of_quadric(quadric, steps))),
-            _ => return None,
-        }))
+    /// A sphere with these transforms.
+    pub(super) fn of_sphere(sphere: Sphere, steps: &[Step]) -> Self {
+        Rounded(moved_sphere(sphere, steps))
     }
 
-    /// True if its distances decide ties: for discs, cylinders and cones.
-    #[must_use]
-    pub fn decides_ties(&self) -> bool {
-        matches!(self.0, Form::Disc(..) | Form::Axial { .. })
+    /// A cylinder with these transforms.
+    pub(super) fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Self {
+        let (first, second, radius) = cylinder.ends_and_radius();
+        Rounded(axial_along(first, second, radius, steps))
     }
 
-    /// POV-Ray's box around a cylinder or cone; `None` for other shapes.
-    #[must_use]
-    pub fn axial_box(&self) -> Option<Bounds> {
-        let Form::Axial { stored, start, .. } = &self.0 else {
-            return None;
-        };
-        let world_from_stored = stored.inverse();
-        #[allow(clippy::cast_possible_truncation, reason = "as POV-Ray keeps it")]
-        let [low, height] = [*start, 1.0 - start].map(|z| f64::from(z as f32));
-        let corners = (0..8u8).map(|corner| {
-            let end = |axis: u8| f64::from(corner >> axis & 1);
-            let [x, y] = [0, 1].map(|axis| -1.0 + 2.0 * end(axis));
-            let corner = DVec3::new(x, y, low + height * end(2));
-            world_from_stored.transform_point3(corner)
-        });
-        Some(corners.fold(Bounds::EMPTY, |bounds, corner| bounds.with_point(corner)))
+    /// A cone with these transforms; `None` for an hourglass.
+    pub(super) fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Self> {
+        moved_cone(cone, steps).map(Rounded)
+    }
+
+    /// A disc with these transforms.
+    pub(super) fn of_disc(disc: &Disc, steps: &[Step]) -> Self {
+        Rounded(moved_disc(disc, steps))
+    }
+
+    /// A triangle with these transforms.
+    pub(super) fn of_triangle(triangle: &Triangle, steps: &[Step]) -> Self {
+        Rounded(moved_triangle(triangle, steps))
+    }
+
+    /// A quadric with these transforms.
+    pub(super) fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Self {
+        Rounded(Form::Quadric(Box::new(moved_quadric(quadric, steps))))
     }
 
     /// The hit of a ray on a face near `t`; `None` in doubt.
@@ -246,7 +239,7 @@ fn side(ray: &Ray, is_cone: bool, t: f64) -> f64 {
     nearer([(-b - root) / a, (-b + root) / a], t)
 }
 
-fn of_sphere(mut sphere: Sphere, steps: &[Step]) -> Form {
+fn moved_sphere(mut sphere: Sphere, steps: &[Step]) -> Form {
     let mut steps = steps.iter();
     while let Some(step) = steps.next() {
         match step {
@@ -298,11 +291,6 @@ fn with_steps(stored: &Transform, steps: &[Step]) -> Box<DAffine3> {
     }))
 }
 
-fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Form {
-    let (first, second, radius) = cylinder.ends_and_radius();
-    axial_along(first, second, radius, steps)
-}
-
 fn axial_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form {
     let axis = first - second;
     let length = axis.length();
@@ -315,7 +303,7 @@ fn axial_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form
     }
 }
 
-fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
+fn moved_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
     let [(first, first_radius), (second, second_radius)] = cone.ends();
     if second_radius < 0.0 {
         return None;
@@ -342,7 +330,7 @@ fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
     })
 }
 
-fn of_disc(disc: &Disc, steps: &[Step]) -> Form {
+fn moved_disc(disc: &Disc, steps: &[Step]) -> Form {
     let stored = along_axis(disc.normal, disc.centre, 1.0, 1.0);
     let mut normal = disc.normal;
     for step in steps {
@@ -353,7 +341,7 @@ fn of_disc(disc: &Disc, steps: &[Step]) -> Form {
 
 /// A quadric is moved by products of 4 by 4 matrices with each step; what stands below the diagonal is then added to what
 /// stands above.
-fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Quadratic {
+fn moved_quadric(quadric: &Quadric, steps: &[Step]) -> Quadratic {
     let columns = &quadric.matrix;
     let mixed = DVec3::new(columns.y_axis.x, columns.z_axis.x, columns.z_axis.y);
     let mut sum = Quadratic {
@@ -386,7 +374,7 @@ fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Quadratic {
 }
 
 /// POV-Ray may exchange the first two corners whenever it computes the plane, so with each step.
-fn of_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
+fn moved_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
     let mut corners = triangle.corners;
     let mut normal = plane_of(&mut corners);
     for step in steps {

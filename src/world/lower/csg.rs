@@ -216,8 +216,12 @@ impl Lowering {
                     Extent::Solid,
                 );
                 let shown = leaf.surface_bounds(&bounds);
-                let rounded = self.rounded(shape, &below.steps, &leaf);
-                self.parts.push_leaf(leaf, rounded);
+                let rounded = self.rounded(shape, &below.steps, &leaf, self.parts.own_boxes.len());
+                let number = index(self.parts.leaves.len());
+                self.parts.leaves.push(leaf);
+                if let Some((rounded, own_box)) = rounded {
+                    self.parts.round(number, rounded, own_box);
+                }
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;
                 program.operands.push(Operand {

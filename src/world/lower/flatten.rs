@@ -10,7 +10,7 @@ use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
 use crate::scene::shape::{Geometry, Rounded, Shape};
-use crate::scene::{ColorOrTexture, Kind, Object, OwnedObject, PlainObject};
+use crate::scene::{ColorOrTexture, ExtentBox, Kind, Object, OwnedObject, PlainObject};
 use crate::world::index::index;
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
@@ -123,15 +123,27 @@ impl Lowering {
         }
         let number = index(self.parts.leaves.len());
         self.parts.push(PendingItem::Leaf(number), bounds);
-        let rounded = self.rounded(shape, steps, &leaf);
-        self.parts.push_leaf(leaf, rounded);
+        let rounded = self.rounded(shape, steps, &leaf, self.parts.own_boxes.len());
+        self.parts.leaves.push(leaf);
+        if let Some((rounded, own_box)) = rounded {
+            self.parts.round(number, rounded, own_box);
+        }
     }
 
-    /// The rounded form of a shape, if [`Lowering::may_round`] holds for its leaf and the form is known.
-    pub(crate) fn rounded(&self, shape: &Shape, steps: &[Step], leaf: &Leaf) -> Option<Rounded> {
-        self.may_round(leaf, self.parts.tying)
-            .then(|| Rounded::new(shape, steps))
-            .flatten()
+    /// The rounded form of a shape, if [`Lowering::may_round`] holds for its leaf and the form is known, and POV-Ray's box of
+    /// one that decides ties; `tying` of these are stored before it.
+    pub(crate) fn rounded(
+        &self,
+        shape: &Shape,
+        steps: &[Step],
+        leaf: &Leaf,
+        tying: usize,
+    ) -> Option<(Rounded, Option<Bounds>)> {
+        let form = self
+            .may_round(leaf, tying)
+            .then(|| shape.rounded(steps))??;
+        let own_box = || ExtentBox::of_shape(shape, steps).bounds();
+        Some((form, shape.decides_ties().then(own_box)))
     }
 
     /// Returns true if hits on a leaf may be wanted with POV-Ray's rounding; `tying` of those that
@@ -140,10 +152,7 @@ impl Lowering {
         if leaf.sphere().is_some() {
             return false;
         }
-        let may_tie = matches!(
-            leaf.shape,
-            Shape::Disc(_) | Shape::Cylinder(_) | Shape::Cone(_)
-        );
+        let may_tie = leaf.shape.decides_ties();
         let is_wanted = || {
             let surface = self.surfaces.get(leaf.surface as usize);
             surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())

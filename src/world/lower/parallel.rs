@@ -5,7 +5,7 @@ use super::parts::model::PendingItem;
 use super::parts::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::base::math::Bounds;
 use crate::base::memory;
-use crate::scene::shape::{Geometry, Rounded};
+use crate::scene::shape::Geometry;
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
@@ -132,14 +132,14 @@ impl Lowering {
             .par_extend(leaves.clone().into_par_iter().map(PendingItem::Leaf));
         let rounded = |(at, number): (usize, u32)| {
             let leaf = &self.parts.leaves[number as usize];
-            let object = self
-                .may_round(leaf, self.parts.tying + at)
-                .then(|| shapes.object(at))?;
-            Some((number, Rounded::new(&object.shape, object.steps)?))
+            let tying = self.parts.own_boxes.len() + at;
+            let object = self.may_round(leaf, tying).then(|| shapes.object(at))?;
+            let rounded = self.rounded(&object.shape, object.steps, leaf, tying)?;
+            Some((number, rounded))
         };
         let rounded: Vec<_> = indices.zip(leaves).filter_map(rounded).collect();
-        for (leaf, rounded) in rounded {
-            self.parts.round(leaf, rounded);
+        for (leaf, (rounded, own_box)) in rounded {
+            self.parts.round(leaf, rounded, own_box);
         }
     }
 

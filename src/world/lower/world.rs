@@ -5,6 +5,7 @@ use crate::base::color::{Color, Rgb};
 use crate::base::options::RenderOptions;
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
+use crate::scene::shape::Geometry;
 use crate::world::compiled::{Globals, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
@@ -126,8 +127,8 @@ impl World {
             };
             self.model.round_leaves(is_wanted);
         } else if !always && self.photons.is_none() {
-            let forms = &mut self.model.rounding.forms;
-            forms.retain(|_, form| form.decides_ties());
+            let (forms, leaves) = (&mut self.model.rounding.forms, &self.model.leaves);
+            forms.retain(|&leaf, _| leaves[leaf as usize].shape.decides_ties());
             forms.shrink_to_fit();
         }
     }

@@ -9,7 +9,7 @@ use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
-use crate::scene::shape::{Root, RoundedHit};
+use crate::scene::shape::{Geometry, Root, RoundedHit};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::model::{IndexedItem, ItemBvh};
@@ -391,9 +391,10 @@ impl World {
     /// The distance of a hit as POV-Ray rounds it where that is known.
     fn povray_distance(&self, of: &ClosestHit, ray: &Ray) -> f64 {
         let Root { t, face, .. } = of.hit.root;
-        let form = self.model.rounding.forms.get(&of.hit.leaf);
-        let hit = form
-            .filter(|form| form.decides_ties())
+        let leaf = self.model.leaves.get(of.hit.leaf as usize);
+        let hit = leaf
+            .filter(|leaf| leaf.shape.decides_ties())
+            .and_then(|_| self.model.rounding.forms.get(&of.hit.leaf))
             .and_then(|form| form.hit(ray, t, face));
         hit.map(|hit| hit.t)
             .filter(|rounded| (rounded - t).abs() <= TIE * t)

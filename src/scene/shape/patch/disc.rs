@@ -9,7 +9,7 @@ use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
-    Geometry, Plane, Root, Start, along, first_visible, read, uniform_scale,
+    Geometry, Plane, Root, Rounded, Start, along, first_visible, read, uniform_scale,
 };
 use glam::{DAffine3, DVec3};
 
@@ -123,6 +123,14 @@ impl Geometry for Disc {
         let corner = DVec3::new(self.radius, self.radius, HALF_HEIGHT);
         let stored = Bounds::new(-corner, corner);
         Some((stored, along(self.normal, self.centre)))
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Some(Rounded::of_disc(self, steps))
+    }
+
+    fn decides_ties(&self) -> bool {
+        true
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -9,7 +9,7 @@ use crate::base::math::conditioning::power_of_two;
 use crate::base::math::watertight::{RayFrame, TriangleHit};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::scene::shape::{Crossing, Geometry, Root, Rounded, Start, first_visible, read};
 use glam::DVec3;
 
 /// A flat triangle. One whose corners all coincide is never hit.
@@ -105,6 +105,10 @@ impl Geometry for Triangle {
             return Bounds::EMPTY;
         }
         Bounds::new(a, b).with_point(c)
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Some(Rounded::of_triangle(self, steps))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

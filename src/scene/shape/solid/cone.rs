@@ -16,7 +16,9 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, SurfaceSide, first_visible, original_span, read};
+use crate::scene::shape::{
+    Geometry, Root, Rounded, Start, SurfaceSide, first_visible, original_span, read,
+};
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
@@ -280,6 +282,14 @@ impl Geometry for Cone {
 
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         Some(self.axis.held_box(self.base_radius, self.apex_radius))
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Rounded::of_cone(self, steps)
+    }
+
+    fn decides_ties(&self) -> bool {
+        true
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -18,8 +18,8 @@ use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, Start, SurfaceSide, first_visible, original_span,
-    push_span, read,
+    CLEAR_MARGIN, Crossing, Geometry, Root, Rounded, Start, SurfaceSide, first_visible,
+    original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -245,6 +245,14 @@ impl Geometry for Cylinder {
 
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         Some(self.axis.held_box(self.radius, self.radius))
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Some(Rounded::of_cylinder(self, steps))
+    }
+
+    fn decides_ties(&self) -> bool {
+        true
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -14,7 +14,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::scene::shape::{Geometry, Root, Start, alternate_into, read};
+use crate::scene::shape::{Geometry, Root, Rounded, Start, alternate_into, read};
 use glam::{DMat3, DVec3};
 
 /// An ellipsoid with a larger ratio of diagonal entries than this has no bounds: they would have no digits left.
@@ -363,6 +363,10 @@ impl Geometry for Quadric {
 
     fn extends_beyond_bounds(&self) -> bool {
         self.matrix.x_axis.x < 0.0
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Some(Rounded::of_quadric(self, steps))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

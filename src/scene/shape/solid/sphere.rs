@@ -17,8 +17,8 @@ use crate::scene::shape::packet::{
 };
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, RoundedHit, SpanEnd, Start, WELL_INSIDE, first_visible,
-    push_span, read, span, uniform_scale,
+    CLEAR_MARGIN, Crossing, Geometry, Root, Rounded, RoundedHit, SpanEnd, Start, WELL_INSIDE,
+    first_visible, push_span, read, span, uniform_scale,
 };
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -243,6 +243,10 @@ impl Geometry for Sphere {
             return Bounds::EMPTY;
         }
         Bounds::new(self.centre - self.radius, self.centre + self.radius)
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        Some(Rounded::of_sphere(*self, steps))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -140,11 +140,7 @@ impl Prism {
     /// section 5.3).
     #[cold]
     fn ends_at(&self, x: f64) -> bool {
-        let corners = self.outline.iter();
-        let (low, high) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
-            (one.low.x.min(low), one.high.x.max(high))
-        });
-        x == low || x == high
+        self.outline.x_range().contains(&x)
     }
 
     /// Crossings of the line with the side of an infinite double cone.

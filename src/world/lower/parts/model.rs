@@ -42,8 +42,8 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) bounds: Vec<Bounds>,
     /// Leaves whose hits are wanted with POV-Ray's rounding.
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
-    /// The number of those that decide ties.
-    pub(in crate::world) tying: usize,
+    /// POV-Ray's boxes of those that decide ties.
+    pub(in crate::world) own_boxes: FxHashMap<u32, Bounds>,
 }
 
 impl ModelBuilder {
@@ -52,38 +52,32 @@ impl ModelBuilder {
         self.bounds.push(bounds);
     }
 
-    /// POV-Ray's boxes of the items, as far as they are known; the others are those of the items' bounds.
+    /// POV-Ray's boxes of the items; where it has none of its own, those of the items' bounds.
     pub(in crate::world) fn povray_boxes(&self) -> Vec<SingleBox> {
         let povray_box = |(item, bounds): (&PendingItem, &Bounds)| {
-            let form = match item {
-                PendingItem::Leaf(leaf) => self.rounded.get(leaf),
+            let own_box = match item {
+                PendingItem::Leaf(leaf) => self.own_boxes.get(leaf),
                 _ => None,
             };
-            let axial = form.and_then(Rounded::axial_box);
-            SingleBox::new(&axial.unwrap_or(*bounds))
+            SingleBox::new(own_box.unwrap_or(bounds))
         };
         let items = self.items.par_iter().zip(&self.bounds);
         items.map(povray_box).collect()
     }
 
-    /// Adds a leaf with its rounded form.
-    pub(in crate::world) fn push_leaf(&mut self, leaf: Leaf, rounded: Option<Rounded>) {
-        if let Some(rounded) = rounded {
-            self.round(index(self.leaves.len()), rounded);
-        }
-        self.leaves.push(leaf);
-    }
-
-    /// Sets the rounded form of a leaf.
-    pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded) {
-        self.tying += usize::from(rounded.decides_ties());
+    /// Sets the rounded form of a leaf, and POV-Ray's box of it if it decides ties.
+    pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded, own_box: Option<Bounds>) {
         self.rounded.insert(leaf, rounded);
+        if let Some(own_box) = own_box {
+            self.own_boxes.insert(leaf, own_box);
+        }
     }
 
     /// Removes the leaves from `first` on.
     pub(in crate::world) fn truncate_leaves(&mut self, first: u32) {
         for leaf in first..index(self.leaves.len()) {
             self.rounded.remove(&leaf);
+            self.own_boxes.remove(&leaf);
         }
         self.leaves.truncate(first as usize);
     }

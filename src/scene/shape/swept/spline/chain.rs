@@ -15,6 +15,7 @@ const BERNSTEIN_SLACK: f64 = 1e-14;
 pub(in crate::scene::shape) struct Chain {
     segments: Vec<Segment>,
     hulls: Vec<Hulls>,
+    x_range: [f64; 2],
 }
 
 /// Hulls of four segments, of four points each; the last segment of a chain pads the lanes.
@@ -98,10 +99,20 @@ impl SimdKernel for HullsKernel<'_> {
 
 impl Chain {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
+        let ends = segments.iter().map(|one| [one.low.x, one.high.x]);
+        let x_range = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |range, one| {
+            [range[0].min(one[0]), range[1].max(one[1])]
+        });
         Chain {
             hulls: segments.chunks(4).map(Hulls::new).collect(),
             segments,
+            x_range,
         }
+    }
+
+    /// The least and the largest x.
+    pub(crate) fn x_range(&self) -> [f64; 2] {
+        self.x_range
     }
 
     /// Visits the crossings of a line with the chain, by index of the segment and parameter on it.
