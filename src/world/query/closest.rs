@@ -308,23 +308,20 @@ impl World {
         if hit.root.t >= query.t_max {
             return far;
         }
-        let new = ClosestHit { hit, item };
-        let Some(known) = best else {
-            *best = Some(new);
-            return far.min(behind(hit.root.t));
-        };
-        let ahead = known.hit.root.t - hit.root.t;
-        let slack = TIE * hit.root.t;
-        let nearest = if ahead > slack {
-            new
-        } else if ahead < -slack {
-            return far;
-        } else {
-            self.shown_of_tied(new, *known, query)
-        };
-        let end = far.min(behind(nearest.hit.root.t));
+        let mut nearest = ClosestHit { hit, item };
+        if let Some(known) = best {
+            let slack = TIE * hit.root.t;
+            let ahead = known.hit.root.t - hit.root.t;
+            if ahead < -slack {
+                return far;
+            }
+            if ahead <= slack {
+                nearest = self.shown_of_tied(&nearest, known, query);
+            }
+        }
+        let end = behind(nearest.hit.root.t);
         *best = Some(nearest);
-        end
+        if end < far { end } else { far }
     }
 
     /// The hit that is shown of all within a tie of the nearest, among which these two are. POV-Ray comes to one item
@@ -332,13 +329,13 @@ impl World {
     /// distance it rounds to a smaller number. Where no roundings are known, the least distance decides.
     #[cold]
     #[inline(never)]
-    fn shown_of_tied(&self, new: ClosestHit, best: ClosestHit, query: &Query) -> ClosestHit {
+    fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
         let ray = &query.ray;
         let comes_first = |a: &ClosestHit, b: &ClosestHit| self.comes_first(a.item, b.item, ray);
         if self.model.rounding.forms.is_empty() {
             let (t, other) = (new.hit.root.t, best.hit.root.t);
-            let is_better = t < other || (t == other && comes_first(&new, &best));
-            return if is_better { new } else { best };
+            let is_better = t < other || (t == other && comes_first(new, best));
+            return if is_better { *new } else { *best };
         }
         // All of them, so that the order in which rays come to items does not matter.
         let mut tied = self.tied_hits(query, new.hit.root.t.min(best.hit.root.t));
@@ -357,7 +354,7 @@ impl World {
                 a
             }
         };
-        tied.into_iter().reduce(nearer).unwrap_or(best)
+        tied.into_iter().reduce(nearer).unwrap_or(*best)
     }
 
     /// The first hits of all items within a tie of the nearest one, which lies at `least` or before.

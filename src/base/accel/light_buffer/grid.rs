@@ -195,13 +195,16 @@ impl Grid {
     )]
     #[inline(always)]
     fn cells(&self, rect: &Rect) -> [[u32; 2]; 2] {
-        [0, 1].map(|side| {
+        // A loop: `map` is not always inlined.
+        let mut cells = [[0; 2]; 2];
+        for (side, [first, end]) in cells.iter_mut().enumerate() {
             let (rate, start) = (f64::from(self.rate[side]), f64::from(self.start[side]));
             let last = self.size[side] - 1;
             let low = rect.low[side] * rate + start - MARGIN;
             let high = rect.high[side] * rate + start + MARGIN;
-            [low, high].map(|at| (at as u32).min(last))
-        })
+            (*first, *end) = ((low as u32).min(last), (high as u32).min(last));
+        }
+        cells
     }
 
     /// Calls `visit` with the index of each cell of a range.
