@@ -358,11 +358,13 @@ impl Tracer<'_> {
         scratch: &mut BlockScratch,
     ) {
         let world = self.world;
-        let has_one_ray = world.lens.is_none() && world.camera.rays_per_pixel() == 1;
-        let is_scalar = !has_one_ray
-            || !self.fast_paths.wavefront
+        let is_scalar = !self.fast_paths.wavefront
             || world.radiosity.is_some()
             || !self.is_above_bailout(0, 1.0, 0);
+        if !is_scalar && self.has_many_rays() {
+            self.queue_many_rays(positions, (width, height), scratch);
+            return;
+        }
         for (number, &(x, y)) in positions.iter().enumerate() {
             if is_scalar {
                 let sample = self.pixel(x, y, width, height, &mut scratch.single);
@@ -375,6 +377,41 @@ impl Tracer<'_> {
             }
         }
         self.trace_queued_rays(scratch);
+    }
+
+    /// [`Self::trace_batch`] where positions have several rays each: all are traced as secondary rays.
+    fn queue_many_rays(
+        &self,
+        positions: &[(f64, f64)],
+        size: (u32, u32),
+        scratch: &mut BlockScratch,
+    ) {
+        let BlockScratch {
+            single,
+            shade_cache,
+            wavefront,
+            samples,
+            ..
+        } = scratch;
+        let mut traced = PixelSamples::new();
+        let trace = |rays: &[Option<Ray>], seen: &mut [Sample]| {
+            for (number, ray) in rays.iter().enumerate() {
+                if let Some(ray) = *ray {
+                    self.queue_camera_ray(wavefront, number, ray);
+                }
+            }
+            let buffers = ShadeBuffers {
+                scratch: single,
+                cache: shade_cache,
+            };
+            self.trace_wavefronts(wavefront, buffers, &mut traced);
+            for (number, sample) in traced.drain(..) {
+                seen[number] = sample;
+            }
+        };
+        self.trace_many_rays(positions, size, trace, |number, sample| {
+            samples.push((number, sample));
+        });
     }
 
     /// Traces one position from its known hit and light samples; `None` if its secondary rays are queued.

@@ -10,7 +10,7 @@ mod bsdf;
 mod direct;
 mod features;
 mod indirect;
-mod lens;
+mod many_rays;
 mod media;
 mod photon;
 mod quality;
@@ -212,16 +212,22 @@ impl<'w> Tracer<'w> {
         height: u32,
         scratch: &mut Scratch,
     ) -> Sample {
-        match &self.world.lens {
-            Some(lens) => self.through_lens(lens, x, y, width, height, scratch),
-            None if self.world.camera.rays_per_pixel() > 1 => {
-                self.mean_of_rays(x, y, width, height, scratch)
-            }
-            None => {
-                let ray = self.world.camera.primary_ray(x, y, width, height);
-                self.sample(ray, scratch)
-            }
+        if !self.has_many_rays() {
+            let ray = self.world.camera.primary_ray(x, y, width, height);
+            return self.sample(ray, scratch);
         }
+        let mut mean = Sample::OUTSIDE;
+        self.trace_many_rays(
+            &[(x, y)],
+            (width, height),
+            |rays, samples| {
+                for (sample, ray) in samples.iter_mut().zip(rays) {
+                    *sample = self.sample(*ray, scratch);
+                }
+            },
+            |_, sample| mean = sample,
+        );
+        mean
     }
 
     /// Traces a camera ray, if there is one.

@@ -41,7 +41,7 @@ const METHODS: [Method; 4] = [
 pub(super) struct MeshCamera {
     meshes: Vec<Arc<MeshInstance>>,
     method: Method,
-    rays_per_pixel: u32,
+    rays_per_pixel: usize,
     /// True if normals of smooth triangles are interpolated.
     is_smooth: bool,
     /// Offset of ray origins from the triangle, along its normal.
@@ -114,7 +114,7 @@ impl MeshCamera {
             reason = "checked above"
         )]
         let rays_per_pixel = if method == Method::MeshForRay {
-            rays as u32
+            rays as usize
         } else {
             1
         };
@@ -136,7 +136,7 @@ impl MeshCamera {
     }
 
     /// Number of rays per pixel.
-    pub(super) fn rays_per_pixel(&self) -> u32 {
+    pub(super) fn rays_per_pixel(&self) -> usize {
         self.rays_per_pixel
     }
 
@@ -156,7 +156,7 @@ impl MeshCamera {
     }
 
     /// Origin and direction of the ray of this index at an image point.
-    pub(super) fn start(&self, index: u32, raster: RasterPoint) -> Option<Start> {
+    pub(super) fn start(&self, index: usize, raster: RasterPoint) -> Option<Start> {
         let (point, normal) = match self.method {
             Method::Coordinates => self.at_coordinates(raster.coordinates())?,
             _ => {
@@ -179,12 +179,12 @@ impl MeshCamera {
         clippy::cast_sign_loss,
         reason = "raster points are clamped to the picture, and the fraction is to be dropped"
     )]
-    fn face(&self, index: u32, raster: RasterPoint) -> Option<(&MeshInstance, usize)> {
+    fn face(&self, index: usize, raster: RasterPoint) -> Option<(&MeshInstance, usize)> {
         let (column, row) = (raster.x as usize, raster.y as usize);
         let width = raster.width as usize;
         match self.method {
             Method::MeshForRay => {
-                let mesh = self.meshes.get(index as usize)?;
+                let mesh = self.meshes.get(index)?;
                 let face = row * width + column;
                 (face < mesh.len()).then_some((mesh, face))
             }

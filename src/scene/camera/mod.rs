@@ -156,16 +156,15 @@ impl Camera {
 
     /// Number of rays per image point; [`Camera::primary_ray`] is the first.
     #[must_use]
-    pub fn rays_per_pixel(&self) -> u32 {
+    pub fn rays_per_pixel(&self) -> usize {
         self.meshes.as_ref().map_or(1, MeshCamera::rays_per_pixel)
     }
 
     /// One of the rays through an image point, as [`Camera::primary_ray`].
     #[must_use]
-    #[cold]
     pub fn ray_by_index(
         &self,
-        index: u32,
+        index: usize,
         (x, y): (f64, f64),
         (width, height): (u32, u32),
     ) -> Option<Ray> {

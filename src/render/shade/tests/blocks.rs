@@ -91,6 +91,30 @@ fn large_meshes_turned_and_stretched() {
 }
 
 #[test]
+fn focal_blur_that_stops_early_and_late() {
+    for (kind, samples) in [
+        (
+            "perspective",
+            "blur_samples 19 confidence 0.9 variance 1/200",
+        ),
+        (
+            "perspective",
+            "blur_samples 4, 40 confidence 0.5 variance 1/50 bokeh { pigment { gradient x } }",
+        ),
+        ("orthographic", "blur_samples 5"),
+        ("fisheye", "blur_samples 7"),
+    ] {
+        assert_same(&format!(
+            "camera {{ {kind} location <0, 2, -9> look_at 0 angle 50 aperture 0.8 focal_point <0, 0, -1> {samples} }}
+            light_source {{ <-8, 9, -9>, 1 }} light_source {{ <6, 4, -5>, 0.5 }}
+            plane {{ y, -1 pigment {{ checker rgb 1 rgb 0.2 }} finish {{ reflection 0.2 }} }}
+            sphere {{ <-1, 0, -1>, 1 pigment {{ rgbt <1, 0.9, 0.9, 0.8> }} interior {{ ior 1.4 }} }}
+            box {{ -0.8, 0.8 rotate <20, 40, 0> translate <1.5, 0, 1> pigment {{ bozo scale 0.3 }} }}"
+        ));
+    }
+}
+
+#[test]
 fn units_do_not_matter() {
     for k in ["pow(2, -60)", "pow(2, 60)", "pow(10, -25)", "pow(10, 25)"] {
         assert_same(&format!(
