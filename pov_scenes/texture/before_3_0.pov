@@ -8,7 +8,7 @@ light_source { <5, 8, -6> color red 1 green 1 blue 1 }
 #declare Shell = texture { bozo scale 0.3 }
 #default { texture { ambient 0.2 } }
 sphere { <-2.2, 1.8, 0>, 0.7 texture { Veined scale 0.5 } }
-sphere { <-0.7, 1.8, 0>, 0.7 texture { color blue 1 scale 2 bumps 0.5 scale 0.2 ambient 0.3 } }
+sphere { <-0.7, 1.8, 0>, 0.7 texture { color blue 1 color_map { [0 color red 1] [1 color green 1] } scale 2 bumps 0.5 scale 0.2 ambient 0.3 } }
 sphere { <0.7, 1.8, 0>, 0.7 texture { wood color_map { [0 color red 1] [1 color green 1] } scale 0.3 specular 0.6 roughness 0.02 metallic } }
 sphere { <2.2, 1.8, 0>, 0.7 texture { checker color red 1 color Rust scale 0.3 diffuse 0.9 reflection 0.2 } }
 sphere { <-2.2, 0, 0>, 0.7 texture { Shell color_map { [0 color red 1] [1 color green 1 blue 1] } dents 0.7 scale 0.5 } }

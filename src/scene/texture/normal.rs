@@ -140,6 +140,9 @@ impl Normal {
             },
         };
         normal.at = at;
+        if is_named {
+            args.comma()?;
+        }
         let Some(word) = args.word()? else {
             if is_named {
                 normal.amount = args.float_or(normal.amount)?;
@@ -204,7 +207,13 @@ impl Normal {
                 *map = Some(Normal::read_map(Keys::Weights, args)?);
                 return Ok(true);
             }
-            NormalKind::Pattern(pattern) if !pattern.has_list() => pattern.clone(),
+            NormalKind::Pattern(pattern)
+            | NormalKind::Slopes(pattern, _)
+            | NormalKind::Normals(pattern, _)
+                if !pattern.has_list() =>
+            {
+                pattern.clone()
+            }
             _ => return Err(args.expected("a pattern that takes a map before the map")),
         };
         args.accept(word)?;

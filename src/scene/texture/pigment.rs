@@ -302,23 +302,21 @@ impl Pigment {
         let is_color_map = matches!(word, Word::ColorMap | Word::ColourMap);
         let is_map = is_color_map || word == family.map_word();
         let is_unmapped = is_map && self.plain_color() == Some(Color::opaque(Rgb::BLACK));
-        if !is_unmapped && (word, family) != (Word::UvMapping, PigmentSyntax::Density) {
-            return Ok(false);
+        let is_idle = is_unmapped || (word, family) == (Word::UvMapping, PigmentSyntax::Density);
+        if is_idle {
+            skip_idle(word, args, family)?;
         }
-        args.accept(word)?;
-        let at = args.last_span();
-        let hint = if !is_map {
-            "Remove it: a density has no surface."
-        } else if is_color_map {
-            Map::read_colors(args)?;
-            "Write a pattern before it, as `gradient y`."
-        } else {
-            family.read_map(Keys::Positions, args)?;
-            "Write a pattern before it, as `gradient y`."
-        };
-        let warning = Diagnostic::warning(at, format!("`{word}` has no effect here"));
-        args.warn(warning.with_hint(hint));
-        Ok(true)
+        Ok(is_idle)
+    }
+
+    /// Reads a `color_map`, which has no effect on a plain colour; false if none is next, or if there is a pattern.
+    pub(super) fn read_idle_colors(&self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let is_idle =
+            matches!(word, Word::ColorMap | Word::ColourMap) && self.plain_color().is_some();
+        if is_idle {
+            skip_idle(word, args, PigmentSyntax::Pigment)?;
+        }
+        Ok(is_idle)
     }
 
     fn read_own(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
@@ -435,6 +433,24 @@ impl Pigment {
             PigmentKind::Image(_) => {}
         }
     }
+}
+
+/// Reads `word` and its value, and warns that it has no effect.
+fn skip_idle(word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<()> {
+    args.accept(word)?;
+    let at = args.last_span();
+    let hint = if matches!(word, Word::ColorMap | Word::ColourMap) {
+        Map::read_colors(args)?;
+        "Write a pattern before it, as `gradient y`."
+    } else if word == family.map_word() {
+        family.read_map(Keys::Positions, args)?;
+        "Write a pattern before it, as `gradient y`."
+    } else {
+        "Remove it: a density has no surface."
+    };
+    let warning = Diagnostic::warning(at, format!("`{word}` has no effect here"));
+    args.warn(warning.with_hint(hint));
+    Ok(())
 }
 
 /// Reads a list of colours, with or without commas. Missing colours are those of `defaults`.

@@ -72,7 +72,8 @@ impl Layer {
                 Ok(true)
             }
             _ if PIGMENT_WORDS.contains(&word) || word.class() == Class::Color => {
-                let is_read = self.pigment.read_bare(args)?;
+                let is_read =
+                    self.pigment.read_idle_colors(word, args)? || self.pigment.read_bare(args)?;
                 if matches!(word, Word::Marble | Word::Wood) {
                     // Since version 3.0 their default is a triangle wave.
                     self.pigment.modifiers.get_mut().set_shape(Shape::Ramp);
