@@ -8,8 +8,10 @@ mod lattice;
 mod perlin;
 mod tables;
 
+use super::simd::vec3::{self, Vec3Lanes};
 use super::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec3;
+use lattice::VectorPoints;
 pub use perlin::Perlin;
 
 /// POV-Ray's limit of octaves.
@@ -66,13 +68,55 @@ impl Octaves {
         written.clamp(1.0, f64::from(MAX_OCTAVES)) as u32
     }
 
-    /// The amplitude and frequency of each octave after the first, which has 1 for both.
-    fn after_first(self) -> impl Iterator<Item = (f64, f64)> + Clone {
-        let (omega, lambda) = (f64::from(self.omega), f64::from(self.lambda));
-        let next = move |(amplitude, frequency): &(f64, f64)| {
-            Some((amplitude * omega, frequency * lambda))
+    /// The octaves, from amplitude and frequency 1 on.
+    fn series(&self) -> Series {
+        Series {
+            amplitude: 1.0,
+            frequency: 1.0,
+            omega: f64::from(self.omega),
+            lambda: f64::from(self.lambda),
+            left: self.count.max(1),
+        }
+    }
+}
+
+/// The octaves of a sum, which are evaluated four at a time.
+#[derive(Clone, Copy)]
+struct Series {
+    /// Amplitude and frequency of the next octave.
+    amplitude: f64,
+    frequency: f64,
+    /// The ratios of one octave to the previous one.
+    omega: f64,
+    lambda: f64,
+    left: u32,
+}
+
+/// Up to four octaves in a row. Unused frequencies repeat the first one.
+struct OctavePacket4 {
+    amplitudes: [f64; 4],
+    frequencies: [f64; 4],
+    count: usize,
+}
+
+impl Iterator for Series {
+    type Item = OctavePacket4;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<OctavePacket4> {
+        let count = self.left.min(4);
+        self.left -= count;
+        let [a, f] = [self.amplitude, self.frequency];
+        let [a1, f1] = [a * self.omega, f * self.lambda];
+        let [a2, f2] = [a1 * self.omega, f1 * self.lambda];
+        let [a3, f3] = [a2 * self.omega, f2 * self.lambda];
+        [self.amplitude, self.frequency] = [a3 * self.omega, f3 * self.lambda];
+        let packet = OctavePacket4 {
+            amplitudes: [a, a1, a2, a3],
+            frequencies: [f, f1, f2, f3],
+            count: count as usize,
         };
-        std::iter::successors(Some((omega, lambda)), next).take(self.count.max(1) as usize - 1)
+        (count > 0).then_some(packet)
     }
 }
 
@@ -109,17 +153,14 @@ impl NoiseGenerator {
         (count, frequency): (u32, f64),
         each: impl Fn(f64) -> f64,
     ) -> f64 {
-        let octaves = HalvedOctaves {
-            generator: self,
-            point,
-            count,
+        let octaves = Series {
+            amplitude: 1.0,
             frequency,
-            each,
+            omega: 0.5,
+            lambda: 2.0,
+            left: count,
         };
-        with_widest(
-            #[inline(always)]
-            |lanes| lanes.run(octaves),
-        )
+        self.summed(point, octaves, |sum, _| each(self.scaled(sum)))
     }
 
     /// Maps the raw lattice sum to noise from 0 to 1.
@@ -145,26 +186,29 @@ impl NoiseGenerator {
     /// Turbulence: a sum of octaves. The first octave is clamped to 0 and 1, the sum is not.
     #[must_use]
     pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
-        with_widest(
-            #[inline(always)]
-            |lanes| {
-                if let NoiseGenerator::Perlin(perlin) = self {
-                    self.summed(octaves, |frequency| perlin.noise(point * frequency))
-                } else {
-                    lanes.run(Turbulence(self, point, octaves))
-                }
-            },
-        )
+        self.summed(point, octaves.series(), |sum, is_first| {
+            let noise = self.centred(sum);
+            if is_first {
+                noise.clamp(0.0, 1.0)
+            } else {
+                noise
+            }
+        })
     }
 
-    /// Turbulence from the raw lattice sums `at` each frequency.
+    /// A sum of octaves of the values that `each` makes of the raw lattice sum; it also gets whether this is the first.
     #[inline(always)]
-    fn summed(self, octaves: &Octaves, at: impl Fn(f64) -> f64) -> f64 {
-        let mut value = self.centred(at(1.0)).clamp(0.0, 1.0);
-        for (amplitude, frequency) in octaves.after_first() {
-            value += amplitude * self.centred(at(frequency));
-        }
-        value
+    fn summed(self, point: DVec3, octaves: Series, each: impl Fn(f64, bool) -> f64) -> f64 {
+        let sum = OctaveSum {
+            generator: self,
+            point,
+            octaves,
+            each,
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| lanes.run(sum),
+        )
     }
 }
 
@@ -176,55 +220,52 @@ impl SimdKernel for Scalar {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> f64 {
-        lattice::scalar(lattice::spread::<F>(self.0))
+        lattice::scalar::<F>(vec3::splat(self.0))
     }
 }
 
-/// Kernel of [`NoiseGenerator::octaves`].
-struct HalvedOctaves<T> {
+/// Kernel of [`NoiseGenerator::summed`].
+struct OctaveSum<T> {
     generator: NoiseGenerator,
     point: DVec3,
-    count: u32,
-    frequency: f64,
+    octaves: Series,
     each: T,
 }
 
-impl<T: Fn(f64) -> f64> SimdKernel for HalvedOctaves<T> {
+impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSum<T> {
     type Output = f64;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> f64 {
-        let point = lattice::spread::<F>(self.point);
-        let (mut amplitude, mut frequency) = (1.0, self.frequency);
-        let mut sum = 0.0;
-        for _ in 0..self.count {
-            let noise = match self.generator {
-                NoiseGenerator::Perlin(perlin) => perlin.noise(self.point * frequency),
-                _ => lattice::scalar(lattice::at_frequency(point, frequency)),
+        let mut total = 0.0;
+        let mut is_first = true;
+        for octaves in self.octaves {
+            let sums = match self.generator {
+                NoiseGenerator::Perlin(perlin) => {
+                    let mut sums = [0.0; 4];
+                    let wanted = sums.iter_mut().zip(octaves.frequencies);
+                    for (sum, frequency) in wanted.take(octaves.count) {
+                        *sum = perlin.noise(self.point * frequency);
+                    }
+                    sums
+                }
+                _ => lattice::scalar_x4::<F>(octaves.points(self.point), octaves.count),
             };
-            sum += amplitude * (self.each)(self.generator.scaled(noise));
-            amplitude *= 0.5;
-            frequency *= 2.0;
+            let terms = octaves.amplitudes.into_iter().zip(sums);
+            for (amplitude, sum) in terms.take(octaves.count) {
+                total += amplitude * (self.each)(sum, is_first);
+                is_first = false;
+            }
         }
-        sum
+        total
     }
 }
 
-/// Kernel of [`NoiseGenerator::turbulence`].
-struct Turbulence<'a>(NoiseGenerator, DVec3, &'a Octaves);
-
-impl SimdKernel for Turbulence<'_> {
-    type Output = f64;
-
+impl OctavePacket4 {
+    /// The points at which these octaves of a point are evaluated.
     #[inline(always)]
-    fn run<F: F64x4>(self) -> f64 {
-        let Turbulence(generator, point, octaves) = self;
-        let point = lattice::spread::<F>(point);
-        generator.summed(
-            octaves,
-            #[inline(always)]
-            |frequency| lattice::scalar(lattice::at_frequency(point, frequency)),
-        )
+    fn points<F: F64Lanes>(&self, point: DVec3) -> Vec3Lanes<F> {
+        vec3::scale(vec3::splat(point), F::from_array(&self.frequencies))
     }
 }
 
@@ -254,7 +295,9 @@ impl SimdKernel for Vector {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
-        from_lanes(lattice::vector(lattice::spread::<F>(self.0)))
+        let mut points = VectorPoints::default();
+        points.set::<F>(vec3::splat(self.0), 1);
+        from_lanes(points.noise::<F>(0))
     }
 }
 
@@ -267,11 +310,14 @@ impl SimdKernel for VectorTurbulence<'_> {
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
         let VectorTurbulence(point, octaves) = self;
-        let point = lattice::spread::<F>(point);
-        let mut sum = lattice::vector(point);
-        for (amplitude, frequency) in octaves.after_first() {
-            let octave = lattice::vector(lattice::at_frequency(point, frequency));
-            sum = sum + F::splat(amplitude) * octave;
+        let mut points = VectorPoints::default();
+        let mut sum = F::splat(0.0);
+        for octaves in octaves.series() {
+            points.set::<F>(octaves.points(point), octaves.count);
+            for octave in 0..octaves.count {
+                let amplitude = F::splat(octaves.amplitudes[octave]);
+                sum = sum + amplitude * points.noise(octave);
+            }
         }
         from_lanes(sum)
     }

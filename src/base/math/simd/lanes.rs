@@ -48,6 +48,8 @@ pub(crate) trait F64x4: F64Lanes {
     type F32: F32x8;
     /// Transposes four rows to four columns.
     fn transpose(rows: [Self; 4]) -> [Self; 4];
+    /// The columns of four rows in memory: fewer shuffles than loading and transposing.
+    fn columns(rows: [&[f64; 4]; 4]) -> [Self; 4];
 }
 
 /// Eight lanes of `f32`.

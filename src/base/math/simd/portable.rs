@@ -172,6 +172,15 @@ impl F64x4 for F64x4Portable {
     fn transpose(rows: [Self; 4]) -> [Self; 4] {
         from_fn(|column| F64x4Portable(rows.map(|row| row.0[column])))
     }
+    #[inline(always)]
+    fn columns([a, b, c, d]: [&[f64; 4]; 4]) -> [Self; 4] {
+        Self::transpose([
+            Self::from_array(a),
+            Self::from_array(b),
+            Self::from_array(c),
+            Self::from_array(d),
+        ])
+    }
 }
 
 impl F32x8 for F32x8Portable {
