@@ -36,9 +36,9 @@ impl ExtentBox {
         }
     }
 
-    /// The box of a shape moved by `steps`.
-    pub(crate) fn of_shape(shape: &Shape, steps: &[Step]) -> ExtentBox {
-        shape_box(shape, steps)
+    /// The box of a shape moved by `steps`, as a pair of corners, infinite if the shape is unbounded.
+    pub(crate) fn of_shape(shape: &Shape, steps: &[Step]) -> Bounds {
+        limited(shape_box(shape, steps))
     }
 
     /// The box as a pair of corners, the upper one in double precision.
@@ -89,6 +89,11 @@ impl Object {
         };
         let clipped = self.shrunk(bare, self.clipped_by());
         self.shrunk(clipped, self.bounded_by())
+    }
+
+    /// Same, after transforms of enclosing unions, as a pair of corners, infinite if the object is unbounded.
+    pub(crate) fn extent_below(&self, steps: &[Step]) -> Bounds {
+        limited(self.transformed_box(steps))
     }
 
     /// The intersection of all non-inverse clipping or bounding objects, if it is smaller than the box; otherwise the
@@ -194,6 +199,16 @@ fn shape_box(shape: &Shape, steps: &[Step]) -> ExtentBox {
     }
     let rest = Transform::from_steps(&steps[absorbed..]);
     ExtentBox::new(&limits.bounds().transformed(&rest.world_from_object))
+}
+
+/// The corners of a box that is bounded on all sides; otherwise those of all space.
+fn limited(held: ExtentBox) -> Bounds {
+    let bounds = held.bounds();
+    if is_limited(&bounds) {
+        bounds
+    } else {
+        Bounds::EVERYTHING
+    }
 }
 
 /// Returns true if a box is bounded on all sides.

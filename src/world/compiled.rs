@@ -20,6 +20,7 @@ use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::scene::{RadiositySettings, Subsurface};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
+use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use std::sync::OnceLock;
 
@@ -87,9 +88,11 @@ pub struct World {
     pub(super) model: Model,
     /// The large meshes that bundles traverse; empty if there are too many.
     pub(super) meshes: Vec<IndexedItem>,
-    /// Single-precision boxes of the items, which POV-Ray compares where two surfaces tie.
+    /// Single-precision boxes of the items.
     pub(super) boxes: Vec<SingleBox>,
-    /// POV-Ray's tree of those boxes, built for the first tie that needs it.
+    /// POV-Ray's boxes of items of which they are others, by the number of the item.
+    pub(super) povray_boxes: FxHashMap<u32, SingleBox>,
+    /// POV-Ray's tree of its boxes, built for the first tie that needs it.
     pub(super) slab_tree: OnceLock<SlabTree>,
     pub(super) ties_by_box: bool,
     /// Properties of the surfaces as a whole.
@@ -206,7 +209,7 @@ impl World {
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut items = self.model.bvh.around(point);
-        let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
+        let is_bounded = |number: u32| self.ties_by_box && self.povray_box(number).is_finite();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
         let mut surfaces = Vec::new();
         for item in items {
@@ -277,6 +280,12 @@ impl World {
     #[must_use]
     pub fn leaves(&self) -> &[Leaf] {
         &self.model.leaves
+    }
+
+    /// The box of an item that POV-Ray compares where two surfaces tie.
+    pub(super) fn povray_box(&self, item: u32) -> &SingleBox {
+        let own_box = self.povray_boxes.get(&item);
+        own_box.unwrap_or(&self.boxes[item as usize])
     }
 
     /// Boxes around all objects, wider by the roundings to single precision.

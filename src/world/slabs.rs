@@ -124,7 +124,7 @@ enum Content {
 impl SlabTree {
     /// The tree of the finite ones among the boxes of the items. Levels are built from below: each round divides all
     /// nodes of the last one where that lowers the estimated cost, and makes a node of each part.
-    pub(super) fn new(boxes: &[SingleBox]) -> SlabTree {
+    pub(super) fn new<'b>(boxes: impl Iterator<Item = &'b SingleBox>) -> SlabTree {
         let mut tree = SlabTree {
             nodes: Vec::new(),
             children: Vec::new(),

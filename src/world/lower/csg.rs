@@ -75,6 +75,8 @@ impl Lowering {
             bounds,
         );
         self.parts.programs.push(program);
+        let own_box = object.extent_below(&above.steps);
+        self.parts.program_boxes.push(own_box);
     }
 
     pub(crate) fn program(

@@ -142,7 +142,7 @@ impl Lowering {
         let form = self
             .may_round(leaf, tying)
             .then(|| shape.rounded(steps))??;
-        let own_box = || ExtentBox::of_shape(shape, steps).bounds();
+        let own_box = || ExtentBox::of_shape(shape, steps);
         Some((form, shape.decides_ties().then(own_box)))
     }
 

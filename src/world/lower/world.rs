@@ -31,7 +31,8 @@ impl World {
         options: &RenderOptions,
     ) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
-        let boxes = flat.parts.povray_boxes();
+        let boxes = flat.parts.single_boxes();
+        let povray_boxes = flat.parts.povray_boxes();
         let parts = std::mem::take(&mut flat.parts);
         let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
         let transparent = Color {
@@ -96,6 +97,7 @@ impl World {
                 PhotonMapping::new(settings, targets.into_list(), &scene.globals)
             }),
             boxes,
+            povray_boxes,
             slab_tree: OnceLock::new(),
             lights: flat.lights,
             surfaces: flat.surfaces,

@@ -12,6 +12,7 @@ use crate::base::options::TMinRule;
 use crate::scene::shape::{Geometry, Root, RoundedHit};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
+use crate::world::index::index;
 use crate::world::model::{IndexedItem, ItemBvh};
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 use crate::world::slabs::SlabTree;
@@ -401,7 +402,7 @@ impl World {
     /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
     /// it uses no boxes.
     fn box_entry(&self, item: u32, ray: &Ray) -> f64 {
-        let item_box = &self.boxes[item as usize];
+        let item_box = self.povray_box(item);
         if self.ties_by_box && item_box.is_finite() {
             item_box.entry(ray)
         } else {
@@ -473,7 +474,9 @@ impl World {
                 return entry_a < entry_b;
             }
             if entry_a > f64::NEG_INFINITY {
-                let tree = self.slab_tree.get_or_init(|| SlabTree::new(&self.boxes));
+                let tree = self.slab_tree.get_or_init(|| {
+                    SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
+                });
                 return tree.comes_first(a, b, ray);
             }
         }

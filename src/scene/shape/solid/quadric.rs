@@ -369,6 +369,10 @@ impl Geometry for Quadric {
         Some(Rounded::of_quadric(self, steps))
     }
 
+    fn decides_ties(&self) -> bool {
+        true
+    }
+
     fn absorb(&mut self, _: &Step) -> bool {
         false
     }

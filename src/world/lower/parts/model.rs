@@ -44,6 +44,8 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
     /// POV-Ray's boxes of those that decide ties.
     pub(in crate::world) own_boxes: FxHashMap<u32, Bounds>,
+    /// POV-Ray's boxes of the programs.
+    pub(in crate::world) program_boxes: Vec<Bounds>,
 }
 
 impl ModelBuilder {
@@ -52,17 +54,25 @@ impl ModelBuilder {
         self.bounds.push(bounds);
     }
 
-    /// POV-Ray's boxes of the items; where it has none of its own, those of the items' bounds.
-    pub(in crate::world) fn povray_boxes(&self) -> Vec<SingleBox> {
-        let povray_box = |(item, bounds): (&PendingItem, &Bounds)| {
-            let own_box = match item {
-                PendingItem::Leaf(leaf) => self.own_boxes.get(leaf),
+    /// The bounds of the items in single precision.
+    pub(in crate::world) fn single_boxes(&self) -> Vec<SingleBox> {
+        self.bounds.par_iter().map(SingleBox::new).collect()
+    }
+
+    /// POV-Ray's boxes of the items that have one of their own, by the number of the item.
+    pub(in crate::world) fn povray_boxes(&self) -> FxHashMap<u32, SingleBox> {
+        if self.own_boxes.is_empty() && self.program_boxes.is_empty() {
+            return FxHashMap::default();
+        }
+        let own_box = |(number, item): (u32, &PendingItem)| {
+            let own_box = match *item {
+                PendingItem::Leaf(leaf) => self.own_boxes.get(&leaf),
+                PendingItem::Program(program) => self.program_boxes.get(program as usize),
                 _ => None,
             };
-            SingleBox::new(own_box.unwrap_or(bounds))
+            own_box.map(|own_box| (number, SingleBox::new(own_box)))
         };
-        let items = self.items.par_iter().zip(&self.bounds);
-        items.map(povray_box).collect()
+        (0..).zip(&self.items).filter_map(own_box).collect()
     }
 
     /// Sets the rounded form of a leaf, and POV-Ray's box of it if it decides ties.
