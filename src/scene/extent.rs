@@ -68,7 +68,17 @@ impl Object {
     /// The same box as POV-Ray stores it.
     #[must_use]
     pub fn extent_box(&self) -> ExtentBox {
-        let bare = match &self.kind {
+        let bare = match self.extent_so_far() {
+            Some(known) => transformed_by_steps(known.what, &self.steps[known.after..]),
+            None => self.bare_extent(),
+        };
+        let clipped = self.shrunk(bare, self.clipped_by());
+        self.shrunk(clipped, self.bounded_by())
+    }
+
+    /// Same, whatever clips or bounds the object.
+    fn bare_extent(&self) -> ExtentBox {
+        match &self.kind {
             Kind::Shape(shape) => self.shape_box(shape, &[]),
             Kind::Csg {
                 operation,
@@ -86,9 +96,16 @@ impl Object {
                 transformed_by_steps(combined, &self.steps)
             }
             Kind::Light { .. } => EVERYTHING,
-        };
-        let clipped = self.shrunk(bare, self.clipped_by());
-        self.shrunk(clipped, self.bounded_by())
+        }
+    }
+
+    /// Keeps the box of a clipped or bounded CSG object. Called at the end of each statement about it: only there are
+    /// boxes shrunk, and later transforms move the shrunk box.
+    pub(crate) fn keep_extent(&mut self) {
+        if matches!(self.kind, Kind::Csg { .. }) && self.clips_and_bounds().next().is_some() {
+            let extent = self.extent_box();
+            self.set_extent_so_far(extent);
+        }
     }
 
     /// Same, after transforms of enclosing unions, as a pair of corners, infinite if the object is unbounded.

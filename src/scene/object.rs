@@ -1,5 +1,6 @@
 //! Objects: a shape, a light or a CSG tree, with its transforms and attributes.
 
+use super::extent::ExtentBox;
 use crate::base::math::{Bounds, Step};
 use crate::scene::interior::Interior;
 use crate::scene::light::{Light, ObjectPhotons};
@@ -45,6 +46,7 @@ struct Rare {
     bounded_by: Vec<Attached<Arc<Object>>>,
     seen_in: Option<Attached<Bounds>>,
     moves_parts: bool,
+    extent_so_far: Option<Attached<ExtentBox>>,
 }
 
 /// Size of an object tree. Sharing hides it: forty unions that each contain the one before twice are forty objects, and
@@ -290,6 +292,28 @@ impl Object {
         }
     }
 
+    /// Number of transforms up to the last property that is attached between them; only later ones can be merged.
+    pub(crate) fn fixed_steps(&self) -> usize {
+        let textures = self.textures().map(|texture| texture.after);
+        let held = self.clips_and_bounds().map(|held| held.after);
+        let boxes = self.seen_in().map(|bounds| bounds.after);
+        let extent = self.extent_so_far().map(|extent| extent.after);
+        let all = textures.chain(held).chain(boxes).chain(extent);
+        all.max().unwrap_or(0)
+    }
+
+    /// POV-Ray's box of a clipped or bounded CSG object when its last statement ended, from which later transforms
+    /// start.
+    pub(super) fn extent_so_far(&self) -> Option<&Attached<ExtentBox>> {
+        self.rare.as_ref()?.extent_so_far.as_ref()
+    }
+
+    /// Sets that box.
+    pub(super) fn set_extent_so_far(&mut self, extent: ExtentBox) {
+        let extent = self.attach(extent);
+        self.rare.get_or_insert_default().extent_so_far = Some(extent);
+    }
+
     /// The `clipped_by` and `bounded_by` objects.
     pub fn clips_and_bounds(&self) -> impl Iterator<Item = &Attached<Arc<Object>>> {
         self.clipped_by().iter().chain(self.bounded_by())
@@ -439,6 +463,7 @@ impl Object {
         solid.steps.extend(steps.iter().cloned());
         if let Some(rare) = &mut solid.rare {
             rare.clipped_by.clear();
+            rare.extent_so_far = None;
         }
         solid
     }

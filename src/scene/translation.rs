@@ -98,12 +98,7 @@ impl Object {
 
     /// Appends a translation. Trailing translations are merged with it and their sum is rounded once.
     fn translate(&mut self, by: DVec3) {
-        let textures = self.textures().map(|texture| texture.after);
-        let boxes = self.seen_in().map(|bounds| bounds.after);
-        let attached = textures
-            .chain(self.clips_and_bounds().map(|held| held.after))
-            .chain(boxes);
-        let fixed = attached.max().unwrap_or(0);
+        let fixed = self.fixed_steps();
         let (mut sum, mut rest) = (by, DVec3::ZERO);
         while self.steps.len() > fixed
             && let Some(Step::Translate(last)) = self.steps.last()

@@ -185,11 +185,12 @@ impl SlabTree {
     fn division(&self, part: &mut [u32]) -> Option<usize> {
         if part.len() > 1 {
             let axis = self.sorting_axis(part);
-            let twice_centre = |node: &u32| {
-                let bounds = self.bounds(*node);
-                bounds.min[axis] + bounds.max[axis]
+            // In single precision, where near centres are equal.
+            let centre = |node: &u32| {
+                let SingleBox { lower, size } = self.nodes[*node as usize].slabs;
+                lower[axis] + 0.5 * size[axis]
             };
-            part.sort_by(|a, b| twice_centre(a).total_cmp(&twice_centre(b)));
+            part.sort_by(|a, b| centre(a).total_cmp(&centre(b)));
         }
         if part.len() <= LARGEST_CLUSTER {
             return None;
@@ -239,8 +240,14 @@ impl SlabTree {
     }
 
     /// Returns true if POV-Ray, which takes nodes by the distance at which the ray enters them, comes to item `a` before
-    /// `b`. At equal distances its heap decides. Behind many boxes the first in the file wins.
-    pub(super) fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
+    /// `b`; both come with those distances, which decide alone if they are far apart. At equal ones the heap decides, and
+    /// a ray may enter a node a rounding behind the item in it. Behind many boxes the distances decide as well.
+    pub(super) fn comes_first(&self, a: (u32, f64), b: (u32, f64), ray: &Ray) -> bool {
+        let ((a, entry_a), (b, entry_b)) = (a, b);
+        let by_entry = || entry_a < entry_b || (entry_a == entry_b && a < b);
+        if (entry_a - entry_b).abs() > self.blur(ray) {
+            return by_entry();
+        }
         let mut heap = Heap::default();
         let mut next = Some(self.root);
         let mut tests = 0;
@@ -263,7 +270,20 @@ impl SlabTree {
             }
             next = heap.pop();
         }
-        a < b
+        by_entry()
+    }
+
+    /// Bound on how far behind the entry into an item a ray can enter a node around it: on an axis along which it runs
+    /// down, some roundings of the numbers from which the entry is computed.
+    fn blur(&self, ray: &Ray) -> f64 {
+        let Some(root) = self.nodes.get(self.root as usize) else {
+            return 0.0;
+        };
+        let Bounds { min, max } = root.slabs.exact();
+        let reach = min.abs() + (max - min) + ray.origin.abs();
+        let along = (0..3).filter(|&axis| ray.dir[axis] < 0.0);
+        let blurs = along.map(|axis| reach[axis] / -ray.dir[axis]);
+        8.0 * f64::from(f32::EPSILON) * blurs.fold(0.0, f64::max)
     }
 }
 

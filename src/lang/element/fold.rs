@@ -7,12 +7,7 @@ use std::sync::Arc;
 
 /// Folds a long list of steps into one, as far as they follow the last attached texture or clip object.
 pub(crate) fn fold_steps(object: &mut Object) {
-    let textures = object.textures().map(|texture| texture.after);
-    let start = textures
-        .chain(object.clips_and_bounds().map(|attached| attached.after))
-        .chain(object.seen_in().map(|boxes| boxes.after))
-        .max()
-        .unwrap_or(0);
+    let start = object.fixed_steps();
     merge_steps(&mut object.steps, start);
 }
 

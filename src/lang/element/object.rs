@@ -199,6 +199,7 @@ impl Reader<'_> {
     pub(crate) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
+                object.keep_extent();
                 object.update_visibility_box();
                 return self.check_sides(object);
             }

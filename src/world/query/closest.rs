@@ -464,23 +464,26 @@ impl World {
         }
     }
 
-    /// Tie rule for two items at the same distance: unbounded ones come first, then the one whose box the ray
-    /// enters first, then the one that POV-Ray's tree of boxes delivers first (docs/povray-facts.md, section 5.2).
+    /// Tie rule for two items at the same distance: unbounded ones come first, then the one that POV-Ray's tree of boxes
+    /// delivers first, mostly that whose box the ray enters first (docs/povray-facts.md, section 5.2).
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
-        if self.ties_by_box {
-            let (entry_a, entry_b) = (self.box_entry(a, ray), self.box_entry(b, ray));
-            if entry_a != entry_b {
-                return entry_a < entry_b;
-            }
-            if entry_a > f64::NEG_INFINITY {
+        let is_bounded = |item: u32| self.ties_by_box && self.povray_box(item).is_finite();
+        match (is_bounded(a), is_bounded(b)) {
+            (true, true) => {
                 let tree = self.slab_tree.get_or_init(|| {
                     SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
                 });
-                return tree.comes_first(a, b, ray);
+                tree.comes_first(
+                    (a, self.box_entry(a, ray)),
+                    (b, self.box_entry(b, ray)),
+                    ray,
+                )
             }
+            (true, false) => false,
+            (false, true) => true,
+            (false, false) => a < b,
         }
-        a < b
     }
 
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.
