@@ -35,6 +35,7 @@ pub mod scene;
 pub mod world;
 
 use base::encoding::EncodeOptions;
+use base::file::Folders;
 use base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
@@ -199,7 +200,7 @@ fn draw_with(
         listen(Event::CheckpointFailed(kind));
     }
     watch.lap("trace");
-    save_photons(&world, &drawn, listen);
+    save_photons(&world, &drawn, &read.writable, listen);
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());
     let statistics = render::statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
@@ -326,12 +327,17 @@ fn saves(scene: &Scene) -> bool {
 }
 
 /// Writes the photon map to the file that the scene names for it.
-fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>) {
+fn save_photons(
+    world: &World,
+    drawn: &render::Drawn,
+    writable: &Folders,
+    listen: &EventHandler<'_>,
+) {
     let settings = world.photons.as_ref().map(|photons| &photons.settings);
     let path = settings.and_then(|settings| settings.save_file.as_ref());
     let bytes = drawn.photons.as_ref().and_then(|shot| shot.file.as_ref());
     if let (Some(path), Some(bytes)) = (path, bytes)
-        && let Err(error) = output::save(path.as_ref(), bytes)
+        && let Err(error) = base::file::save(path.as_ref(), bytes, writable)
     {
         let mut warning = base::source::refusal("write", path, &error);
         warning.severity = Severity::Warning;
@@ -423,6 +429,8 @@ fn read_scene(
         sources = earlier.sources.clone();
         token_cache = Some(earlier.token_cache.clone());
     }
+    sources.limit_reads(options.readable.clone());
+    sources.limit_bytes(options.memory.unwrap_or(u64::MAX));
     let mut print = 0;
     let mut errors = Vec::new();
     let mut report = |finding: &Diagnostic, sources: &Sources| {

@@ -1,5 +1,6 @@
 //! Output files of scenes: where they may be, when they are visible; and the dependencies of a reading.
 
+use povr::base::file::Folders;
 use povr::base::options::ReadOptions;
 use povr::base::source::{Severity, Sources};
 use povr::lang::{Reading, evaluate};
@@ -12,7 +13,7 @@ fn read(scene: &str, folder: &Path) -> Reading {
     let text = scene.replace('@', &folder.display().to_string());
     let file = sources.add_text("scene.pov", text);
     let options = ReadOptions {
-        writable: vec![folder.to_owned()],
+        writable: Folders::Only(vec![folder.to_owned()]),
         ..ReadOptions::default()
     };
     evaluate(file, &mut sources, &options)

@@ -6,6 +6,7 @@ pub mod args;
 pub mod bitmap;
 pub mod color;
 pub mod encoding;
+pub mod file;
 pub mod film;
 pub mod math;
 pub mod memory;

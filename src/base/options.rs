@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use crate::base::color::Gamma;
 use crate::base::encoding::EncodeOptions;
+use crate::base::file::Folders;
 use crate::base::film::Film;
 use crate::base::source::{Dependency, Message};
 
@@ -63,8 +64,10 @@ pub enum Input {
 pub struct ReadOptions {
     /// Folders searched for included and other files after the current folder, in this order.
     pub library_paths: Vec<PathBuf>,
-    /// Folders in which, with their subfolders, a scene may write files; without any it may write none.
-    pub writable: Vec<PathBuf>,
+    /// Folders in which a scene may read files.
+    pub readable: Folders,
+    /// Folders in which a scene may write files.
+    pub writable: Folders,
     /// The destination of the files that a scene writes.
     pub writes: Writes,
     /// Names declared before the scene is read.
@@ -432,7 +435,8 @@ impl Default for ReadOptions {
     fn default() -> Self {
         ReadOptions {
             library_paths: Vec::new(),
-            writable: Vec::new(),
+            readable: Folders::All,
+            writable: Folders::Only(Vec::new()),
             writes: Writes::default(),
             declares: Vec::new(),
             version: None,

@@ -100,6 +100,11 @@ impl Memory {
         }
     }
 
+    /// Bytes that the process may take on top of what it had at the start.
+    pub(super) fn headroom(&self) -> u64 {
+        self.headroom.address_space.min(self.headroom.resident)
+    }
+
     /// True if `more` bytes, and then the compiled scene, fit beside the memory taken so far.
     pub(super) fn allows(&self, more: u64, leaves: u64) -> bool {
         let Some(now) = Taken::now() else {

@@ -105,6 +105,7 @@ impl<'a> Reader<'a> {
                 Diagnostic::error(span, NO_MEMORY).with_code(Code::Memory),
             ]);
         }
+        sources.limit_bytes(budget.memory.headroom());
         let (mut names, known) = match &token_cache {
             Some(token_cache) => (token_cache.names.clone(), token_cache.tokens(scene)),
             None => (Names::new(), None),

@@ -15,12 +15,12 @@ mod ppm;
 mod tga;
 
 pub use crate::base::encoding::{EncodeOptions, Format, FormatProperties};
-pub(crate) use atomic_file::{PendingFile, check_appendable, check_replaceable, save};
 
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::base::file::folder_of;
 use crate::base::film::{Film, quantize};
 
 /// The destination of an encoded picture.
@@ -166,7 +166,7 @@ impl OutputError {
         let Target::File(path) = target else {
             return None;
         };
-        let folder = atomic_file::folder_of(path);
+        let folder = folder_of(path);
         match source.kind() {
             io::ErrorKind::NotFound => Some(format!(
                 "The folder `{}` does not exist: create it, or name another file with `+O`.",

@@ -5,9 +5,9 @@
 //! records and perhaps a torn one at the end, which is cut off. The key identifies the scene, all files it reads, the
 //! options and the program: a checkpoint with another key is not used. Numbers are little-endian.
 
+use crate::base::file::{Folders, open_regular};
 use crate::base::film::Pixel;
 use crate::base::options::CheckpointOptions;
-use crate::base::source::open_regular;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -198,7 +198,11 @@ fn read_tiles(
     key: u64,
     size: (u32, u32),
 ) -> io::Result<Option<(File, Vec<CheckpointTile>)>> {
-    let mut file = open_regular(&keep.file, OpenOptions::new().read(true).append(true))?;
+    let mut file = open_regular(
+        &keep.file,
+        OpenOptions::new().read(true).append(true),
+        &Folders::All,
+    )?;
     let mut bytes = Vec::new();
     // A record for every pixel is the longest possible file of this picture.
     let most = u64::from(size.0) * u64::from(size.1) * (HEAD + PIXEL + ERROR + CHECKSUM) as u64;

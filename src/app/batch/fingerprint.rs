@@ -10,7 +10,8 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::Picture;
-use crate::base::source::{Dependency, read_regular};
+use crate::base::file::read_regular;
+use crate::base::source::Dependency;
 
 /// The inputs of a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -100,7 +101,8 @@ impl Fingerprints {
                 self.of_file(path)
                     .is_ok_and(|current| current == *fingerprint)
             })
-            && read_regular(picture_path).is_ok_and(|bytes| of_bytes(&bytes) == record.made)
+            && read_regular(picture_path, u64::MAX)
+                .is_ok_and(|bytes| of_bytes(&bytes) == record.made)
     }
 
     /// The fingerprint of all inputs other than files.
@@ -133,7 +135,7 @@ impl Fingerprints {
         }
         let known = Known {
             state,
-            fingerprint: of_bytes(&read_regular(path)?),
+            fingerprint: of_bytes(&read_regular(path, u64::MAX)?),
         };
         let fingerprint = known.fingerprint.clone();
         self.lock().insert(path.to_owned(), known);

@@ -8,6 +8,7 @@ use super::journal::Journal;
 use super::picture::Picture;
 use super::watchdog::Watchdog;
 use super::{BatchError, Shard};
+use crate::base::file::Folders;
 use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::source::{Code, Dependency, Message, Severity};
 use crate::output::EncodeOptions;
@@ -341,7 +342,7 @@ impl Run<'_> {
         let mut read = picture.read.clone();
         read.stop = stop.clone();
         if other_work == OtherWork::Others {
-            read.writable.clear();
+            read.writable = Folders::Only(Vec::new());
         }
         let mut render = picture.render.clone();
         render.stop = stop.clone();

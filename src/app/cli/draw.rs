@@ -38,11 +38,11 @@ use super::options::output_kinds::MessageFormat;
 use super::options::settings;
 use super::options::settings::{Scene, Settings, Verbosity};
 
+use crate::base::file::MAX_FILE_BYTES;
 use crate::base::options::{
     AdaptiveOutcome, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
     Statistics,
 };
-use crate::base::source::MAX_FILE_BYTES;
 use crate::output::{self, OutputError};
 
 /// Renders a scene with all stages.

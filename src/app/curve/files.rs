@@ -1,13 +1,13 @@
 //! Files of a curve, replaced as a whole.
 
 use super::CurveError;
-use crate::output::PendingFile;
+use crate::base::file::{Folders, PendingFile};
 use serde::Serialize;
 use std::path::Path;
 
 /// Writes a file atomically.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
-    let written = PendingFile::new(path).and_then(|mut file| {
+    let written = PendingFile::new(path, &Folders::All).and_then(|mut file| {
         std::io::Write::write_all(&mut file, bytes)?;
         file.persist()
     });

@@ -1,10 +1,9 @@
 //! Binary files that a scene names: pictures, fonts.
 
 use super::held_file::canonical_path;
-use super::read::Named;
-use super::regular::refusal;
-use super::search::not_found;
+use super::refusal::refusal;
 use super::{Diagnostic, FileId, Sources};
+use crate::base::file::Named;
 use std::io;
 use std::sync::Arc;
 
@@ -25,7 +24,7 @@ impl Sources {
         let folders = self.folders(including_file);
         let endings: Vec<&str> = [""].iter().chain(endings).copied().collect();
         let Some(path) = self.search(name, &folders, &endings) else {
-            return Err(Box::new(not_found(what, name, &folders)));
+            return Err(Box::new(self.not_found(what, name, &folders)));
         };
         self.note(&path, true);
         let name = path.display();

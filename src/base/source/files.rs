@@ -5,11 +5,13 @@
 
 use super::dependency::Dependencies;
 use super::held_file::{HeldFile, canonical_path};
-use super::read::{MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited};
-use super::regular;
-use super::search::{INCLUDES, not_found};
+use super::refusal::refusal;
+use super::search::INCLUDES;
 use super::text::decode;
 use super::{Diagnostic, FileId, Span};
+use crate::base::file::{
+    FileLimits, Folders, MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited,
+};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,6 +35,7 @@ pub struct Sources {
     pub(super) of_earlier_run: FxHashSet<FileId>,
     /// Binary files, by canonical path.
     pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
+    pub(super) limits: FileLimits,
 }
 
 #[derive(Clone, Debug)]
@@ -57,6 +60,16 @@ impl Sources {
         }
     }
 
+    /// Limits the folders in which files that the scene names are read.
+    pub fn limit_reads(&mut self, folders: Folders) {
+        self.limits.folders = folders;
+    }
+
+    /// Limits the bytes of all files that are read from now on.
+    pub(crate) fn limit_bytes(&mut self, bytes: u64) {
+        self.limits.bytes = bytes;
+    }
+
     /// Loads the text of a file that the user names, unless it has been read before. It may be a pipe.
     ///
     /// # Errors
@@ -75,7 +88,7 @@ impl Sources {
 
     fn load(&mut self, path: &Path, named: Named) -> Result<FileId, Box<Diagnostic>> {
         let name = path.display();
-        let cannot_read = |error| Box::new(regular::refusal("read", &name, &error));
+        let cannot_read = |error| Box::new(refusal("read", &name, &error));
         let key = canonical_path(path).map_err(cannot_read)?;
         if let Some(&file) = self.by_path.get(&key) {
             if self.of_earlier_run.remove(&file) {
@@ -85,9 +98,12 @@ impl Sources {
         }
         let Some(bytes) = self.bytes_of(path, named).map_err(cannot_read)? else {
             let (file, stream) = (MAX_FILE_BYTES >> 30, MAX_STREAM_BYTES >> 20);
-            let message = format!(
-                "`{name}` is too large: a scene file may have {file} GiB, a pipe or device {stream} MiB"
-            );
+            let message = match named {
+                Named::ByUser => format!(
+                    "`{name}` is too large: a scene file may have {file} GiB, a pipe or device {stream} MiB"
+                ),
+                Named::ByScene => format!("cannot read `{name}`: it is too large"),
+            };
             return Err(Box::new(Diagnostic::error(None, message)));
         };
         self.note(path, true);
@@ -151,7 +167,7 @@ impl Sources {
         let folders = self.folders(from);
         match self.search(name, &folders, endings) {
             Some(path) => self.load_regular(&path),
-            None => Err(Box::new(not_found(what, name, &folders))),
+            None => Err(Box::new(self.not_found(what, name, &folders))),
         }
     }
 
@@ -185,7 +201,7 @@ impl Sources {
         files.sort();
         files.truncate(limit);
         files.iter().find_map(|path| {
-            let bytes = read_limited(path, Named::ByScene)
+            let bytes = read_limited(path, Named::ByScene, &self.limits)
                 .ok()
                 .flatten()
                 .unwrap_or_default();

@@ -1,6 +1,6 @@
 //! Contents of a file that a scene writes, held in memory.
 
-use super::read::{Named, read_limited};
+use crate::base::file::{FileLimits, Named, read_limited};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::{fs, io};
@@ -31,12 +31,12 @@ impl HeldFile {
     }
 
     /// The whole content; `None` above the size limit.
-    pub(crate) fn bytes(&self) -> io::Result<Option<Vec<u8>>> {
+    pub(crate) fn bytes(&self, limits: &FileLimits) -> io::Result<Option<Vec<u8>>> {
         let content = self.lock();
         let Some(path) = &content.appended_to else {
             return Ok(Some(content.text.clone()));
         };
-        let bytes = read_limited(path, Named::ByScene)?;
+        let bytes = read_limited(path, Named::ByScene, limits)?;
         Ok(bytes.map(|bytes| [bytes, content.text.clone()].concat()))
     }
 

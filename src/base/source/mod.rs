@@ -8,9 +8,8 @@ mod fingerprint;
 mod held_file;
 mod message;
 pub mod print;
-mod read;
 mod record;
-mod regular;
+mod refusal;
 mod search;
 mod span;
 #[cfg(test)]
@@ -23,8 +22,5 @@ pub use diagnostic::{Code, Diagnostic, Label, Severity};
 pub use files::{Declared, Sources};
 pub(crate) use held_file::HeldFile;
 pub use message::{Location, Message, Note, Position};
-pub use read::MAX_FILE_BYTES;
-#[cfg(feature = "cli")]
-pub(crate) use read::read_regular;
-pub(crate) use regular::{only_regular, open_regular, refusal};
+pub(crate) use refusal::refusal;
 pub use span::{FileId, Span};

@@ -1,6 +1,7 @@
 //! Search for the files that a scene names, and the error for a missing one.
 
-use super::Diagnostic;
+use super::{Diagnostic, Sources};
+use crate::base::file::Folders;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -19,29 +20,70 @@ pub(super) fn candidates(
     })
 }
 
-/// The error for a missing file; `what` is "the include file" or the like.
-pub(super) fn not_found(what: &str, name: &str, folders: &[PathBuf]) -> Diagnostic {
-    let searched = if Path::new(name).is_absolute() {
-        String::new()
-    } else {
-        let names: Vec<String> = folders.iter().map(|folder| folder_name(folder)).collect();
-        format!(" in {}", one_of(&names))
-    };
-    let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{searched}"));
-    for (path, written) in other_cases(name, folders) {
-        error = error.with_hint(format!(
-            "`{}` differs only in case: write `{written}`.",
-            path.display()
-        ));
+impl Sources {
+    /// The error for a missing file; `what` is "the include file" or the like.
+    pub(super) fn not_found(&self, what: &str, name: &str, folders: &[PathBuf]) -> Diagnostic {
+        let searched = if Path::new(name).is_absolute() {
+            String::new()
+        } else {
+            let names: Vec<String> = folders.iter().map(|folder| folder_name(folder)).collect();
+            format!(" in {}", one_of(&names))
+        };
+        let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{searched}"));
+        for (path, written) in self.other_cases(name, folders) {
+            error = error.with_hint(format!(
+                "`{}` differs only in case: write `{written}`.",
+                path.display()
+            ));
+        }
+        if name.contains('\\') {
+            error = error.with_hint("Write `/` between folders, not `\\`.");
+        }
+        if error.hints.is_empty() && !Path::new(name).is_absolute() {
+            error = error
+                .with_hint("Put the file into one of these folders, or name its folder with `+L`.");
+        }
+        if let Folders::Only(readable) = &self.limits.folders {
+            let names: Vec<String> = readable.iter().map(|folder| folder_name(folder)).collect();
+            error = error.with_hint(match names.as_slice() {
+                [] => "This run lets scenes read no files.".to_owned(),
+                names => format!("This run lets scenes read only files in {}.", one_of(names)),
+            });
+        }
+        error
     }
-    if name.contains('\\') {
-        error = error.with_hint("Write `/` between folders, not `\\`.");
+
+    /// Files in the searched folders whose names differ from `name` only in case, each with the name to write instead.
+    fn other_cases(&self, name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
+        let (inner, last) = match name.rfind('/') {
+            Some(slash) => name.split_at(slash + 1),
+            None => ("", name),
+        };
+        let wanted = INCLUDES.map(|extension| format!("{last}{extension}").to_lowercase());
+        let mut cases = Vec::new();
+        for folder in folders {
+            let folder = folder.join(inner);
+            let listed = if folder.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                &folder
+            };
+            let entries = fs::read_dir(listed).into_iter().flatten().flatten();
+            let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+            let mut names: Vec<String> = names
+                .filter(|name| wanted.contains(&name.to_lowercase()))
+                .collect();
+            names.sort();
+            cases.extend(
+                names
+                    .into_iter()
+                    .filter(|name| self.limits.folders.hold(&folder.join(name)))
+                    .map(|name| (folder.join(&name), format!("{inner}{name}"))),
+            );
+        }
+        cases.dedup();
+        cases
     }
-    if error.hints.is_empty() && !Path::new(name).is_absolute() {
-        error = error
-            .with_hint("Put the file into one of these folders, or name its folder with `+L`.");
-    }
-    error
 }
 
 fn folder_name(folder: &Path) -> String {
@@ -59,35 +101,4 @@ fn one_of(names: &[String]) -> String {
         [only] => only.clone(),
         [first @ .., last] => format!("{} or {last}", first.join(", ")),
     }
-}
-
-/// Files in the searched folders whose names differ from `name` only in case, each with the name to write instead.
-fn other_cases(name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
-    let (inner, last) = match name.rfind('/') {
-        Some(slash) => name.split_at(slash + 1),
-        None => ("", name),
-    };
-    let wanted = INCLUDES.map(|extension| format!("{last}{extension}").to_lowercase());
-    let mut cases = Vec::new();
-    for folder in folders {
-        let folder = folder.join(inner);
-        let listed = if folder.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            &folder
-        };
-        let entries = fs::read_dir(listed).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let mut names: Vec<String> = names
-            .filter(|name| wanted.contains(&name.to_lowercase()))
-            .collect();
-        names.sort();
-        cases.extend(
-            names
-                .into_iter()
-                .map(|name| (folder.join(&name), format!("{inner}{name}"))),
-        );
-    }
-    cases.dedup();
-    cases
 }

@@ -1,6 +1,7 @@
 //! Tests of the source texts and of the file search.
 
 use super::*;
+use crate::base::file::MAX_FILE_BYTES;
 use std::fs::{self, File};
 use std::path::Path;
 

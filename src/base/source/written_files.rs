@@ -4,7 +4,7 @@
 
 use super::Sources;
 use super::held_file::{HeldFile, canonical_path};
-use super::read::{Named, read_limited};
+use crate::base::file::{Named, read_limited};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -38,17 +38,22 @@ impl Sources {
     }
 
     /// The bytes of a file in memory or on disk; `None` above the size limit.
-    pub(super) fn bytes_of(&self, path: &Path, named: Named) -> io::Result<Option<Vec<u8>>> {
-        match self.held(path) {
-            Some(held) => held.bytes(),
-            None => read_limited(path, named),
+    pub(super) fn bytes_of(&mut self, path: &Path, named: Named) -> io::Result<Option<Vec<u8>>> {
+        let bytes = match self.held(path) {
+            Some(held) => held.bytes(&self.limits),
+            None => read_limited(path, named, &self.limits),
+        }?;
+        if let Some(bytes) = &bytes {
+            self.limits.bytes = self.limits.bytes.saturating_sub(bytes.len() as u64);
         }
+        Ok(bytes)
     }
 
     /// Returns true if a scene can read a file at this path. A folder does not count, even if it has the name of a
-    /// file; a pipe does.
+    /// file; a pipe does. A file that the scene may not read counts as missing, so that the scene learns nothing of it.
     pub(super) fn is_file(&self, path: &Path) -> bool {
-        fs::metadata(path).is_ok_and(|metadata| !metadata.is_dir()) || self.held(path).is_some()
+        let is_there = fs::metadata(path).is_ok_and(|metadata| !metadata.is_dir());
+        is_there && self.limits.folders.hold(path) || self.held(path).is_some()
     }
 
     /// The path of this name, relative to the current folder, if the scene wrote that file itself.

@@ -2,9 +2,11 @@
 
 use super::data_file::DataFile;
 use crate::base::args::Word;
-use crate::base::source::{HeldFile, Sources, only_regular, open_regular};
-use crate::output::{PendingFile, check_appendable, check_replaceable};
-use std::fs::{File, OpenOptions};
+use crate::base::file::{
+    Folders, PendingFile, check_appendable, check_replaceable, only_regular, open_appending,
+};
+use crate::base::source::{HeldFile, Sources};
+use std::fs::File;
 use std::io;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
@@ -47,14 +49,13 @@ pub(crate) enum To {
 }
 
 impl Output {
-    pub(in crate::lang) fn new(name: String, mode: Word) -> io::Result<Self> {
+    pub(in crate::lang) fn new(name: String, mode: Word, folders: &Folders) -> io::Result<Self> {
         let path = PathBuf::from(&name);
         let to = if mode == Word::Append {
-            let file = open_regular(&path, OpenOptions::new().append(true).create(true))?;
-            To::Named(BufWriter::new(file))
+            To::Named(BufWriter::new(open_appending(&path, folders)?))
         } else {
             only_regular(&path)?;
-            To::Pending(BufWriter::new(PendingFile::new(&path)?))
+            To::Pending(BufWriter::new(PendingFile::new(&path, folders)?))
         };
         Ok(Output { name, path, to })
     }

@@ -2,6 +2,7 @@
 
 use super::open_file::Output;
 use crate::base::args::{Parse, Word};
+use crate::base::file::Folders;
 use crate::base::options::Writes;
 use crate::base::source::{Code, Diagnostic, Span, refusal};
 use crate::lang::reader::Reader;
@@ -12,7 +13,7 @@ impl Reader<'_> {
     pub(crate) fn open_output(&mut self, name: String, mode: Word, span: Span) -> Parse<Output> {
         self.check_writable(&name, span)?;
         let opened = match self.options.writes {
-            Writes::ToDisk => Output::new(name.clone(), mode),
+            Writes::ToDisk => Output::new(name.clone(), mode, &self.options.writable),
             Writes::InMemory => Output::in_memory(name.clone(), mode, self.sources),
         };
         opened.map_err(|error| self.not_written(&name, &error, span))
@@ -23,8 +24,11 @@ impl Reader<'_> {
         if self.may_write(Path::new(name)) {
             return Ok(());
         }
-        let allowed = &self.options.writable;
-        let hint = match allowed.as_slice() {
+        let allowed: &[PathBuf] = match &self.options.writable {
+            Folders::All => &[],
+            Folders::Only(folders) => folders,
+        };
+        let hint = match allowed {
             [] => "This run lets scenes write no files.".to_owned(),
             some => format!(
                 "A scene may write into {} and folders in it.",
@@ -43,6 +47,9 @@ impl Reader<'_> {
 
     /// True if a file lies in a writable folder, with links and `..` resolved.
     fn may_write(&self, path: &Path) -> bool {
+        if self.options.writable == Folders::All {
+            return true;
+        }
         let resolved = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
             let folder = match path.parent() {
                 Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -68,9 +75,7 @@ impl Reader<'_> {
         let Some(resolved) = resolved else {
             return false;
         };
-        let mut allowed = self.options.writable.iter();
-        allowed
-            .any(|folder| fs::canonicalize(folder).is_ok_and(|folder| resolved.starts_with(folder)))
+        self.options.writable.contain(&resolved)
     }
 
     pub(crate) fn not_written(&self, name: &str, error: &io::Error, span: Span) -> Box<Diagnostic> {

@@ -308,6 +308,7 @@ fn count(value: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use crate::base::file::Folders;
     use crate::base::options::ReadOptions;
     use crate::base::source::Sources;
     use crate::lang::evaluate;
@@ -317,7 +318,7 @@ mod tests {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", format!("global_settings {{ {text} }}"));
         let options = ReadOptions {
-            writable: vec![".".into()],
+            writable: Folders::Only(vec![".".into()]),
             ..ReadOptions::default()
         };
         let reading = evaluate(file, &mut sources, &options);

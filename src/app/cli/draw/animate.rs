@@ -22,6 +22,7 @@ use crate::RenderSession;
 use crate::app::batch::{MessageBuffer, in_order};
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
+use crate::base::file::Folders;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, RenderOptions, Sampling, Statistics,
 };
@@ -249,7 +250,7 @@ impl Run<'_> {
     ) -> Result<Drawn, Failure> {
         let mut read = self.frames.read_options_for(number, &self.settings.read);
         if writing == Writing::Refused {
-            read.writable.clear();
+            read.writable = Folders::Only(Vec::new());
         }
         let output = self.settings.output.as_ref();
         let render = RenderOptions {

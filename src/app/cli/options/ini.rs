@@ -11,12 +11,15 @@ use super::values::unquoted;
 use super::{arg_words, keys, switches};
 use crate::app::cli::COMMANDS;
 use crate::app::cli::options::ini;
-use crate::base::source::read_regular;
+use crate::base::file::read_regular;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders with more entries are not fully searched for a file with a similar name.
 const MAX_NEIGHBOURS: usize = 10_000;
+
+/// Maximum size of a file in bytes.
+const LARGEST: u64 = 1 << 24;
 
 /// Maximum depth of nested files.
 const DEEPEST: usize = 16;
@@ -64,7 +67,7 @@ impl<'a> Reader<'a> {
                 file.display()
             )));
         }
-        let bytes = read_regular(file)
+        let bytes = read_regular(file, LARGEST)
             .map_err(|error| CliError::new(format!("cannot read `{}`: {error}", file.display())))?;
         self.depth += 1;
         let read = self.read_text(&String::from_utf8_lossy(&bytes), file, section);

@@ -12,6 +12,7 @@ use super::values::format_of_ending;
 use crate::app::cli::draw::frames::Frames;
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
+use crate::base::file::Folders;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
@@ -168,7 +169,7 @@ pub(crate) fn read_options(raw_args: &RawArgs, library_paths: Vec<PathBuf>) -> R
     ReadOptions {
         library_paths,
         // As in Debian's povray.conf.
-        writable: vec![PathBuf::from("."), env::temp_dir()],
+        writable: Folders::Only(vec![PathBuf::from("."), env::temp_dir()]),
         declares: raw_args.declares.clone(),
         version: raw_args.version,
         include_header: raw_args.include_header.clone(),

@@ -4,22 +4,43 @@
 //! checked before opening. Another program may replace the file in between, so the file is opened without blocking and
 //! checked again. Reading does not block either, because some files in `/proc` look like regular files.
 
-use super::Diagnostic;
+use super::Folders;
 use std::error::Error;
 use std::fmt;
 use std::fs::{File, FileType, Metadata, OpenOptions};
 use std::io;
 use std::path::Path;
 
-/// Opens a file with `options` if it is a regular one or does not exist.
+/// Opens a file with `options` if it is a regular one in the folders, or does not exist.
 ///
 /// # Errors
-/// An error of the system, or a file of another type; [`refusal`] makes the diagnostic.
-pub(crate) fn open_regular(path: &Path, options: &OpenOptions) -> io::Result<File> {
+/// An error of the system, a file of another type, or one outside of the folders.
+pub(crate) fn open_regular(
+    path: &Path,
+    options: &OpenOptions,
+    folders: &Folders,
+) -> io::Result<File> {
     only_regular(path)?;
     let file = nonblocking(options).open(path)?;
     regular(&file.metadata()?)?;
+    folders.check_opened(&file, path)?;
     Ok(file)
+}
+
+/// Opens a file to append to it, and creates it if it does not exist.
+///
+/// # Errors
+/// As [`open_regular`].
+pub(crate) fn open_appending(path: &Path, folders: &Folders) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.append(true);
+    match open_regular(path, &options, folders) {
+        // A new file is not created through a link, which could lead anywhere.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            open_regular(path, options.create_new(true), folders)
+        }
+        opened => opened,
+    }
 }
 
 /// Rejects an existing file that is not a regular one.
@@ -34,16 +55,6 @@ pub(crate) fn only_regular(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Makes a diagnostic without a span from an I/O error; `verb` is the operation that failed.
-pub(crate) fn refusal(verb: &str, name: &dyn fmt::Display, error: &io::Error) -> Diagnostic {
-    let inner = error.get_ref();
-    match inner.and_then(|inner| inner.downcast_ref::<Irregular>()) {
-        Some(irregular) => Diagnostic::error(None, format!("`{name}` is {irregular}"))
-            .with_hint(format!("A scene can {verb} regular files only.")),
-        None => Diagnostic::error(None, format!("cannot {verb} `{name}`: {error}")),
-    }
-}
-
 fn regular(metadata: &Metadata) -> io::Result<()> {
     if metadata.is_file() {
         return Ok(());
@@ -54,7 +65,7 @@ fn regular(metadata: &Metadata) -> io::Result<()> {
 
 /// The type of a file that is not regular, as an error.
 #[derive(Debug)]
-struct Irregular(&'static str);
+pub(crate) struct Irregular(&'static str);
 
 impl fmt::Display for Irregular {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,0 +1,116 @@
+//! Folders to which a scene is limited.
+
+use std::error::Error;
+use std::fmt;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Folders, with their subfolders, that hold all files a scene may access. An entry may also be a single file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Folders {
+    /// No limit but the permissions of the system.
+    #[default]
+    All,
+    /// These, with links and `..` resolved.
+    Only(Vec<PathBuf>),
+}
+
+impl Folders {
+    /// True if the path, which has no links and no `..`, lies in one of the folders.
+    pub(crate) fn contain(&self, resolved: &Path) -> bool {
+        match self {
+            Folders::All => true,
+            Folders::Only(folders) => folders.iter().any(|folder| {
+                let folder = if folder.as_os_str().is_empty() {
+                    Path::new(".")
+                } else {
+                    folder
+                };
+                fs::canonicalize(folder).is_ok_and(|folder| resolved.starts_with(folder))
+            }),
+        }
+    }
+
+    /// True if the file at `path` exists and lies in one of the folders, wherever links lead; always without a limit.
+    pub(crate) fn hold(&self, path: &Path) -> bool {
+        *self == Folders::All || fs::canonicalize(path).is_ok_and(|path| self.contain(&path))
+    }
+
+    /// Checks that `opened`, a file or folder opened by this path, lies in one of the folders. Another process may have
+    /// changed a link on the path before it was opened, or since: then it is not the file at the resolved path.
+    ///
+    /// # Errors
+    /// [`Outside`], or an error of the system.
+    pub(crate) fn check_opened(&self, opened: &File, path: &Path) -> io::Result<()> {
+        if *self == Folders::All {
+            return Ok(());
+        }
+        let resolved = fs::canonicalize(path)?;
+        if self.contain(&resolved) && is_same(&opened.metadata()?, &fs::metadata(&resolved)?) {
+            return Ok(());
+        }
+        Err(Outside.into())
+    }
+}
+
+/// A file that does not lie in the folders.
+#[derive(Debug)]
+pub(crate) struct Outside;
+
+impl fmt::Display for Outside {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("it lies outside of the folders that a scene may use")
+    }
+}
+
+impl Error for Outside {}
+
+impl From<Outside> for io::Error {
+    fn from(outside: Outside) -> Self {
+        io::Error::new(io::ErrorKind::PermissionDenied, outside)
+    }
+}
+
+#[cfg(unix)]
+fn is_same(one: &fs::Metadata, other: &fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+/// Without numbers of files, the path decides alone.
+#[cfg(not(unix))]
+fn is_same(_: &fs::Metadata, _: &fs::Metadata) -> bool {
+    true
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    #[test]
+    fn a_link_that_changes_after_opening_is_noticed() {
+        let all = tempfile::tempdir().unwrap();
+        let path = |name: &str| all.path().join(name);
+        for folder in ["in", "out"] {
+            fs::create_dir(path(folder)).unwrap();
+            fs::write(path(folder).join("a"), folder).unwrap();
+        }
+        let folders = Folders::Only(vec![path("in")]);
+        assert!(folders.hold(&path("in/a")) && !folders.hold(&path("out/a")));
+        assert!(!folders.hold(&path("in/../out/a")) && !folders.hold(&path("in/none")));
+
+        symlink(path("out/a"), path("in/link")).unwrap();
+        assert!(!folders.hold(&path("in/link")));
+        let opened = File::open(path("in/link")).unwrap();
+        assert!(folders.check_opened(&opened, &path("in/link")).is_err());
+        fs::remove_file(path("in/link")).unwrap();
+        symlink(path("in/a"), path("in/link")).unwrap();
+        assert!(folders.hold(&path("in/link")));
+        assert!(folders.check_opened(&opened, &path("in/link")).is_err());
+        let opened = File::open(path("in/link")).unwrap();
+        assert!(folders.check_opened(&opened, &path("in/link")).is_ok());
+        assert!(Folders::All.check_opened(&opened, &path("none")).is_ok());
+    }
+}
