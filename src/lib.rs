@@ -196,6 +196,11 @@ fn draw_with(
         }
         return Err(failure("the render was stopped".to_owned(), listen));
     }
+    let photons = drawn.photons.as_ref();
+    if photons.is_some_and(|photons| !photons.is_complete) {
+        let message = "the photons of this scene need more memory than there is".to_owned();
+        return Err(failure(message, listen));
+    }
     if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
         listen(Event::CheckpointFailed(kind));
     }

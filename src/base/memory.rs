@@ -11,6 +11,10 @@
     reason = "the C library is asked, by functions that may be called at any time, and lines are sent for by their address"
 )]
 
+mod system;
+
+pub(crate) use system::{Taken, address_space_limit, available, left};
+
 /// Blocks of at least this size are mapped on their own, and unmapped as soon as they are freed.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 const MMAP_THRESHOLD: i32 = 1 << 18;

@@ -47,6 +47,16 @@ pub fn render(
     }
     let tracer = Tracer::new(world, options.quality).with_cancel_token(&options.stop);
     let (tracer, photons) = photon_pass::with_photons(tracer);
+    if photons.as_ref().is_some_and(|photons| !photons.is_complete) {
+        let Canvas { film, rays } = Canvas::new(options, None, RayCounts::default());
+        return Drawn {
+            film,
+            rays,
+            reached: None,
+            radiosity: None,
+            photons,
+        };
+    }
     let mut radiosity_pass = RadiosityPass::pretraced(&tracer, options);
     if let Sampling::Adaptive(settings) = &options.sampling {
         let (tracer, radiosity) = match radiosity_pass {

@@ -2,7 +2,7 @@
 
 use crate::base::options::PhotonStatistics;
 use crate::render::photons;
-use crate::render::shade::Tracer;
+use crate::render::shade::{Emission, Tracer};
 use std::time::Instant;
 
 /// The photons of a picture.
@@ -12,13 +12,24 @@ pub struct PhotonPass {
     pub taken: PhotonStatistics,
     /// The contents of the file in which the scene saves them.
     pub file: Option<Vec<u8>>,
+    /// False if there was no memory for all photons; then nothing was rendered.
+    pub is_complete: bool,
 }
 
 /// The tracer with photon maps, if the scene uses photon mapping and some photons are stored, and a report of them.
 pub(super) fn with_photons(tracer: Tracer<'_>) -> (Tracer<'_>, Option<PhotonPass>) {
     let start = Instant::now();
-    let Some(maps) = tracer.emit_photons() else {
-        return (tracer, None);
+    let maps = match tracer.emit_photons() {
+        None => return (tracer, None),
+        Some(Emission::OutOfMemory) => {
+            let pass = PhotonPass {
+                taken: PhotonStatistics::default(),
+                file: None,
+                is_complete: false,
+            };
+            return (tracer, Some(pass));
+        }
+        Some(Emission::Maps(maps)) => *maps,
     };
     let settings = tracer.world().photons.as_ref();
     let is_saved = settings.is_some_and(|photons| photons.settings.save_file.is_some());
@@ -37,5 +48,10 @@ pub(super) fn with_photons(tracer: Tracer<'_>) -> (Tracer<'_>, Option<PhotonPass
     } else {
         tracer
     };
-    (tracer, Some(PhotonPass { taken, file }))
+    let pass = PhotonPass {
+        taken,
+        file,
+        is_complete: true,
+    };
+    (tracer, Some(pass))
 }

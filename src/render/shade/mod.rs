@@ -36,6 +36,7 @@ use atmosphere::{AtmosphereTint, End};
 pub use block::{BLOCK, BlockScratch, FirstHit};
 use features::{FastPaths, Features};
 use glam::DVec3;
+pub use photon::emission::Emission;
 use quality::Quality;
 pub use scratch::Scratch;
 use shading_point::LightSamples;

@@ -6,7 +6,8 @@
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::Stream;
-use crate::render::photons::{self, Map, PhotonMaps};
+use crate::base::memory;
+use crate::render::photons::{self, Map, Photon, PhotonMaps};
 use crate::render::shade::Scratch;
 use crate::render::shade::{InteriorStack, Path, Tracer};
 use crate::scene::light::Light;
@@ -19,6 +20,8 @@ use std::f64::consts::{PI, TAU};
 const MIDDLE: f64 = 1e-10;
 /// Photons with a smaller share of light are not emitted.
 const MIN_SHARE: f64 = 1e-5;
+/// Photons take this part of the memory that is left: they are copied when their list grows, and into a map.
+const SHARE_OF_MEMORY: u64 = 4;
 /// Within this of one, the direction to the target counts as that of an axis.
 const ALONG_AXIS: f64 = 0.1;
 
@@ -142,25 +145,39 @@ fn bounding_sphere(target: &PhotonTarget) -> (DVec3, f64) {
     (target.bounds.min + half, half.length())
 }
 
+/// The end of an emission.
+#[derive(Debug)]
+pub enum Emission {
+    /// The photons.
+    Maps(Box<PhotonMaps>),
+    /// There is no memory for all photons.
+    OutOfMemory,
+}
+
 impl<'w> Tracer<'w> {
     /// Emits and traces all photons of the scene.
     #[must_use]
-    pub fn emit_photons(&self) -> Option<PhotonMaps> {
+    pub fn emit_photons(&self) -> Option<Emission> {
         let photons = self.world.photons.as_ref()?;
         if let Some(bytes) = &photons.settings.load_file {
-            return Some(PhotonMaps::new(photons, 0, photons::read(bytes)?));
+            let maps = PhotonMaps::new(photons, 0, photons::read(bytes)?);
+            return Some(Emission::Maps(Box::new(maps)));
         }
         let spacing = photons.spacing(|spacing| self.expected(photons, spacing));
         let mut tally = PhotonTally::new(photons);
         let mut scratch = Scratch::default();
         for (number, target) in self.pairs(photons) {
-            if self.stop.is_cancelled() {
+            if self.stop.is_cancelled() || tally.is_full() {
                 break;
             }
             self.emit_at(number, target, spacing, &mut tally, &mut scratch);
         }
+        if tally.is_full() {
+            return Some(Emission::OutOfMemory);
+        }
         let maps = [Map::new(tally.on_surfaces), Map::new(tally.in_media)];
-        Some(PhotonMaps::new(photons, tally.count, maps))
+        let maps = PhotonMaps::new(photons, tally.count, maps);
+        Some(Emission::Maps(Box::new(maps)))
     }
 
     /// The pairs of lights and targets with photons between them, by index.
@@ -254,6 +271,7 @@ impl<'w> Tracer<'w> {
             has_ever_hit |= tally.has_hit;
             if has_ever_hit && !tally.has_hit && off > autostop * rings.end
                 || self.stop.is_cancelled()
+                || tally.is_full()
             {
                 break;
             }
@@ -344,8 +362,15 @@ impl<'p> PhotonTally<'p> {
             random: Stream::default(),
             has_hit: false,
             count: 0,
+            max_bytes: memory::left() / SHARE_OF_MEMORY,
             on_surfaces: Vec::new(),
             in_media: Vec::new(),
         }
+    }
+
+    /// True if there is no memory for more photons.
+    fn is_full(&self) -> bool {
+        let count = self.on_surfaces.len() + self.in_media.len();
+        (count * size_of::<Photon>()) as u64 > self.max_bytes
     }
 }

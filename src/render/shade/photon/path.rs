@@ -41,6 +41,8 @@ pub(in crate::render::shade) struct PhotonTally<'p> {
     pub(in crate::render::shade) has_hit: bool,
     /// The number of emitted photons.
     pub(in crate::render::shade) count: u64,
+    /// The most memory that photons may take, in bytes.
+    pub(in crate::render::shade) max_bytes: u64,
     pub(in crate::render::shade) on_surfaces: Vec<Photon>,
     pub(in crate::render::shade) in_media: Vec<Photon>,
 }
