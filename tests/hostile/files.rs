@@ -1,23 +1,9 @@
-//! Untrusted scenes, and failing systems: each run ends soon, with a message or a picture, and changes nothing else on
-//! disk.
+//! Files of scenes, and file systems without space.
 
-#![cfg(unix)]
-
-#[path = "support/mod.rs"]
-mod support;
-
-use std::collections::BTreeMap;
+use crate::folder::{Ended, REST, Sandbox};
 use std::fs;
 use std::os::unix::fs::symlink;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::Duration;
-
-/// A run that opens a pipe would wait for ever; all others here end at once.
-const LIMIT: Duration = Duration::from_secs(5);
-
-const REST: &str = "camera { location -5*z look_at 0 } light_source { <-4, 6, -8>, rgb 1 }
-sphere { 0, 1 pigment { rgb 1 } }\n";
 
 /// Uses of a file named `FILE` by scenes.
 const READERS: [&str; 14] = [
@@ -36,90 +22,6 @@ const READERS: [&str; 14] = [
     "global_settings { photons { spacing 0.1 load_file \"FILE\" } }",
     "#declare F = function { pigment { image_map { tiff \"FILE\" } } }",
 ];
-
-/// A folder for the untrusted scene `s.pov`, one for temporary files, and one that must not be touched.
-struct Sandbox {
-    all: tempfile::TempDir,
-}
-
-/// The end of a run: its exit code, if it ended by itself, and its standard error.
-struct Ended {
-    code: Option<i32>,
-    said: String,
-}
-
-impl Sandbox {
-    fn new() -> Self {
-        let all = tempfile::tempdir().expect("temporary folders can be made");
-        for folder in ["here", "tmp", "other"] {
-            fs::create_dir(all.path().join(folder)).expect("folders can be made");
-        }
-        Sandbox { all }
-    }
-
-    fn with(scene: &str) -> Self {
-        let sandbox = Sandbox::new();
-        sandbox.write("here/s.pov", &format!("{REST}{scene}\n"));
-        sandbox
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.all.path().join(name)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).expect("files can be written");
-    }
-
-    fn pipe(&self, name: &str) {
-        let made = Command::new("mkfifo").arg(self.path(name)).status();
-        assert!(made.expect("mkfifo is there").success());
-    }
-
-    /// Runs a shell command in the folder of the scene; `$POVR` is the program.
-    fn shell(&self, command: &str) -> Ended {
-        let mut shell = Command::new("sh");
-        // Children of the shell would outlive it without a time limit of their own.
-        let command = command.replace("$POVR", "timeout -s KILL 5 \"$POVR\"");
-        shell
-            .args(["-c", &command])
-            .current_dir(self.path("here"))
-            .env("TMPDIR", self.path("tmp"))
-            .env("POVR", support::renderer());
-        let ended = support::run(&mut shell, 2 * LIMIT).expect("the shell starts");
-        Ended {
-            code: ended.status.and_then(|status| status.code()),
-            said: ended.stderr,
-        }
-    }
-
-    fn draw(&self) -> Ended {
-        self.shell("$POVR s.pov +W16 +H12 -D -A +WT2 -o s.png")
-    }
-
-    /// All files below, with their contents; for pictures and for anything but regular files only their names.
-    fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
-        let mut contents = BTreeMap::new();
-        collect(self.all.path(), &mut contents);
-        contents
-    }
-}
-
-fn collect(folder: &Path, contents: &mut BTreeMap<PathBuf, Vec<u8>>) {
-    for entry in fs::read_dir(folder).expect("the folder is readable") {
-        let path = entry.expect("the folder is readable").path();
-        let about = fs::symlink_metadata(&path).expect("it is there");
-        if about.is_dir() {
-            collect(&path, contents);
-        }
-        let is_picture = path.extension().is_some_and(|ending| ending == "png");
-        let bytes = match about.is_file() && !is_picture {
-            true => fs::read(&path).expect("it is readable"),
-            false => Vec::new(),
-        };
-        contents.insert(path, bytes);
-    }
-}
 
 /// Draws a scene that must be rejected in its last line, and checks that nothing has changed.
 fn refused(sandbox: &Sandbox, says: &str) {

@@ -17,12 +17,14 @@ use self::list::List;
 use self::tell::BatchReporter;
 use super::Command;
 use super::draw::report::say;
+use super::kernel;
 use super::options::arg_words;
 use super::options::environment::Environment;
 use super::options::error::CliError;
 use super::options::long_options;
 use super::options::long_options::Size;
 use super::options::output_kinds::MessageFormat;
+use super::options::safety::{LimitOptions, SafetyOptions};
 use super::options::values::{bytes, duration};
 use crate::app::batch::{self, Batch, Figure, Shard};
 
@@ -69,8 +71,10 @@ struct CommandOptions {
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
     /// The most memory that reading a scene may take: 500M, 4G [default: what the machine has]
-    #[arg(long, value_name = "SIZE", value_parser = |text: &str| bytes(text, "--memory"))]
+    #[arg(long, visible_alias = "max-memory", value_name = "SIZE", value_parser = |text: &str| bytes(text, "--memory"))]
     memory: Option<u64>,
+    #[command(flatten)]
+    safety: SafetyOptions,
     /// Draw one part of several, for several machines: 2/8. In a Slurm array this is known
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
@@ -100,6 +104,7 @@ struct Wanted {
     except: Vec<String>,
     size: Option<Size>,
     memory: Option<u64>,
+    safety: SafetyOptions,
     batch: Batch,
     has_sheet: bool,
     is_json: bool,
@@ -121,7 +126,23 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
             say(format_args!("povr: part {number} of {of}, as Slurm has it"));
         }
     }
+    if wanted.safety.sandbox {
+        let limits = LimitOptions {
+            timeout: wanted.batch.timeout,
+            max_memory: wanted.memory,
+        };
+        let limits = limits.of_sandbox();
+        (wanted.batch.timeout, wanted.memory) = (limits.timeout, limits.max_memory);
+    }
     let List { pictures, refused } = list::list(&wanted, environment)?;
+    if wanted.safety.sandbox {
+        // Folders are made before none may be made outside of this one.
+        let _ = std::fs::create_dir_all(&wanted.batch.out);
+        let scenes = pictures
+            .iter()
+            .map(|picture| (picture.scene.as_path(), &picture.read));
+        kernel::enter_to_draw_all(scenes, &wanted.batch.out);
+    }
     let teller = BatchReporter::new(&wanted, &pictures, environment);
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);
@@ -206,6 +227,7 @@ impl Wanted {
         self.except.extend(options.exclude);
         self.size = options.size.or(self.size);
         self.memory = options.memory.or(self.memory);
+        self.safety.add(options.safety);
         self.format = options.message_format.or(self.format);
         self.has_sheet |= options.sheet;
         self.is_json |= options.json;

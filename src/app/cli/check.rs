@@ -12,7 +12,9 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use super::Command;
+use super::draw::limits::Watch;
 use super::draw::report::{Line, Reporter, Stream, counted, say};
+use super::kernel;
 use super::options::arg_words;
 use super::options::environment::Environment;
 use super::options::error::CliError;
@@ -20,6 +22,7 @@ use super::options::ini::Reader;
 use super::options::long_options;
 use super::options::output_kinds::MessageFormat;
 use super::options::raw_args::RawArgs;
+use super::options::safety::{LimitOptions, SafetyOptions};
 use super::options::settings::{Scene, find_scene, read_options};
 use crate::app::batch::scenes_below;
 use crate::base::options::{Event, ReadOptions};
@@ -53,6 +56,10 @@ struct CommandOptions {
     /// Print errors, and nothing of scenes without errors
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    safety: SafetyOptions,
+    #[command(flatten)]
+    limits: LimitOptions,
 }
 
 /// A command line of this command.
@@ -84,12 +91,14 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
             say(format_args!("povr: warning: {doubt}"));
         }
     }
-    let are_right = check(
-        &scenes,
-        &read_options(&raw_args, library_paths),
-        &reporter,
-        is_quiet,
-    );
+    let limits = LimitOptions::of(&raw_args);
+    let options_of =
+        |scene: &Scene| read_options(&raw_args, library_paths.clone(), scene.path(), environment);
+    if raw_args.safety.sandbox {
+        kernel::enter_to_read(&scenes, &options_of);
+    }
+    Watch::ending_at_once(limits.timeout, limits.max_memory);
+    let are_right = check(&scenes, &options_of, &reporter, is_quiet);
     Ok(if are_right {
         ExitCode::SUCCESS
     } else {
@@ -121,6 +130,8 @@ fn read_arguments(
         match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 wanted.is_quiet |= options.quiet;
+                reader.raw_args.safety.add(options.safety);
+                reader.raw_args.limits.add(options.limits);
                 wanted.format = options.message_format.or(wanted.format);
             }
             Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
@@ -190,14 +201,19 @@ pub(super) fn find_scenes(
 }
 
 /// Reads all scenes, with a line about each and one total; true if all could be rendered.
-fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet: bool) -> bool {
+fn check(
+    scenes: &[Scene],
+    options: &dyn Fn(&Scene) -> ReadOptions,
+    reporter: &Reporter,
+    is_quiet: bool,
+) -> bool {
     let is_json = reporter.format == MessageFormat::Json;
     let (mut errors, mut warnings, mut faulty) = (0, 0, 0);
     for scene in scenes {
         let listen = |event: Event<'_>| reporter.report(event);
         match scene.input() {
             // The reason has already been reported.
-            Ok(input) => drop(crate::check(&input, options, &listen)),
+            Ok(input) => drop(crate::check(&input, &options(scene), &listen)),
             Err(refusal) => {
                 let error = Diagnostic::error(None, refusal.to_string());
                 listen(Event::Finding(&Message::new(&error, &Sources::default())));

@@ -23,6 +23,7 @@ use std::time::Instant;
 use clap::error::ErrorKind::DisplayVersion;
 
 use super::draw::console::Console;
+use super::kernel;
 use super::options::arg_words;
 
 use super::options::environment::Environment;
@@ -69,7 +70,11 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
         }
         Request::Draw(mut settings) => {
             settings.read.stop = settings.render.stop.clone();
-            match &settings.frames {
+            if settings.is_sandboxed {
+                kernel::enter_to_draw(&settings);
+            }
+            let watch = limits::Watch::start(&settings, settings.render.stop.clone());
+            let done = match &settings.frames {
                 Some(frames) => animate::run(&settings, frames),
                 None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
                 None => {
@@ -79,7 +84,11 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
                         crate::draw(input, read, render, listen)
                     })
                 }
-            }
+            }?;
+            Ok(match done == ExitCode::SUCCESS || !watch.is_over() {
+                true => done,
+                false => ExitCode::FAILURE,
+            })
         }
     }
 }

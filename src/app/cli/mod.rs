@@ -12,6 +12,7 @@ mod completions;
 mod curve;
 mod draw;
 mod help;
+mod kernel;
 mod man;
 mod options;
 mod sheet;
@@ -67,9 +68,13 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     let mut arguments = arguments.into_iter();
     let program = arguments.next().unwrap_or_default();
     let arguments: Vec<String> = arguments.collect();
+    let surroundings = match arguments.iter().any(|argument| argument == "--sandbox") {
+        true => Environment::outside_of_this_folder(),
+        false => Environment::of_this_process(),
+    };
     let environment = Environment {
         is_povray: is_povray(&program),
-        ..Environment::of_this_process()
+        ..surroundings
     };
     let (done, refused) = match named(&arguments).filter(|_| !environment.is_povray) {
         Some((command, rest)) => ((command.run)(rest, &environment), ExitCode::from(MISUSED)),

@@ -71,7 +71,8 @@ fn of_scene(
     standard_folders: &[PathBuf],
 ) -> Result<RawArgs, CliError> {
     let ini = entry.scene.with_extension("ini");
-    if ini.is_file() {
+    // It would come with the scene, and could name other library folders.
+    if ini.is_file() && !wanted.safety.sandbox {
         let known = raw_args.library_paths.len();
         Reader::new(&mut raw_args, standard_folders).read_file(&ini, None)?;
         let folder = ini.parent().unwrap_or(Path::new(""));
@@ -95,6 +96,7 @@ fn take_in(wanted: &Wanted, raw_args: &mut RawArgs, folders: &[PathBuf]) -> Resu
     for word in &wanted.switches {
         ini::read(&mut reader, word)?;
     }
+    raw_args.safety.add(wanted.safety.clone());
     if let Some(Size(width, height)) = wanted.size {
         (raw_args.width, raw_args.height) = (width, height);
     }

@@ -35,6 +35,10 @@ pub(crate) fn is_done(settings: &Settings) -> bool {
 
 /// Enables checkpoints for the rendering.
 pub(crate) fn keep(settings: &mut Settings) {
+    // A sandbox writes its picture only.
+    if settings.is_sandboxed && !settings.continues {
+        return;
+    }
     if let Some(picture) = picture(settings) {
         settings.render.checkpoint = Some(CheckpointOptions {
             file: state(picture),

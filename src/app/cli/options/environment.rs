@@ -2,8 +2,9 @@
 
 use std::env;
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use super::conf::Conf;
 use super::error::CliError;
 use super::ini::Reader;
 use super::raw_args::RawArgs;
@@ -18,6 +19,8 @@ pub struct Environment {
     pub user_ini: Option<PathBuf>,
     /// A warning about it.
     pub warning: Option<String>,
+    /// The files `povray.conf`.
+    pub conf: Conf,
     /// True if standard error is a terminal, where people read.
     pub is_terminal: bool,
     /// True if the program was called by the name `povray`.
@@ -29,21 +32,30 @@ impl Environment {
     /// `~/.povray/3.7`, in `/etc`.
     #[must_use]
     pub fn of_this_process() -> Self {
+        Environment::with_ini_files(&[Path::new("povray.ini")])
+    }
+
+    /// The same without `povray.ini` in the current folder, which may come with scenes of strangers.
+    #[must_use]
+    pub(crate) fn outside_of_this_folder() -> Self {
+        Environment::with_ini_files(&[])
+    }
+
+    fn with_ini_files(near: &[&Path]) -> Self {
         let named = env::var_os("POVINI").map(PathBuf::from);
         let missing = named.as_ref().filter(|file| !file.is_file());
         let home = env::var_os("HOME").map(PathBuf::from);
-        let candidates = [
-            named.clone(),
-            Some(PathBuf::from("povray.ini")),
-            home.map(|home| home.join(".povray/3.7/povray.ini")),
-        ];
+        let near = near.iter().map(|file| file.to_path_buf());
+        let of_user = home.map(|home| home.join(".povray/3.7/povray.ini"));
+        let mut candidates = named.clone().into_iter().chain(near).chain(of_user);
         Environment {
             system_ini: Some(PathBuf::from("/etc/povray/3.7/povray.ini")).filter(|f| f.is_file()),
             warning: missing
                 .map(|file| format!("`POVINI` names `{}`, which is not there", file.display())),
             is_terminal: io::stderr().is_terminal(),
             is_povray: false,
-            user_ini: candidates.into_iter().flatten().find(|file| file.is_file()),
+            user_ini: candidates.find(|file| file.is_file()),
+            conf: Conf::of_this_process(),
         }
     }
 
@@ -69,6 +81,7 @@ impl Environment {
     pub(crate) fn raw_args(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
         let mut raw_args = RawArgs::default();
         raw_args.doubts.extend(self.warning.clone());
+        raw_args.doubts.extend(self.conf.doubts.iter().cloned());
         if let Some(file) = &self.user_ini {
             Reader::new(&mut raw_args, standard_folders).read_file(file, None)?;
         }

@@ -2,6 +2,7 @@
 
 use super::output_kinds::MessageFormat;
 use super::raw_args::{Output, RawArgs};
+use super::safety::{LimitOptions, SafetyOptions};
 use super::values::{duration, error};
 use crate::app::cli::COMMANDS;
 use crate::base::options::{RandomOrder, TMinRule};
@@ -55,6 +56,10 @@ pub(crate) struct LongOptions {
     /// Match POV-Ray's random numbers in large images as well (renders on one thread)
     #[arg(long)]
     pov_random: bool,
+    #[command(flatten)]
+    safety: SafetyOptions,
+    #[command(flatten)]
+    limits: LimitOptions,
     // Without a short form: `-V` is POV-Ray's.
     /// Print version
     #[arg(long, action = clap::ArgAction::Version)]
@@ -151,6 +156,8 @@ impl LongOptions {
         if self.pov_distances {
             raw_args.least_distance = TMinRule::PovRay;
         }
+        raw_args.safety.add(self.safety);
+        raw_args.limits.add(self.limits);
         raw_args.has_clean_cuts |= self.clean_cuts;
         if self.pov_random {
             raw_args.random_order = RandomOrder::PovRay;

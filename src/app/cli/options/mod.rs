@@ -2,6 +2,7 @@
 
 pub(super) mod arg_words;
 pub(crate) mod command_line;
+pub(super) mod conf;
 pub(super) mod environment;
 pub(super) mod error;
 pub(super) mod ini;
@@ -10,6 +11,7 @@ pub(super) mod long_options;
 pub(super) mod nearest;
 pub(crate) mod output_kinds;
 pub(super) mod raw_args;
+pub(super) mod safety;
 pub(super) mod settings;
 pub(super) mod switches;
 pub(super) mod unknown;

@@ -1,5 +1,6 @@
 //! The options as typed, before they are interpreted: every option's last value.
 
+use super::safety::{LimitOptions, SafetyOptions};
 use crate::base::options::{Antialias, RandomOrder, TMinRule};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -68,6 +69,10 @@ pub(crate) struct RawArgs {
     /// The target error of adaptive sampling in steps of 1/255, and its time limit.
     pub(crate) error: Option<f64>,
     pub(crate) time: Option<Duration>,
+    /// The files that scenes may use.
+    pub(crate) safety: SafetyOptions,
+    /// Limits on the whole process.
+    pub(crate) limits: LimitOptions,
     /// Requested features that are not built, with the words that requested them. Removed by the opposite option.
     pub(crate) unbuilt: Vec<(Unbuilt, String)>,
     /// Options that are known and have no effect, as typed.
@@ -146,6 +151,8 @@ impl Default for RawArgs {
             converges: false,
             error: None,
             time: None,
+            safety: SafetyOptions::default(),
+            limits: LimitOptions::default(),
             unbuilt: Vec::new(),
             idle: Vec::new(),
             doubts: Vec::new(),

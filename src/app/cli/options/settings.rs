@@ -1,18 +1,18 @@
 //! The settings of a run, derived from the options as typed.
 
-use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::environment::Environment;
 use super::error::CliError;
 use super::ini::neighbour;
 use super::raw_args::{Output, RawArgs};
+use super::safety::LimitOptions;
 use super::values::format_of_ending;
 use crate::app::cli::draw::frames::Frames;
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
-use crate::base::file::Folders;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
@@ -30,6 +30,12 @@ pub struct Settings {
     pub read: ReadOptions,
     /// Options for rendering.
     pub render: RenderOptions,
+    /// Time after which the process ends.
+    pub timeout: Option<Duration>,
+    /// Memory of the process, in bytes, above which it ends.
+    pub max_memory: Option<u64>,
+    /// True if the scene is not trusted.
+    pub is_sandboxed: bool,
     /// The frames of an animation; `None` for a still picture.
     pub frames: Option<Frames>,
     /// True to continue from a checkpoint.
@@ -54,6 +60,16 @@ pub enum Scene {
     File(PathBuf),
     /// Standard input.
     Stdin,
+}
+
+impl Scene {
+    /// The path of a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        match self {
+            Scene::File(path) => Some(path),
+            Scene::Stdin => None,
+        }
+    }
 }
 
 /// The output besides errors.
@@ -121,9 +137,13 @@ pub(crate) fn settle(
         "-" => Scene::Stdin,
         name => Scene::File(find_scene(name, &library_paths)?),
     };
+    let limits = LimitOptions::of(&raw_args);
     Ok(Settings {
+        read: read_options(&raw_args, library_paths, scene.path(), environment),
         scene,
-        read: read_options(&raw_args, library_paths),
+        timeout: limits.timeout,
+        max_memory: limits.max_memory,
+        is_sandboxed: raw_args.safety.sandbox,
         render,
         continues: raw_args.continues,
         frames,
@@ -164,12 +184,19 @@ fn verbosity(raw_args: &RawArgs, environment: &Environment) -> Verbosity {
     }
 }
 
-/// The options for reading.
-pub(crate) fn read_options(raw_args: &RawArgs, library_paths: Vec<PathBuf>) -> ReadOptions {
+/// The options for reading the scene `file`.
+pub(crate) fn read_options(
+    raw_args: &RawArgs,
+    library_paths: Vec<PathBuf>,
+    file: Option<&Path>,
+    environment: &Environment,
+) -> ReadOptions {
+    let (safety, header) = (&raw_args.safety, raw_args.include_header.as_ref());
     ReadOptions {
+        readable: safety.readable(file, &library_paths, header),
+        writable: safety.writable(environment.conf.writable()),
+        memory: LimitOptions::of(raw_args).max_memory,
         library_paths,
-        // As in Debian's povray.conf.
-        writable: Folders::Only(vec![PathBuf::from("."), env::temp_dir()]),
         declares: raw_args.declares.clone(),
         version: raw_args.version,
         include_header: raw_args.include_header.clone(),

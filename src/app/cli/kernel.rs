@@ -1,0 +1,221 @@
+//! The kernel's part of `--sandbox`: even where a fault of this program lets a scene run code, it reads and writes no
+//! other files, opens no connections and starts no programs.
+//!
+//! Landlock limits files and connections, a seccomp filter the system calls that no drawing needs. Threads started
+//! later inherit both, so a command enters its sandbox before it starts any. Where the kernel has neither, the limits of
+//! [`crate::base::file`] hold alone, and `--stats` says so.
+
+use super::draw::report::say;
+use super::options::settings::{Scene, Settings};
+use crate::base::file::Folders;
+use crate::base::options::ReadOptions;
+use crate::output::Target;
+use std::path::{Path, PathBuf};
+
+/// Files of the system that tell this program about its memory and processors.
+const SYSTEM_FILES: [&str; 6] = [
+    "/proc/self/status",
+    "/proc/self/limits",
+    "/proc/self/cgroup",
+    "/proc/meminfo",
+    "/proc/cpuinfo",
+    "/sys/fs/cgroup",
+];
+
+/// Enters the sandbox of a drawing.
+pub(super) fn enter_to_draw(settings: &Settings) {
+    let mut sandbox = Sandbox::default();
+    sandbox.admit(settings.scene.path(), &settings.read);
+    if let Some((Target::File(picture), _)) = &settings.output {
+        // The picture is written beside its destination and renamed.
+        sandbox.writable.push(match picture.parent() {
+            _ if picture.exists() && !picture.is_file() => picture.clone(),
+            Some(folder) if folder != Path::new("") => folder.to_owned(),
+            _ => PathBuf::from("."),
+        });
+    }
+    let folders = settings.streams.iter().map(|(_, file)| file.parent());
+    sandbox.writable.extend(folders.map(|folder| match folder {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }));
+    sandbox.enter(settings.verbosity.stats);
+}
+
+/// Enters the sandbox of a command that only reads scenes.
+pub(super) fn enter_to_read(scenes: &[Scene], options: &dyn Fn(&Scene) -> ReadOptions) {
+    let mut sandbox = Sandbox::default();
+    for scene in scenes {
+        let mut options = options(scene);
+        options.writable = Folders::Only(Vec::new());
+        sandbox.admit(scene.path(), &options);
+    }
+    sandbox.enter(false);
+}
+
+/// Enters the sandbox of a command that reads some scenes and writes to a folder.
+pub(super) fn enter_to_draw_all<'a>(
+    scenes: impl Iterator<Item = (&'a Path, &'a ReadOptions)>,
+    out: &Path,
+) {
+    let mut sandbox = Sandbox {
+        writable: vec![out.to_owned()],
+        ..Sandbox::default()
+    };
+    // What is drawn is identified by this program as well.
+    sandbox.readable.extend(std::env::current_exe());
+    for (scene, options) in scenes {
+        sandbox.admit(Some(scene), options);
+    }
+    sandbox.enter(false);
+}
+
+/// The files and folders that the process may use.
+#[derive(Debug, Default)]
+struct Sandbox {
+    readable: Vec<PathBuf>,
+    writable: Vec<PathBuf>,
+}
+
+impl Sandbox {
+    fn admit(&mut self, scene: Option<&Path>, options: &ReadOptions) {
+        self.readable.extend(scene.map(Path::to_owned));
+        for (folders, admitted) in [
+            (&options.readable, &mut self.readable),
+            (&options.writable, &mut self.writable),
+        ] {
+            match folders {
+                Folders::All => admitted.push(PathBuf::from("/")),
+                Folders::Only(folders) => admitted.extend(folders.iter().cloned()),
+            }
+        }
+    }
+
+    /// Limits this thread, and all threads that it starts, for good.
+    fn enter(mut self, tells: bool) {
+        self.readable.extend(SYSTEM_FILES.map(PathBuf::from));
+        for paths in [&mut self.readable, &mut self.writable] {
+            paths.sort();
+            paths.dedup();
+        }
+        for trouble in limited(&self).into_iter().filter(|_| tells) {
+            say(format_args!("sandbox     {trouble}"));
+        }
+    }
+}
+
+/// Limits this thread; returns the parts that the kernel lacks.
+#[cfg(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+fn limited(sandbox: &Sandbox) -> Vec<String> {
+    let mut lacking = Vec::new();
+    match landlocked(sandbox) {
+        Ok(landlock::RulesetStatus::FullyEnforced) => {}
+        Ok(landlock::RulesetStatus::PartiallyEnforced) => {
+            lacking.push("the kernel's Landlock is old: it limits files in part".to_owned());
+        }
+        Ok(landlock::RulesetStatus::NotEnforced) => {
+            lacking.push("the kernel has no Landlock".to_owned());
+        }
+        Err(error) => lacking.push(format!("Landlock: {error}")),
+    }
+    if let Err(error) = filtered() {
+        lacking.push(format!("seccomp: {error}"));
+    }
+    lacking
+}
+
+#[cfg(not(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+)))]
+fn limited(_: &Sandbox) -> Vec<String> {
+    vec!["this system has neither Landlock nor seccomp".to_owned()]
+}
+
+/// Limits the files and connections.
+#[cfg(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+fn landlocked(
+    sandbox: &Sandbox,
+) -> Result<landlock::RulesetStatus, Box<dyn std::error::Error + Send + Sync>> {
+    use landlock::{
+        ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreatedAttr,
+        path_beneath_rules,
+    };
+    // Rules of later versions are about what needs a connection or a device.
+    let abi = ABI::V5;
+    let read = AccessFs::ReadFile | AccessFs::ReadDir;
+    let write = read
+        | AccessFs::WriteFile
+        | AccessFs::MakeReg
+        | AccessFs::MakeDir
+        | AccessFs::RemoveFile
+        | AccessFs::Refer
+        | AccessFs::Truncate;
+    let status = Ruleset::default()
+        .handle_access(AccessFs::from_all(abi))?
+        .handle_access(AccessNet::from_all(abi))?
+        .create()?
+        .add_rules(path_beneath_rules(&sandbox.readable, read))?
+        .add_rules(path_beneath_rules(&sandbox.writable, write))?
+        .restrict_self()?;
+    Ok(status.ruleset)
+}
+
+/// Makes the system calls fail that no drawing needs.
+#[cfg(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+fn filtered() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+    use seccompiler::{BpfProgram, SeccompAction, SeccompFilter, apply_filter};
+    const UNNEEDED: [i64; 36] = [
+        libc::SYS_execve,
+        libc::SYS_execveat,
+        libc::SYS_ptrace,
+        libc::SYS_process_vm_readv,
+        libc::SYS_process_vm_writev,
+        libc::SYS_kcmp,
+        libc::SYS_socket,
+        libc::SYS_socketpair,
+        libc::SYS_connect,
+        libc::SYS_bind,
+        libc::SYS_listen,
+        libc::SYS_accept,
+        libc::SYS_accept4,
+        libc::SYS_mount,
+        libc::SYS_umount2,
+        libc::SYS_pivot_root,
+        libc::SYS_chroot,
+        libc::SYS_unshare,
+        libc::SYS_setns,
+        libc::SYS_kill,
+        libc::SYS_symlinkat,
+        libc::SYS_mknodat,
+        libc::SYS_keyctl,
+        libc::SYS_add_key,
+        libc::SYS_request_key,
+        libc::SYS_bpf,
+        libc::SYS_perf_event_open,
+        libc::SYS_userfaultfd,
+        libc::SYS_io_uring_setup,
+        libc::SYS_init_module,
+        libc::SYS_finit_module,
+        libc::SYS_delete_module,
+        libc::SYS_kexec_load,
+        libc::SYS_personality,
+        libc::SYS_setuid,
+        libc::SYS_setgid,
+    ];
+    let rules = UNNEEDED.iter().map(|&call| (call, Vec::new())).collect();
+    let refuse = SeccompAction::Errno(libc::EPERM.unsigned_abs());
+    let arch = std::env::consts::ARCH.try_into()?;
+    let filter = SeccompFilter::new(rules, SeccompAction::Allow, refuse, arch)?;
+    let program: BpfProgram = filter.try_into()?;
+    Ok(apply_filter(&program)?)
+}

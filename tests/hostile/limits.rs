@@ -1,0 +1,80 @@
+//! `--timeout` and `--max-memory`.
+
+use crate::folder::Sandbox;
+use std::fs;
+use std::time::Instant;
+
+/// Scenes that take for ever, in reading, lowering, photons and rendering.
+const ENDLESS: [&str; 4] = [
+    "#declare A = 0; #while (A < 1) #declare B = A; #declare A = B * 0.5; #end",
+    "global_settings { photons { spacing 1e-300 } }
+sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } photons { target refraction on } }",
+    "isosurface { function { x*x + y*y + z*z - 1 + 0.01*sin(x*100) } accuracy 1e-300 max_gradient 1e300
+contained_by { sphere { 0, 2 } } }",
+    "sphere { 0, 3 hollow pigment { rgbt 1 } interior { media { scattering { 1, 1 } intervals 100 samples 100 } } }",
+];
+
+#[test]
+fn a_timeout_ends_every_stage() {
+    for scene in ENDLESS {
+        let sandbox = Sandbox::with(scene);
+        let before = sandbox.files();
+        let started = Instant::now();
+        let ended = sandbox.shell("$POVR s.pov +W160 +H120 -D -A +WT2 -o s.png --timeout 500ms");
+        assert_eq!(ended.code, Some(1), "{scene}: {}", ended.said);
+        let says = "this took longer than 500ms, which `--timeout` allows";
+        assert!(ended.said.contains(says), "{scene}: {}", ended.said);
+        assert!(started.elapsed().as_secs_f64() < 4.0, "{scene}");
+        assert!(sandbox.files() == before, "{}", ended.said);
+    }
+}
+
+#[test]
+fn a_timeout_ends_a_check() {
+    let sandbox = Sandbox::with(ENDLESS[0]);
+    let ended = sandbox.shell("$POVR check s.pov --timeout 300ms >&2");
+    assert_eq!(ended.code, Some(1), "{}", ended.said);
+    let says = "this took longer than 300ms, which `--timeout` allows";
+    assert!(ended.said.contains(says), "{}", ended.said);
+}
+
+#[test]
+fn a_wait_for_the_scene_itself_ends() {
+    let sandbox = Sandbox::with("");
+    sandbox.pipe("here/ff");
+    let ended = sandbox.shell("$POVR +Iff -F -D --timeout 300ms");
+    assert_eq!(ended.code, Some(1), "{}", ended.said);
+    let says = "this took longer than 300ms, which `--timeout` allows";
+    assert!(ended.said.contains(says), "{}", ended.said);
+}
+
+#[test]
+fn the_memory_of_film_tables_and_pictures_counts() {
+    for (scene, options, says) in [
+        ("", "+W8000 +H8000", "`--max-memory` allows"),
+        (
+            "#declare A = array[30000000]; #for (I, 0, 29999999) #declare A[I] = I; #end",
+            "+W16 +H12",
+            "memory",
+        ),
+        (
+            "plane { z, 1 pigment { image_map { pgm \"p.pgm\" } } }",
+            "+W16 +H12",
+            "memory",
+        ),
+    ] {
+        let sandbox = Sandbox::with(scene);
+        sandbox.write("here/p.pgm", "P5 8000 8000 255\n");
+        let picture = fs::File::options()
+            .append(true)
+            .open(sandbox.path("here/p.pgm"));
+        let picture = picture.expect("it can be opened");
+        picture
+            .set_len(17 + 8000 * 8000)
+            .expect("files may be sparse");
+        let draw = "$POVR s.pov -D -A +WT2 -F --max-memory 100M ";
+        let ended = sandbox.shell(&format!("{draw}{options}"));
+        assert_eq!(ended.code, Some(1), "{scene}: {}", ended.said);
+        assert!(ended.said.contains(says), "{scene}: {}", ended.said);
+    }
+}

@@ -1,0 +1,127 @@
+//! `--sandbox`, and the folders of `povray.conf`.
+
+use crate::folder::{REST, Sandbox};
+use std::fs;
+
+#[test]
+fn a_sandbox_reads_beside_the_scene_and_in_library_folders() {
+    let scene =
+        "#include \"a.inc\" #include \"below/b.inc\" #include \"c.inc\" #include \"colors.inc\"
+#if (file_exists(\"../other/secret\") | file_exists(\"/etc/passwd\")) #error \"seen\" #end
+#debug str(A + B + C, 0, 0)";
+    let sandbox = Sandbox::with(scene);
+    fs::create_dir(sandbox.path("here/below")).expect("folders can be made");
+    sandbox.write("here/a.inc", "#declare A = 1;");
+    sandbox.write("here/below/b.inc", "#declare B = 2;");
+    sandbox.write("other/c.inc", "#declare C = 4;");
+    sandbox.write("other/secret", "secret");
+    sandbox.write("home/colors.inc", "#declare Red = rgb x;");
+    let before = sandbox.files();
+    for (command, code) in [
+        ("$POVR s.pov -D +W16 +H12 +L../other -o s.png", 1),
+        ("$POVR s.pov -D +W16 +H12 --sandbox +L../home -o s.png", 1),
+        (
+            "$POVR s.pov -D +W16 +H12 --sandbox +L../home/ +L../other -o s.png",
+            1,
+        ),
+    ] {
+        // `../other/secret` is seen without a sandbox, and with its folder in the library.
+        let ended = sandbox.shell(command);
+        assert_eq!(ended.code, Some(code), "{command}: {}", ended.said);
+        assert!(sandbox.files() == before, "{}", ended.said);
+    }
+    fs::create_dir(sandbox.path("other/inc")).expect("folders can be made");
+    sandbox.write("other/inc/c.inc", "#declare C = 4;");
+    for command in [
+        "$POVR s.pov -D +W16 +H12 --sandbox +L../home +L../other/inc -o s.png",
+        "cd ..; $POVR here/s.pov -D +W16 +H12 --sandbox +Lhome +Lother/inc -o here/s.png",
+        "$POVR check s.pov --sandbox +L../home +L../other/inc >&2",
+        "$POVR batch s.pov +W16 +H12 --sandbox +L../home +L../other/inc -o ../tmp/out",
+    ] {
+        let ended = sandbox.shell(command);
+        assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);
+    }
+    assert!(sandbox.path("tmp/out/s.png").is_file());
+}
+
+#[test]
+fn a_library_file_can_be_allowed_alone() {
+    let sandbox = Sandbox::with("#include \"../other/a.inc\"");
+    sandbox.write("other/a.inc", "#declare A = 1;");
+    let ended = sandbox.shell("$POVR s.pov -F -D --sandbox --allow-read ../other");
+    assert_eq!(ended.code, Some(0), "{}", ended.said);
+    let ended = sandbox.shell("$POVR s.pov -F -D --allow-read ../tmp");
+    assert_eq!(ended.code, Some(1), "{}", ended.said);
+}
+
+#[test]
+fn ini_files_beside_scenes_do_not_count_in_a_sandbox() {
+    let sandbox = Sandbox::with("#include \"a.inc\"");
+    sandbox.write("other/a.inc", "#declare A = 1;");
+    for ini in ["here/s.ini", "here/povray.ini"] {
+        sandbox.write(ini, "Library_Path=../other\n");
+    }
+    for (command, code) in [
+        ("$POVR s.pov -F -D", 0),
+        ("$POVR s.pov -F -D --sandbox", 1),
+        ("$POVR batch s.pov +W16 +H12 -o ../tmp/out", 0),
+        ("$POVR batch s.pov +W16 +H12 --sandbox -o ../tmp/again", 1),
+    ] {
+        let ended = sandbox.shell(command);
+        assert_eq!(ended.code, Some(code), "{command}: {}", ended.said);
+    }
+}
+
+#[test]
+fn a_sandbox_writes_its_picture_only() {
+    let sandbox = Sandbox::with("");
+    let before = sandbox.files();
+    for command in [
+        "$POVR s.pov +W16 +H12 -D --sandbox -o s.png --stats",
+        "$POVR s.pov +W16 +H12 -D --sandbox +Os +KFF2 +FJ",
+        "$POVR s.pov +W16 +H12 -D --sandbox -o - | cat > s.png",
+        "$POVR --sandbox s.pov +W16 +H12 -D -o ../tmp/t.png",
+        "$POVR --sandbox s.pov +W16 +H12 -D -o /dev/null +FN",
+        "$POVR - --sandbox < s.pov +W16 +H12 -D -o s.png",
+    ] {
+        let ended = sandbox.shell(command);
+        assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);
+    }
+    let mut after = sandbox.files();
+    for name in ["here/s.png", "here/s1.jpg", "here/s2.jpg", "tmp/t.png"] {
+        assert!(after.remove(&sandbox.path(name)).is_some(), "{name}");
+    }
+    assert!(after == before);
+}
+
+/// Debian's POV-Ray reads the file and limits nothing; here it says where scenes may write.
+#[test]
+fn povray_conf_says_where_scenes_write() {
+    let write = "#fopen F \"../other/a.txt\" write #write(F, 1)";
+    for (conf, code) in [
+        ("[File I/O Security]\nnone\n", 0),
+        (
+            "[File I/O Security]\nread-only\n[Permitted Paths]\nread+write = \"../other\"\n",
+            0,
+        ),
+        (
+            "[File I/O Security]\nrestricted\n[Permitted Paths]\nread* = ../other\n",
+            1,
+        ),
+    ] {
+        let sandbox = Sandbox::with(write);
+        sandbox.write("home/.povray/3.7/povray.conf", conf);
+        let ended = sandbox.shell("$POVR s.pov -F -D");
+        assert_eq!(ended.code, Some(code), "{conf}: {}", ended.said);
+    }
+    let sandbox = Sandbox::with("");
+    sandbox.write(
+        "home/.povray/3.7/povray.conf",
+        "\n[Shellout Security]\nno\n",
+    );
+    let ended = sandbox.shell("$POVR s.pov -F -D");
+    assert_eq!(ended.code, Some(0), "{}", ended.said);
+    let says = "povray.conf: 3: unknown setting `no`";
+    assert!(ended.said.contains(says), "{}", ended.said);
+    assert!(sandbox.path("here").is_dir() && !REST.is_empty());
+}
