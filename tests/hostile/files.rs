@@ -256,9 +256,15 @@ const NOISE: &str = "plane { z, -2 finish { ambient 1 } pigment { cells scale 0.
     reason = "a test that is left out says so on the terminal"
 )]
 fn on_a_disk(kib: u32, command: &str) -> Option<(Ended, String)> {
+    on_a_disk_with(&format!("size={kib}k"), command)
+}
+
+/// The same with these options of `mount`; `$MORE` in the command mounts it again with more of them.
+#[allow(clippy::print_stderr, reason = "it says why nothing is tested")]
+fn on_a_disk_with(options: &str, command: &str) -> Option<(Ended, String)> {
     let sandbox = Sandbox::with(NOISE);
     fs::create_dir(sandbox.path("here/disk")).expect("folders can be made");
-    let mount = format!("mount -t tmpfs -o size={kib}k none disk");
+    let mount = format!("mount -t tmpfs -o {options} none disk");
     let unshare = |command: &str| {
         let mut unshare = Command::new("unshare");
         unshare
@@ -276,7 +282,9 @@ fn on_a_disk(kib: u32, command: &str) -> Option<(Ended, String)> {
     );
     sandbox.write(
         "here/run.sh",
-        &inner.replace("$POVR", "timeout -s KILL 5 \"$POVR\""),
+        &inner
+            .replace("$POVR", "timeout -s KILL 5 \"$POVR\"")
+            .replace("$MORE", "mount -o remount,"),
     );
     let ended = sandbox.shell("unshare --mount --map-root-user sh run.sh");
     let read = |name: &str| fs::read_to_string(sandbox.path(name)).expect("it is there");
@@ -338,4 +346,42 @@ fn a_limit_on_files_stops_the_output_of_a_scene() {
         ended.said
     );
     assert!(sandbox.files() == before, "{}", ended.said);
+}
+
+#[test]
+fn a_disk_that_is_full_or_read_only_is_named_and_stays_as_it_was() {
+    let photons = photons("a.txt").replace('\n', " ");
+    for (scene, is_saved_last) in [
+        (
+            "#fopen F \"a.txt\" write #for (I, 1, 9999) #write(F, \"0123456789\") #end",
+            false,
+        ),
+        (
+            "#fopen F \"a.txt\" append #for (I, 1, 9999) #write(F, \"0123456789\") #end",
+            false,
+        ),
+        (&photons, true),
+    ] {
+        for prepare in ["head -c 9999999 /dev/zero > fill 2>&- ; ", "$MOREro . && "] {
+            let make = format!("echo '{REST}{scene}' > s.pov && ");
+            let draw = "$POVR s.pov +W16 +H12 -D -A +WT2 -F";
+            let Some((ended, names)) =
+                on_a_disk_with("size=64k", &format!("{make}{prepare}{draw}"))
+            else {
+                return;
+            };
+            // Photons that cannot be saved are a warning: their picture is right.
+            let code = i32::from(!is_saved_last);
+            assert_eq!(ended.code, Some(code), "{scene}: {}", ended.said);
+            let says = [
+                "cannot write `a.txt`: No space",
+                "cannot write `a.txt`: Read-only",
+            ];
+            let says = says[usize::from(prepare.starts_with("$MORE"))];
+            let is_said = ended.said.to_lowercase().contains(&says.to_lowercase());
+            assert!(is_said, "not `{says}`, but {}", ended.said);
+            assert!(!ended.said.contains("part"), "{}", ended.said);
+            assert!(!names.contains("part"), "{names}");
+        }
+    }
 }

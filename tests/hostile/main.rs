@@ -10,5 +10,6 @@ mod files;
 mod folder;
 mod limits;
 mod matrix;
+mod pictures;
 mod reproducers;
 mod sandbox;

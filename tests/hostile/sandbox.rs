@@ -36,7 +36,7 @@ fn a_sandbox_reads_beside_the_scene_and_in_library_folders() {
         "$POVR s.pov -D +W16 +H12 --sandbox +L../home +L../other/inc -o s.png",
         "cd ..; $POVR here/s.pov -D +W16 +H12 --sandbox +Lhome +Lother/inc -o here/s.png",
         "$POVR check s.pov --sandbox +L../home +L../other/inc >&2",
-        "$POVR batch s.pov +W16 +H12 --sandbox +L../home +L../other/inc -o ../tmp/out",
+        "$POVR batch s.pov +W16 +H12 --sandbox --max-memory 500M +L../home +L../other/inc -o ../tmp/out",
     ] {
         let ended = sandbox.shell(command);
         assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);

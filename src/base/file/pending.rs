@@ -64,7 +64,11 @@ impl PendingFile {
         let mut folder = folder_of(&destination);
         // Errors of the folder are reported without the name of the temporary file, which means nothing to the user.
         let named = folder.join(".");
-        let folder_error = |error| check_writable(&named).err().unwrap_or(error);
+        let folder_error = |error| {
+            check_writable(&named)
+                .err()
+                .unwrap_or_else(|| of_system(error))
+        };
         let mut opened = None;
         if *folders != Folders::All {
             let file = File::open(&folder).map_err(folder_error)?;
@@ -95,6 +99,24 @@ impl PendingFile {
             .persist(&self.destination)
             .map_err(|persist_error| persist_error.error)
     }
+}
+
+/// The error of the system for one of `tempfile`, which names the temporary file and drops the number of the error.
+#[cfg(unix)]
+fn of_system(error: io::Error) -> io::Error {
+    use rustix::io::Errno;
+    match error.kind() {
+        _ if error.raw_os_error().is_some() => error,
+        io::ErrorKind::StorageFull => Errno::NOSPC.into(),
+        io::ErrorKind::QuotaExceeded => Errno::DQUOT.into(),
+        io::ErrorKind::ReadOnlyFilesystem => Errno::ROFS.into(),
+        kind => kind.into(),
+    }
+}
+
+#[cfg(not(unix))]
+fn of_system(error: io::Error) -> io::Error {
+    error.kind().into()
 }
 
 /// A path that names this open folder even if another process moves it, or puts a link in its position.

@@ -36,8 +36,7 @@ impl Reader<'_> {
             _ => return Err(self.expected_here("`read`, `write` or `append` after the file name")),
         };
         self.pass();
-        let is_open = |file: &&Option<OpenFile>| file.is_some();
-        if self.files.all.iter().filter(is_open).count() >= limits::FILES {
+        if self.files.len() >= limits::FILES {
             let message = format!("a scene has at most {} files open at once", limits::FILES);
             let error = Diagnostic::error(span, message);
             return Err(self.with_trace(error.with_hint("Close files with `#fclose`.")));
@@ -48,8 +47,7 @@ impl Reader<'_> {
         } else {
             OpenFile::Write(Box::new(self.open_output(name, mode, span)?))
         };
-        let handle = self.files.all.len();
-        self.files.all.push(Some(file));
+        let handle = self.files.add(file);
         self.scopes.declare(symbol, Value::File(handle));
         Ok(())
     }
@@ -75,23 +73,31 @@ impl Reader<'_> {
 
     /// Makes all output of the scene visible, before it accesses any file.
     pub(crate) fn publish_files(&mut self, span: Span) -> Parse<()> {
-        for handle in 0..self.files.all.len() {
-            if matches!(self.files.all[handle], Some(OpenFile::Write(_))) {
-                let open = self.publish(handle, span)?;
-                self.files.all[handle] = open.map(|output| OpenFile::Write(Box::new(output)));
+        for handle in self.files.handles() {
+            if let Some(output) = self.publish(handle, span)? {
+                let file = OpenFile::Write(Box::new(output));
+                self.files.put(handle, file);
             }
         }
         Ok(())
     }
 
     fn publish(&mut self, handle: usize, span: Span) -> Parse<Option<Output>> {
-        let Some(OpenFile::Write(output)) = self.files.all[handle].take() else {
-            return Ok(None);
+        let output = match self.files.take(handle) {
+            Some(OpenFile::Write(output)) => output,
+            Some(file) => {
+                self.files.put(handle, file);
+                return Ok(None);
+            }
+            None => return Ok(None),
         };
         let name = output.name.clone();
         match output.publish(self.sources) {
             Ok(output) => Ok(Some(output)),
-            Err(error) => Err(self.not_written(&name, &error, span)),
+            Err(error) => {
+                self.files.close(handle);
+                Err(self.not_written(&name, &error, span))
+            }
         }
     }
 
@@ -101,7 +107,7 @@ impl Reader<'_> {
         if let Err(error) = self.publish_files(span) {
             self.record(*error);
         }
-        self.files.all.clear();
+        self.files.clear();
     }
 
     /// `#fclose Name`.
@@ -126,7 +132,7 @@ impl Reader<'_> {
     /// Closes a file whose name is undefined.
     pub(crate) fn close_file(&mut self, handle: usize, span: Span) -> Parse<()> {
         self.publish(handle, span)?;
-        self.files.all[handle] = None;
+        self.files.close(handle);
         Ok(())
     }
 
@@ -177,16 +183,16 @@ impl Reader<'_> {
             let message = format!("a scene writes at most {} bytes", limits::WRITTEN);
             return Err(self.with_trace(Diagnostic::error(span, message)));
         }
-        let open = self.files.all.get(handle);
-        if matches!(open, Some(Some(OpenFile::Write(output))) if output.is_in_memory()) {
+        let open = self.files.get(handle);
+        if matches!(open, Some(OpenFile::Write(output)) if output.is_in_memory()) {
             self.take_memory(text.len() as u64, span)?;
         }
-        let result = match self.files.all.get_mut(handle) {
-            Some(Some(OpenFile::Write(output))) => {
+        let result = match self.files.get(handle) {
+            Some(OpenFile::Write(output)) => {
                 let done = output.write(text);
                 done.map_err(|error| format!("cannot write `{}`: {error}", output.name))
             }
-            Some(Some(OpenFile::Read(data))) => {
+            Some(OpenFile::Read(data)) => {
                 Err(format!("`{}` is open for reading only", data.name()))
             }
             _ => Err("this file is closed".to_owned()),
@@ -199,7 +205,7 @@ impl Reader<'_> {
     pub(crate) fn run_read(&mut self) -> Parse<()> {
         let (symbol, handle) = self.file_in_parentheses(Word::Read)?;
         let span = self.taken_span();
-        let mut data = match self.files.all.get_mut(handle).and_then(Option::take) {
+        let mut data = match self.files.take(handle) {
             Some(OpenFile::Read(data)) => data,
             other => {
                 let message = match &other {
@@ -208,15 +214,18 @@ impl Reader<'_> {
                     }
                     _ => "this file is closed".to_owned(),
                 };
-                self.files.all[handle] = other;
+                if let Some(file) = other {
+                    self.files.put(handle, file);
+                }
                 return Err(self.with_trace(Diagnostic::error(span, message)));
             }
         };
         let result = self.read_values(&mut data);
         if data.is_at_end() {
+            self.files.close(handle);
             self.scopes.undefine(symbol);
         } else {
-            self.files.all[handle] = Some(OpenFile::Read(data));
+            self.files.put(handle, OpenFile::Read(data));
         }
         result
     }

@@ -14,16 +14,77 @@ use std::path::PathBuf;
 /// The files of a run, by the handles that identifiers hold.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    pub(crate) all: Vec<Option<OpenFile>>,
+    /// Those that are open, in the order of opening. There are few, even where a scene opens very many in turn.
+    open: Vec<Slot>,
+    /// The number of files opened so far, which is the next handle.
+    opened: usize,
     /// Bytes written in the whole run.
     pub(crate) written: u64,
 }
 
 impl Files {
+    /// Stores an open file and returns its handle, which no file had before.
+    pub(crate) fn add(&mut self, file: OpenFile) -> usize {
+        let handle = self.opened;
+        self.opened += 1;
+        self.open.push(Slot {
+            handle,
+            file: Some(file),
+        });
+        handle
+    }
+
+    /// The number of open files.
+    pub(crate) fn len(&self) -> usize {
+        self.open.len()
+    }
+
+    /// The handles of all open files.
+    pub(crate) fn handles(&self) -> Vec<usize> {
+        self.open.iter().map(|slot| slot.handle).collect()
+    }
+
+    /// An open file.
+    pub(crate) fn get(&mut self, handle: usize) -> Option<&mut OpenFile> {
+        let mut slots = self.open.iter_mut();
+        slots.find(|slot| slot.handle == handle)?.file.as_mut()
+    }
+
+    /// Takes an open file out of its slot, until [`Files::put`] or [`Files::close`].
+    pub(crate) fn take(&mut self, handle: usize) -> Option<OpenFile> {
+        let mut slots = self.open.iter_mut();
+        slots.find(|slot| slot.handle == handle)?.file.take()
+    }
+
+    /// Puts a file back that was taken.
+    pub(crate) fn put(&mut self, handle: usize, file: OpenFile) {
+        let mut slots = self.open.iter_mut();
+        if let Some(slot) = slots.find(|slot| slot.handle == handle) {
+            slot.file = Some(file);
+        }
+    }
+
+    /// Forgets a file.
+    pub(crate) fn close(&mut self, handle: usize) {
+        self.open.retain(|slot| slot.handle != handle);
+    }
+
+    /// Forgets all files.
+    pub(crate) fn clear(&mut self) {
+        self.open.clear();
+    }
+
     /// Bytes written in the whole run.
     pub(crate) fn written(&self) -> u64 {
         self.written
     }
+}
+
+/// An open file, which is absent while it is read.
+#[derive(Debug)]
+struct Slot {
+    handle: usize,
+    file: Option<OpenFile>,
 }
 
 #[derive(Debug)]

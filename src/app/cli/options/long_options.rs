@@ -122,7 +122,10 @@ pub(crate) fn length<CommandOptions: CommandFactory>(arguments: &[String]) -> us
     };
     let takes_value = match first.strip_prefix("--") {
         Some(name) if name.contains('=') => false,
-        Some(name) => takes_value(&|a| a.get_long() == Some(name)),
+        Some(name) => takes_value(&|a| {
+            let aliases = a.get_all_aliases().unwrap_or_default();
+            a.get_long() == Some(name) || aliases.contains(&name)
+        }),
         None if first == "-o" && takes_value(&|a| a.get_short() == Some('o')) => true,
         None if matches!(first.as_str(), "-h" | "-help" | "-version" | "-?") => false,
         None => return 0,

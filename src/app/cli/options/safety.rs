@@ -13,13 +13,13 @@ const SANDBOX_MEMORY: u64 = 2 << 30;
 /// The files that scenes may use.
 #[derive(Clone, Debug, Default, PartialEq, Eq, clap::Args)]
 pub(crate) struct SafetyOptions {
-    /// For scenes of strangers: they read files beside them and in library folders only, and write none
+    /// Draw scenes of strangers: they read beside them, and write nothing
     #[arg(long)]
     pub(crate) sandbox: bool,
-    /// Limit reading as --sandbox does, but allow DIR too; may be given several times
+    /// Let scenes read beside them, in library folders and in DIR only
     #[arg(long, value_name = "DIR")]
     pub(crate) allow_read: Vec<PathBuf>,
-    /// Let scenes write files in DIR too; may be given several times
+    /// Let scenes write files in DIR too
     #[arg(long, value_name = "DIR")]
     pub(crate) allow_write: Vec<PathBuf>,
     /// Let scenes write no files
@@ -30,10 +30,10 @@ pub(crate) struct SafetyOptions {
 /// Limits on the whole process.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::Args)]
 pub(crate) struct LimitOptions {
-    /// Give up after this time, without a picture: 10s, 500ms, 2m [with --sandbox: 5m]
+    /// Give up after this time: 10s, 500ms [in a sandbox: 5m]
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     pub(crate) timeout: Option<Duration>,
-    /// Give up when the process takes more memory: 500M, 4G [with --sandbox: 2G]
+    /// Give up when more memory is taken: 500M, 4G [in a sandbox: 2G]
     #[arg(long, value_name = "SIZE", value_parser = |text: &str| bytes(text, "--max-memory"))]
     pub(crate) max_memory: Option<u64>,
 }
