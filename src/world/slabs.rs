@@ -106,7 +106,13 @@ pub(super) struct SlabTree {
     /// The children of all inner nodes.
     children: Vec<u32>,
     root: u32,
+    /// Number of items without a finite box.
+    unbounded: usize,
 }
+
+/// The node that holds all unbounded items, and any of these, in the heap.
+const UNBOUNDED_ITEMS: u32 = u32::MAX;
+const UNBOUNDED_ITEM: u32 = u32::MAX - 1;
 
 #[derive(Clone, Debug)]
 struct Node {
@@ -129,6 +135,7 @@ impl SlabTree {
             nodes: Vec::new(),
             children: Vec::new(),
             root: 0,
+            unbounded: 0,
         };
         for (number, slabs) in (0..).zip(boxes) {
             if slabs.is_finite() {
@@ -136,6 +143,8 @@ impl SlabTree {
                     slabs: *slabs,
                     content: Content::Item(number),
                 });
+            } else {
+                tree.unbounded += 1;
             }
         }
         let mut start = 0;
@@ -249,9 +258,20 @@ impl SlabTree {
             return by_entry();
         }
         let mut heap = Heap::default();
+        // The node of unbounded items is the first child of the root. They never tie with others here, but where they were
+        // in the heap decides which of equal nodes rises.
+        if self.unbounded > 0 {
+            heap.push(f64::NEG_INFINITY, UNBOUNDED_ITEMS);
+        }
         let mut next = Some(self.root);
         let mut tests = 0;
         while let Some(node) = next {
+            if node == UNBOUNDED_ITEMS {
+                tests += self.unbounded;
+                for _ in 0..self.unbounded.min(MOST_TESTS) {
+                    heap.push(f64::NEG_INFINITY, UNBOUNDED_ITEM);
+                }
+            }
             match self.nodes.get(node as usize).map(|node| &node.content) {
                 Some(Content::Item(item)) if *item == a => return true,
                 Some(Content::Item(item)) if *item == b => return false,
