@@ -73,8 +73,11 @@ impl Leaf {
             Absorb::AllItCan => steps.iter().take_while(|step| shape.absorb(step)).count(),
             Absorb::Nothing => 0,
         };
-        shape.prepare();
         let rest = &steps[absorbed..];
+        if !rest.is_empty() {
+            shape.note_steps(rest);
+        }
+        shape.prepare();
         if rest.is_empty() {
             let bounds = extent.of(&shape);
             return (

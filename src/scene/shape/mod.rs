@@ -213,6 +213,9 @@ pub trait Geometry {
     /// [`Geometry::loses_uv`], texture coordinates of the shape before the step are lost.
     fn absorb(&mut self, step: &Step) -> bool;
 
+    /// Notes the transforms that it did not absorb, which its rays go through.
+    fn note_steps(&mut self, _steps: &[Step]) {}
+
     /// Precomputes the data that ray queries need; no step is absorbed afterwards.
     fn prepare(&mut self) {}
 
@@ -430,6 +433,9 @@ macro_rules! shapes {
             }
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
+            }
+            fn note_steps(&mut self, steps: &[Step]) {
+                match self { $(Shape::$name(shape) => shape.note_steps(steps)),+ }
             }
             fn prepare(&mut self) {
                 match self { $(Shape::$name(shape) => shape.prepare()),+ }

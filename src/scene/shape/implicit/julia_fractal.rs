@@ -25,7 +25,9 @@ mod packet;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read};
+use crate::scene::shape::{
+    Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read, uniform_scale,
+};
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
 use inside_test::{BATCH, Lookahead, gradient, to_complex_pair};
@@ -70,6 +72,8 @@ struct Fractal {
     radius: f64,
     /// The unit of `SHADOW_TOLERANCE`.
     unit: f64,
+    /// True if rays go through a transform other than a scale by a power of two.
+    is_moved: bool,
 }
 
 /// The function of an iteration.
@@ -145,6 +149,7 @@ impl JuliaFractal {
             offset: distance / normal.w,
             radius,
             unit: 1.0,
+            is_moved: false,
         })))
     }
 }
@@ -364,16 +369,20 @@ impl Fractal {
         if is_inside { depth } else { depth + step }
     }
 
+    fn is_hypercomplex(&self) -> bool {
+        matches!(self.rule, Rule::Hypercomplex(_))
+    }
+
     /// Normalises the direction of a ray; also returns its length before.
     fn unit(&self, ray: &Ray) -> (Ray, f64) {
         let length = ray.dir.length();
-        if self.scalar_function().is_none() {
+        if !self.is_hypercomplex() {
             return (Ray::new(ray.origin, ray.dir / length), length);
         }
-        // As POV-Ray rounds it: see `chord`. It does not normalise the rays of untransformed objects; neither are those
-        // normalised here whose length is a power of two but for rounding.
+        // As POV-Ray rounds it: see `chord`. It does not normalise the rays of untransformed objects; then neither are
+        // those normalised here whose length is a power of two but for rounding.
         let power = f64::from_bits((length * SQRT_2).to_bits() & !MANTISSA);
-        let is_unit = (length / power - 1.0).abs() < UNIT_LOSS;
+        let is_unit = !self.is_moved && (length / power - 1.0).abs() < UNIT_LOSS;
         let length = if is_unit { power } else { length };
         (Ray::new(ray.origin, ray.dir * length.recip()), length)
     }
@@ -382,7 +391,7 @@ impl Fractal {
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let middle = -ray.origin.dot(ray.dir);
         let radius_sq = self.radius * self.radius;
-        let half_sq = if self.scalar_function().is_some() {
+        let half_sq = if self.is_hypercomplex() {
             // As POV-Ray rounds it: the search begins on the sphere, where the last bit decides if that is inside.
             radius_sq - ray.origin.length_squared() + middle * middle
         } else {
@@ -489,6 +498,12 @@ impl Geometry for JuliaFractal {
 
     fn scale_scene_lengths(&mut self, factor: f64) {
         self.0.unit *= factor;
+    }
+
+    fn note_steps(&mut self, steps: &[Step]) {
+        let is_power = |x: f64| x.is_normal() && x.to_bits() & MANTISSA == 0;
+        let only_scales = |step: &Step| matches!(step, Step::Scale(by) if uniform_scale(*by).is_some_and(is_power));
+        self.0.is_moved = !steps.iter().all(only_scales);
     }
 
     /// Makes callers use `nearest_beside` for rays that leave the surface, so that these do not march through the whole

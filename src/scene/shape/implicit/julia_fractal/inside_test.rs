@@ -425,6 +425,7 @@ pub(super) struct Pair<F> {
     c: [[F; 2]; 2],
     /// Derivative along the ray.
     along: [[F; 2]; 2],
+    norm: F,
 }
 
 impl<F: F64Lanes> Orbit<F> for Pair<F> {
@@ -441,15 +442,14 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
                 [F::splat(b.re), F::splat(b.im)],
             ],
             along,
+            // As POV-Ray rounds it: a search begins on the sphere.
+            norm: x * x + (y * y + z * z + w * w),
         }
     }
 
     #[inline(always)]
     fn norm(&self) -> F {
-        let [[a, b], [c, d]] = self.z;
-        let first = a * a + b * b;
-        let second = c * c + d * d;
-        F::splat(0.5) * (first + second)
+        self.norm
     }
 
     #[inline(always)]
@@ -467,11 +467,16 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
 
     #[inline(always)]
     fn next(self) -> Self {
+        let z = [
+            square_step(self.z[0], self.c[0]),
+            square_step(self.z[1], self.c[1]),
+        ];
+        let [[a, b], [c, d]] = z;
+        let first = a * a + b * b;
+        let second = c * c + d * d;
         Pair {
-            z: [
-                square_step(self.z[0], self.c[0]),
-                square_step(self.z[1], self.c[1]),
-            ],
+            z,
+            norm: F::splat(0.5) * (first + second),
             along: [
                 derivative_step(self.z[0], self.along[0]),
                 derivative_step(self.z[1], self.along[1]),
@@ -514,6 +519,7 @@ mod tests {
                 offset: 0.1,
                 radius: 2.0,
                 unit: 1.0,
+                is_moved: false,
             };
             let ray = Ray::new(DVec3::new(-1.5, 0.1, 0.2), DVec3::new(0.6, 0.0, 0.8));
             let depths = [0, 1, 2, 3, 4, 5, 6, 7].map(|number| 0.4 * f64::from(number));

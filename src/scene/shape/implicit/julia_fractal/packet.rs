@@ -60,15 +60,25 @@ impl PacketSearch<'_> {
     #[inline(always)]
     fn search<F: F64Lanes, O: Orbit<F>>(&self) -> NearestResult4 {
         let (fractal, query) = (self.fractal, self.query);
-        let rays = query.rays::<F>();
-        let length = dot(rays.dir, rays.dir).sqrt();
-        let rays = Rays {
-            origin: rays.origin,
-            dir: divide(rays.dir, length),
+        let (rays, length) = if fractal.is_hypercomplex() {
+            self.unit_rays()
+        } else {
+            let rays = query.rays::<F>();
+            let length = dot(rays.dir, rays.dir).sqrt();
+            let unit = Rays {
+                origin: rays.origin,
+                dir: divide(rays.dir, length),
+            };
+            (unit, length)
         };
         let closest = -dot(rays.origin, rays.dir);
-        let closest_point = add(rays.origin, scale(rays.dir, closest));
-        let half_sq = F::splat(fractal.radius * fractal.radius) - dot(closest_point, closest_point);
+        let radius_sq = F::splat(fractal.radius * fractal.radius);
+        let half_sq = if fractal.is_hypercomplex() {
+            radius_sq - dot(rays.origin, rays.origin) + closest * closest
+        } else {
+            let closest_point = add(rays.origin, scale(rays.dir, closest));
+            radius_sq - dot(closest_point, closest_point)
+        };
         let half = half_sq.sqrt();
         let (enter, leave) = (closest - half, closest + half);
         let (tolerance, from) = (F::splat(TOLERANCE), F::from_array(&query.from));
@@ -116,6 +126,24 @@ impl PacketSearch<'_> {
             depth = next;
         }
         result
+    }
+
+    /// The rays as [`Fractal::unit`] rounds them, and the lengths of their directions.
+    #[inline(always)]
+    fn unit_rays<F: F64Lanes>(&self) -> (Rays<F>, F) {
+        let (mut dir, mut lengths) = ([[0.0; 4]; 3], [0.0; 4]);
+        for (lane, lane_length) in lengths.iter_mut().enumerate() {
+            let (ray, length) = self.fractal.unit(&self.query.ray(lane));
+            *lane_length = length;
+            for (to, from) in dir.iter_mut().zip(ray.dir.to_array()) {
+                to[lane] = from;
+            }
+        }
+        let unit = Rays {
+            origin: self.query.rays::<F>().origin,
+            dir: dir.map(|axis| F::from_array(&axis)),
+        };
+        (unit, F::from_array(&lengths))
     }
 
     /// The state of a point on each active ray.
