@@ -117,12 +117,14 @@ impl World {
         world
     }
 
-    /// Decides which hits get POV-Ray's rounding: where a pattern jumps, and where rays go on to such
-    /// textures. `always` holds for the forms of all leaves.
+    /// Decides which hits get POV-Ray's rounding: where a pattern jumps, and where rays go on, to such textures or to
+    /// surfaces that may coincide. `always` holds for the forms of all leaves.
     fn round_hits(&mut self, always: bool) {
         let surfaces = &self.surfaces;
         let has_jumps = surfaces.par_iter().any(Surface::has_jumps);
-        if has_jumps {
+        let decides_ties = |leaf: &u32| self.model.leaves[*leaf as usize].shape.decides_ties();
+        let has_ties = || self.model.rounding.forms.keys().any(decides_ties);
+        if has_jumps || (!always && has_ties()) {
             let is_wanted = |surface: u32| {
                 let surface = surfaces.get(surface as usize);
                 surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())

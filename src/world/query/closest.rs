@@ -37,10 +37,18 @@ const NORMAL_LOSS: f64 = 1e-9;
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
 
+/// How near to a hit at this distance others may be one point with it: some thousand roundings of the distance and of
+/// the ray's origin.
+#[inline(always)]
+fn tie_slack(t: f64, query: &Query) -> f64 {
+    let blur = query.origin_surface.map_or(0.0, |origin| origin.blur);
+    TIE * t + TIE / BLUR * blur
+}
+
 /// A far limit that leaves in hits at the same point as one at this distance.
 #[inline(always)]
-fn behind(t: f64) -> f64 {
-    t + TIE * t
+fn behind(t: f64, query: &Query) -> f64 {
+    t + tie_slack(t, query)
 }
 
 /// Accepts the first hit that the query's kind of ray sees.
@@ -247,7 +255,7 @@ impl World {
         best: &mut Option<ClosestHit>,
         scratch: &mut QueryScratch,
     ) {
-        let far = best.map_or(query.t_max, |best| behind(best.hit.root.t));
+        let far = best.map_or(query.t_max, |best| behind(best.hit.root.t, query));
         self.bvh().tree.nearest_in(
             lanes,
             &query.ray,
@@ -311,7 +319,7 @@ impl World {
         }
         let mut nearest = ClosestHit { hit, item };
         if let Some(known) = best {
-            let slack = TIE * hit.root.t;
+            let slack = tie_slack(hit.root.t, query);
             let ahead = known.hit.root.t - hit.root.t;
             if ahead < -slack {
                 return far;
@@ -320,7 +328,7 @@ impl World {
                 nearest = self.shown_of_tied(&nearest, known, query);
             }
         }
-        let end = behind(nearest.hit.root.t);
+        let end = behind(nearest.hit.root.t, query);
         *best = Some(nearest);
         if end < far { end } else { far }
     }
@@ -345,7 +353,7 @@ impl World {
             (_, true) => Ordering::Greater,
             _ => Ordering::Equal,
         });
-        let distance = |of: &ClosestHit| self.povray_distance(of, ray);
+        let distance = |of: &ClosestHit| self.povray_distance(of, query);
         let nearer = |a: ClosestHit, b: ClosestHit| {
             let end = distance(&a);
             let is_tested = self.box_entry(b.item, ray) < end;
@@ -363,15 +371,15 @@ impl World {
         let mut scratch = QueryScratch::default();
         let search = self.search_for(query);
         let mut tied = SmallVec::<[ClosestHit; 4]>::new();
-        let mut far = behind(least);
+        let mut far = behind(least, query);
         let mut visit = |item: IndexedItem| {
-            let hit = self.intersect_item(item, query, &search, behind(least), &mut scratch);
+            let hit = self.intersect_item(item, query, &search, behind(least, query), &mut scratch);
             if let Some(hit) = hit.filter(|hit| hit.root.t < query.t_max) {
                 least = least.min(hit.root.t);
                 let item = item.number;
                 tied.push(ClosestHit { hit, item });
             }
-            behind(least)
+            behind(least, query)
         };
         for &item in &self.bvh().unbounded {
             far = visit(item);
@@ -382,20 +390,20 @@ impl World {
                 visit(bounded[number as usize])
             });
         });
-        tied.retain(|of| of.hit.root.t <= behind(least));
+        tied.retain(|of| of.hit.root.t <= behind(least, query));
         tied
     }
 
     /// The distance of a hit as POV-Ray rounds it where that is known.
-    fn povray_distance(&self, of: &ClosestHit, ray: &Ray) -> f64 {
+    fn povray_distance(&self, of: &ClosestHit, query: &Query) -> f64 {
         let Root { t, face, .. } = of.hit.root;
         let leaf = self.model.leaves.get(of.hit.leaf as usize);
         let hit = leaf
             .filter(|leaf| leaf.shape.decides_ties())
             .and_then(|_| self.model.rounding.forms.get(&of.hit.leaf))
-            .and_then(|form| form.hit(ray, t, face));
+            .and_then(|form| form.hit(&query.ray, t, face));
         hit.map(|hit| hit.t)
-            .filter(|rounded| (rounded - t).abs() <= TIE * t)
+            .filter(|rounded| (rounded - t).abs() <= tie_slack(t, query))
             .unwrap_or(t)
     }
 
