@@ -99,7 +99,7 @@ impl Object {
         }
     }
 
-    /// Keeps the box of a clipped or bounded CSG object. Called at the end of each statement about it: only there are
+    /// Stores the box of a clipped or bounded CSG object. Called at the end of each statement about it: only there are
     /// boxes shrunk, and later transforms move the shrunk box.
     pub(crate) fn keep_extent(&mut self) {
         if matches!(self.kind, Kind::Csg { .. }) && self.clips_and_bounds().next().is_some() {

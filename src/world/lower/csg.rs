@@ -1,5 +1,6 @@
 //! Lowering of CSG objects, and of clipped and bounded objects, to CSG programs.
 
+use super::flatten::MOST_TYING;
 use super::lowering::Lowering;
 use super::parts::inherited::{CsgRole, Inherited, joined};
 use super::parts::model::PendingItem;
@@ -75,8 +76,10 @@ impl Lowering {
             bounds,
         );
         self.parts.programs.push(program);
-        let own_box = object.extent_below(&above.steps);
-        self.parts.program_boxes.push(own_box);
+        if self.parts.program_boxes.len() < MOST_TYING {
+            let own_box = object.extent_below(&above.steps);
+            self.parts.program_boxes.push(own_box);
+        }
     }
 
     pub(crate) fn program(

@@ -16,8 +16,9 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
-/// The most discs, cylinders and cones that are rounded for the pixels in which they coincide with others.
-const MOST_TYING: usize = 1 << 9;
+/// The most discs, cylinders, cones and quadrics that are rounded for the pixels in which they coincide with others, and
+/// the most CSG objects of which POV-Ray's boxes are stored for them.
+pub(crate) const MOST_TYING: usize = 1 << 9;
 
 impl Lowering {
     /// Empty; `settings` are the scene-wide settings for patterns.

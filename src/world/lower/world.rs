@@ -33,6 +33,8 @@ impl World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.single_boxes();
         let povray_boxes = flat.parts.povray_boxes();
+        let sends_rays = flat.surfaces.par_iter().any(Surface::sends_rays);
+        let may_tie = sends_rays && flat.parts.has_flush_faces();
         let parts = std::mem::take(&mut flat.parts);
         let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
         let transparent = Color {
@@ -113,18 +115,15 @@ impl World {
         let (suited, others) = world.packet_programs(&world.bvh().bounded);
         world.streams = suited > 0 && suited >= others;
         world.meshes = world.large_meshes();
-        world.round_hits(flat.rounds);
+        world.round_hits(flat.rounds, may_tie);
         world
     }
 
-    /// Decides which hits get POV-Ray's rounding: where a pattern jumps, and where rays go on, to such textures or to
-    /// surfaces that may coincide. `always` holds for the forms of all leaves.
-    fn round_hits(&mut self, always: bool) {
+    /// Decides which hits get POV-Ray's rounding: where a pattern jumps, and where rays go on, to such textures or to faces
+    /// that may coincide, if `may_tie`. `always` holds for the forms of all leaves.
+    fn round_hits(&mut self, always: bool, may_tie: bool) {
         let surfaces = &self.surfaces;
-        let has_jumps = surfaces.par_iter().any(Surface::has_jumps);
-        let decides_ties = |leaf: &u32| self.model.leaves[*leaf as usize].shape.decides_ties();
-        let has_ties = || self.model.rounding.forms.keys().any(decides_ties);
-        if has_jumps || (!always && has_ties()) {
+        if (may_tie && !always) || surfaces.par_iter().any(Surface::has_jumps) {
             let is_wanted = |surface: u32| {
                 let surface = surfaces.get(surface as usize);
                 surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())

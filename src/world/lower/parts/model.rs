@@ -5,7 +5,7 @@ use super::spheres::{AHEAD, DeferredSpheres};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::base::memory::prefetch;
-use crate::scene::shape::Rounded;
+use crate::scene::shape::{Geometry, Rounded, Shape};
 use crate::world::csg::program::CsgProgram;
 use crate::world::index::index;
 use crate::world::model::{IndexedItem, Instance, Item, ItemBvh, Model, Rounding};
@@ -13,6 +13,7 @@ use crate::world::primitive::Leaf;
 use crate::world::slabs::SingleBox;
 use crate::world::sphere_soa::SphereSoa;
 use crate::world::surface::Surface;
+use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::mem::take;
@@ -44,7 +45,7 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
     /// POV-Ray's boxes of those that decide ties.
     pub(in crate::world) own_boxes: FxHashMap<u32, Bounds>,
-    /// POV-Ray's boxes of the programs.
+    /// POV-Ray's boxes of the first programs.
     pub(in crate::world) program_boxes: Vec<Bounds>,
 }
 
@@ -75,6 +76,41 @@ impl ModelBuilder {
         (0..).zip(&self.items).filter_map(own_box).collect()
     }
 
+    /// Returns true if a face across an axis, of a shape that decides ties, lies in one plane with a face of another: then
+    /// roundings show.
+    pub(in crate::world) fn has_flush_faces(&self) -> bool {
+        let mut faces = Faces::default();
+        for (&leaf, bounds) in &self.own_boxes {
+            faces.add(leaf, bounds);
+            // The box of a disc is a little thicker.
+            if let Some(Shape::Disc(_)) = self.leaves.get(leaf as usize).map(|leaf| &leaf.shape) {
+                let middle = 0.5 * (bounds.min + bounds.max);
+                faces.add(leaf, &Bounds::new(middle, middle));
+            }
+        }
+        faces.sort();
+        let mut leaves = (0..).zip(&self.leaves);
+        faces.meet_each_other()
+            || leaves.any(|(number, leaf)| match &leaf.shape {
+                _ if self.own_boxes.contains_key(&number) => false,
+                Shape::Cuboid(cuboid) => {
+                    let bounds = cuboid.bounds();
+                    let to_object = leaf.object_from_world.as_ref();
+                    faces.meet(
+                        &to_object
+                            .map_or(bounds, |to_object| bounds.transformed(&to_object.inverse())),
+                    )
+                }
+                Shape::Plane(plane) => {
+                    let is_across = plane.normal.abs().cmpgt(DVec3::splat(ALONG));
+                    let nowhere = DVec3::splat(f64::NAN);
+                    let at = DVec3::select(is_across, plane.distance * plane.normal, nowhere);
+                    faces.meet(&Bounds { min: at, max: at })
+                }
+                _ => false,
+            })
+    }
+
     /// Sets the rounded form of a leaf, and POV-Ray's box of it if it decides ties.
     pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded, own_box: Option<Bounds>) {
         self.rounded.insert(leaf, rounded);
@@ -90,6 +126,65 @@ impl ModelBuilder {
             self.own_boxes.remove(&leaf);
         }
         self.leaves.truncate(first as usize);
+    }
+}
+
+/// Least component of the unit normal of a plane across an axis.
+const ALONG: f64 = 1.0 - 1e-9;
+
+/// The positions of faces across each axis, with the leaves that they are of.
+#[derive(Default)]
+struct Faces {
+    positions: [Vec<(f64, u32)>; 3],
+    /// The largest coordinate of a face.
+    reach: f64,
+}
+
+impl Faces {
+    /// Distance of faces in one plane, relative to their coordinates, as boxes are stored in single precision, and to the
+    /// largest coordinate.
+    const TOLERANCE: [f64; 2] = [1e-6, 1e-12];
+
+    fn add(&mut self, leaf: u32, bounds: &Bounds) {
+        for (axis, positions) in self.positions.iter_mut().enumerate() {
+            let ends = [bounds.min[axis], bounds.max[axis]];
+            for at in ends.into_iter().filter(|at| at.is_finite()) {
+                positions.push((at, leaf));
+                self.reach = self.reach.max(at.abs());
+            }
+        }
+    }
+
+    fn sort(&mut self) {
+        for positions in &mut self.positions {
+            positions.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        }
+    }
+
+    fn are_flush(&self, a: f64, b: f64) -> bool {
+        let [relative, of_reach] = Self::TOLERANCE;
+        (a - b).abs() <= relative * a.abs().max(b.abs()) + of_reach * self.reach
+    }
+
+    /// Returns true if faces of two leaves are flush; some of these are neighbours.
+    fn meet_each_other(&self) -> bool {
+        let meet =
+            |pair: &[(f64, u32)]| pair[0].1 != pair[1].1 && self.are_flush(pair[0].0, pair[1].0);
+        let mut axes = self.positions.iter();
+        axes.any(|positions| positions.windows(2).any(meet))
+    }
+
+    /// Returns true if a side of a box is flush with a face.
+    fn meet(&self, bounds: &Bounds) -> bool {
+        self.positions.iter().enumerate().any(|(axis, positions)| {
+            [bounds.min[axis], bounds.max[axis]].into_iter().any(|at| {
+                let next = positions.partition_point(|&(position, _)| position < at);
+                let around = &positions[next.saturating_sub(1)..positions.len().min(next + 1)];
+                around
+                    .iter()
+                    .any(|&(position, _)| self.are_flush(position, at))
+            })
+        })
     }
 }
 
