@@ -251,16 +251,15 @@ const NOISE: &str = "plane { z, -2 finish { ambient 1 } pigment { cells scale 0.
 
 /// Runs a command in a file system of its own with this size, mounted on the folder `disk`, which holds the scene; also
 /// returns the names of the files there afterwards. `None` without the permission to mount.
-#[allow(
-    clippy::print_stderr,
-    reason = "a test that is left out says so on the terminal"
-)]
 fn on_a_disk(kib: u32, command: &str) -> Option<(Ended, String)> {
     on_a_disk_with(&format!("size={kib}k"), command)
 }
 
 /// The same with these options of `mount`; `$MORE` in the command mounts it again with more of them.
-#[allow(clippy::print_stderr, reason = "it says why nothing is tested")]
+#[allow(
+    clippy::print_stderr,
+    reason = "a test that is left out says so on the terminal"
+)]
 fn on_a_disk_with(options: &str, command: &str) -> Option<(Ended, String)> {
     let sandbox = Sandbox::with(NOISE);
     fs::create_dir(sandbox.path("here/disk")).expect("folders can be made");
