@@ -219,3 +219,49 @@ fn filtered() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     let program: BpfProgram = filter.try_into()?;
     Ok(apply_filter(&program)?)
 }
+
+#[cfg(all(
+    test,
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    /// A sandbox holds for a thread and those that it starts, so the other tests go on outside of it.
+    #[test]
+    fn a_thread_in_a_sandbox_reaches_nothing_outside() {
+        let all = tempfile::tempdir().unwrap();
+        let path = |name: &str| all.path().join(name);
+        for folder in ["in", "out", "library"] {
+            fs::create_dir(path(folder)).unwrap();
+            fs::write(path(folder).join("a"), folder).unwrap();
+        }
+        let sandbox = Sandbox {
+            readable: vec![path("library")],
+            writable: vec![path("in")],
+        };
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                if !limited(&sandbox).is_empty() {
+                    return;
+                }
+                assert!(fs::read(path("library/a")).is_ok() && fs::read(path("in/a")).is_ok());
+                assert!(fs::write(path("in/b"), "b").is_ok());
+                assert!(fs::rename(path("in/b"), path("in/a")).is_ok());
+                assert!(fs::write(path("library/a"), "b").is_err());
+                assert!(fs::read(path("out/a")).is_err() && fs::read("/etc/passwd").is_err());
+                assert!(fs::write(path("out/b"), "b").is_err());
+                assert!(std::process::Command::new("true").status().is_err());
+                assert!(std::net::TcpListener::bind("127.0.0.1:0").is_err());
+                let deeper = std::thread::spawn({
+                    let file = path("out/a");
+                    move || fs::read(file).is_err()
+                });
+                assert!(deeper.join().unwrap());
+            });
+        });
+        assert!(fs::read(path("out/a")).is_ok());
+    }
+}
