@@ -16,7 +16,7 @@ pub(super) type Register = u16;
 /// Limit on the registers of a program.
 pub(super) const MAX_REGISTERS: usize = 2048;
 /// Calls of at most this number of arguments allocate no memory.
-const ARGUMENTS: usize = 16;
+const ARGUMENTS: usize = 12;
 
 /// One operation; `to` is the destination, `k` a constant.
 #[derive(Clone, Copy, Debug)]
@@ -152,14 +152,17 @@ impl Program {
                 Op::Binary { to, a, b, f } => (to, of(frame, a).binary(f, of(frame, b))),
                 Op::Call { to, index } => {
                     let call = &self.calls[index as usize];
-                    let value = match *call.arguments {
-                        // Most functions take a point.
-                        [x, y, z] => {
-                            let point = [of(frame, x), of(frame, y), of(frame, z)];
-                            N::call(&call.function, &point, call.component)
+                    // No `SmallVec` is collected: it would be moved as a whole.
+                    let mut arguments = [N::constant(0.0); ARGUMENTS];
+                    let value = match arguments.get_mut(..call.arguments.len()) {
+                        Some(arguments) => {
+                            for (argument, &a) in arguments.iter_mut().zip(&call.arguments) {
+                                *argument = of(frame, a);
+                            }
+                            N::call(&call.function, arguments, call.component)
                         }
-                        _ => {
-                            let arguments: SmallVec<[N; ARGUMENTS]> =
+                        None => {
+                            let arguments: Vec<N> =
                                 call.arguments.iter().map(|&a| of(frame, a)).collect();
                             N::call(&call.function, &arguments, call.component)
                         }
