@@ -99,6 +99,19 @@ struct OctavePacket4 {
     count: usize,
 }
 
+impl Series {
+    /// Octaves of which the amplitudes halve, from 1 on, and the frequencies double.
+    fn halved(count: u32, frequency: f64) -> Self {
+        Series {
+            amplitude: 1.0,
+            frequency,
+            omega: 0.5,
+            lambda: 2.0,
+            left: count,
+        }
+    }
+}
+
 impl Iterator for Series {
     type Item = OctavePacket4;
 
@@ -145,6 +158,19 @@ impl NoiseGenerator {
         )
     }
 
+    /// The noise at four points.
+    #[must_use]
+    pub fn noise_x4(self, points: &[DVec3; 4]) -> [f64; 4] {
+        if let NoiseGenerator::Perlin(_) = self {
+            return points.map(|point| self.noise(point));
+        }
+        let sums = with_widest(
+            #[inline(always)]
+            |lanes| lanes.run(ScalarX4(points)),
+        );
+        sums.map(|sum| self.scaled(sum))
+    }
+
     /// The sum of `count` octaves of noise, `each` applied to every one. The first octave has amplitude 1 and the given
     /// frequency; amplitudes halve and frequencies double from octave to octave.
     pub(crate) fn octaves(
@@ -153,14 +179,19 @@ impl NoiseGenerator {
         (count, frequency): (u32, f64),
         each: impl Fn(f64) -> f64,
     ) -> f64 {
-        let octaves = Series {
-            amplitude: 1.0,
-            frequency,
-            omega: 0.5,
-            lambda: 2.0,
-            left: count,
-        };
+        let octaves = Series::halved(count, frequency);
         self.summed(point, octaves, |sum, _| each(self.scaled(sum)))
+    }
+
+    /// [`NoiseGenerator::octaves`] at four points.
+    pub(crate) fn octaves_x4(
+        self,
+        points: &[DVec3; 4],
+        (count, frequency): (u32, f64),
+        each: impl Fn(f64) -> f64,
+    ) -> [f64; 4] {
+        let octaves = Series::halved(count, frequency);
+        self.summed_x4(points, octaves, |sum, _| each(self.scaled(sum)))
     }
 
     /// Maps the raw lattice sum to noise from 0 to 1.
@@ -186,14 +217,25 @@ impl NoiseGenerator {
     /// Turbulence: a sum of octaves. The first octave is clamped to 0 and 1, the sum is not.
     #[must_use]
     pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
-        self.summed(point, octaves.series(), |sum, is_first| {
-            let noise = self.centred(sum);
-            if is_first {
-                noise.clamp(0.0, 1.0)
-            } else {
-                noise
-            }
-        })
+        let each = |sum, is_first| self.octave_of_turbulence(sum, is_first);
+        self.summed(point, octaves.series(), each)
+    }
+
+    /// [`NoiseGenerator::turbulence`] at four points.
+    #[must_use]
+    pub fn turbulence_x4(self, points: &[DVec3; 4], octaves: &Octaves) -> [f64; 4] {
+        let each = |sum, is_first| self.octave_of_turbulence(sum, is_first);
+        self.summed_x4(points, octaves.series(), each)
+    }
+
+    #[inline(always)]
+    fn octave_of_turbulence(self, sum: f64, is_first: bool) -> f64 {
+        let noise = self.centred(sum);
+        if is_first {
+            noise.clamp(0.0, 1.0)
+        } else {
+            noise
+        }
     }
 
     /// A sum of octaves of the values that `each` makes of the raw lattice sum; it also gets whether this is the first.
@@ -210,6 +252,28 @@ impl NoiseGenerator {
             |lanes| lanes.run(sum),
         )
     }
+
+    /// [`NoiseGenerator::summed`] at four points.
+    #[inline(always)]
+    fn summed_x4(
+        self,
+        points: &[DVec3; 4],
+        octaves: Series,
+        each: impl Fn(f64, bool) -> f64,
+    ) -> [f64; 4] {
+        if let NoiseGenerator::Perlin(_) = self {
+            return points.map(|point| self.summed(point, octaves, &each));
+        }
+        let sums = OctaveSumX4 {
+            points,
+            octaves,
+            each,
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| lanes.run(sums),
+        )
+    }
 }
 
 /// Kernel of the raw lattice sum at a point.
@@ -221,6 +285,18 @@ impl SimdKernel for Scalar {
     #[inline(always)]
     fn run<F: F64x4>(self) -> f64 {
         lattice::scalar::<F>(vec3::splat(self.0))
+    }
+}
+
+/// Kernel of the raw lattice sums at four points.
+struct ScalarX4<'a>(&'a [DVec3; 4]);
+
+impl SimdKernel for ScalarX4<'_> {
+    type Output = [f64; 4];
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> [f64; 4] {
+        lattice::scalar_x4::<F>(in_lanes(self.0), 4)
     }
 }
 
@@ -261,6 +337,36 @@ impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSum<T> {
     }
 }
 
+/// Kernel of [`NoiseGenerator::summed_x4`].
+struct OctaveSumX4<'a, T> {
+    points: &'a [DVec3; 4],
+    octaves: Series,
+    each: T,
+}
+
+impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSumX4<'_, T> {
+    type Output = [f64; 4];
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> [f64; 4] {
+        let points = in_lanes::<F>(self.points);
+        let mut totals = [0.0; 4];
+        let mut is_first = true;
+        for octaves in self.octaves {
+            for octave in 0..octaves.count {
+                let frequency = F::splat(octaves.frequencies[octave]);
+                let sums = lattice::scalar_x4::<F>(vec3::scale(points, frequency), 4);
+                for lane in 0..4 {
+                    let value = (self.each)(sums[lane], is_first);
+                    totals[lane] += octaves.amplitudes[octave] * value;
+                }
+                is_first = false;
+            }
+        }
+        totals
+    }
+}
+
 impl OctavePacket4 {
     /// The points at which these octaves of a point are evaluated.
     #[inline(always)]
@@ -285,6 +391,58 @@ pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
         #[inline(always)]
         |lanes| lanes.run(VectorTurbulence(point, octaves)),
     )
+}
+
+/// [`vector_turbulence`] at four points.
+#[must_use]
+pub fn vector_turbulence_x4(points: &[DVec3; 4], octaves: &Octaves) -> [DVec3; 4] {
+    with_widest(
+        #[inline(always)]
+        |lanes| lanes.run(VectorTurbulenceX4(points, octaves)),
+    )
+}
+
+/// The sum of `count` octaves of vector noise, `each` applied to every one and its frequency. Frequencies double, from 1
+/// on.
+pub(crate) fn vector_octaves(
+    point: DVec3,
+    count: u32,
+    each: impl Fn(DVec3, f64) -> DVec3,
+) -> DVec3 {
+    let octaves = VectorOctaves {
+        point,
+        octaves: Series::halved(count, 1.0),
+        each,
+    };
+    with_widest(
+        #[inline(always)]
+        |lanes| lanes.run(octaves),
+    )
+}
+
+/// Kernel of [`vector_octaves`].
+struct VectorOctaves<T> {
+    point: DVec3,
+    octaves: Series,
+    each: T,
+}
+
+impl<T: Fn(DVec3, f64) -> DVec3> SimdKernel for VectorOctaves<T> {
+    type Output = DVec3;
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> DVec3 {
+        let mut points = VectorPoints::default();
+        let mut sum = DVec3::ZERO;
+        for octaves in self.octaves {
+            points.set::<F>(octaves.points(self.point), octaves.count);
+            for octave in 0..octaves.count {
+                let noise = from_lanes(points.noise::<F>(octave));
+                sum += (self.each)(noise, octaves.frequencies[octave]);
+            }
+        }
+        sum
+    }
 }
 
 /// Kernel of [`vector_noise`].
@@ -321,6 +479,43 @@ impl SimdKernel for VectorTurbulence<'_> {
         }
         from_lanes(sum)
     }
+}
+
+/// Kernel of [`vector_turbulence_x4`].
+struct VectorTurbulenceX4<'a>(&'a [DVec3; 4], &'a Octaves);
+
+impl SimdKernel for VectorTurbulenceX4<'_> {
+    type Output = [DVec3; 4];
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> [DVec3; 4] {
+        let VectorTurbulenceX4(points, octaves) = self;
+        let points = in_lanes::<F>(points);
+        let mut at_octave = VectorPoints::default();
+        let mut sums = [F::splat(0.0); 4];
+        for octaves in octaves.series() {
+            for octave in 0..octaves.count {
+                let frequency = F::splat(octaves.frequencies[octave]);
+                at_octave.set::<F>(vec3::scale(points, frequency), 4);
+                let amplitude = F::splat(octaves.amplitudes[octave]);
+                for (point, sum) in sums.iter_mut().enumerate() {
+                    *sum = *sum + amplitude * at_octave.noise(point);
+                }
+            }
+        }
+        let [a, b, c, d] = sums;
+        [from_lanes(a), from_lanes(b), from_lanes(c), from_lanes(d)]
+    }
+}
+
+/// Four points in lanes.
+#[inline(always)]
+fn in_lanes<F: F64Lanes>([a, b, c, d]: &[DVec3; 4]) -> Vec3Lanes<F> {
+    [
+        F::from_array(&[a.x, b.x, c.x, d.x]),
+        F::from_array(&[a.y, b.y, c.y, d.y]),
+        F::from_array(&[a.z, b.z, c.z, d.z]),
+    ]
 }
 
 #[inline(always)]

@@ -120,6 +120,26 @@ impl PreparedWarpChain {
     #[must_use]
     #[inline]
     pub fn to_pattern_space(&self, point: DVec3) -> DVec3 {
+        let mut point = self.before_turbulence(point);
+        if let Some(turbulence) = &self.turbulence {
+            point = turbulence.moved(point);
+        }
+        within_limits(point)
+    }
+
+    /// Four points in pattern space.
+    #[must_use]
+    pub fn to_pattern_space_x4(&self, points: &[DVec3; 4]) -> [DVec3; 4] {
+        let mut points = points.map(|point| self.before_turbulence(point));
+        if let Some(turbulence) = &self.turbulence {
+            points = turbulence.moved_x4(&points);
+        }
+        points.map(within_limits)
+    }
+
+    /// The point after the transforms and warps, before the turbulence.
+    #[inline]
+    fn before_turbulence(&self, point: DVec3) -> DVec3 {
         let mut point = point;
         for step in &self.steps {
             point = match step {
@@ -127,11 +147,13 @@ impl PreparedWarpChain {
                 WarpStep::Warp(warp) => warp.moved(point),
             };
         }
-        if let Some(turbulence) = &self.turbulence {
-            point = turbulence.moved(point);
-        }
-        point.clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE))
+        point
     }
+}
+
+#[inline]
+fn within_limits(point: DVec3) -> DVec3 {
+    point.clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE))
 }
 
 impl PreparedWarpChain {

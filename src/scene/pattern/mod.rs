@@ -196,6 +196,11 @@ pub trait PatternEval: Debug + Send + Sync {
     /// The value at a point of pattern space, before waves. For a pattern with a list, the index of an entry.
     fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64;
 
+    /// The values at four points of pattern space.
+    fn values_x4(&self, points: &[DVec3; 4], spots: [&SurfacePoint; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| self.value(points[i], spots[i]))
+    }
+
     /// Vector that a `normal` of height 1 adds to the unit normal at a point of pattern space; `None` for patterns
     /// whose values serve as a height field for bump mapping.
     fn tilt(&self, _point: DVec3) -> Option<DVec3> {

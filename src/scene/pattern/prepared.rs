@@ -30,6 +30,19 @@ impl PreparedPattern {
         self.wave.of(self.value.value(point, spot))
     }
 
+    /// The values at four points of pattern space, with the wave applied.
+    #[must_use]
+    pub fn values_x4(&self, points: &[DVec3; 4], spots: [&SurfacePoint; 4]) -> [f64; 4] {
+        let values = self.value.values_x4(points, spots);
+        values.map(|value| self.wave.of(value))
+    }
+
+    /// Four points in pattern space.
+    #[must_use]
+    pub fn to_pattern_space_x4(&self, points: &[DVec3; 4]) -> [DVec3; 4] {
+        self.chain.to_pattern_space_x4(points)
+    }
+
     /// Vector that a `normal` of height 1 adds to the unit normal at a point of pattern space; `None` for patterns
     /// whose values serve as a height field for bump mapping.
     #[must_use]

@@ -5,6 +5,11 @@ use crate::base::args::text::TextArgs;
 
 /// The value of a pattern with its modifiers, with the wave applied.
 pub(super) fn value(text: &str, point: DVec3) -> f64 {
+    let prepared = prepared(text);
+    prepared.value(prepared.to_pattern_space(point), &SurfacePoint::at(point))
+}
+
+fn prepared(text: &str) -> PreparedPattern {
     let mut args = TextArgs::new(text);
     let word = args
         .word()
@@ -17,8 +22,47 @@ pub(super) fn value(text: &str, point: DVec3) -> f64 {
         assert!(is_own || modifiers.read(word, &mut args).unwrap(), "{word}");
     }
     assert!(args.is_done());
-    let prepared = modifiers.prepare(&*pattern, &[], &Settings::default());
-    prepared.value(prepared.to_pattern_space(point), &SurfacePoint::at(point))
+    modifiers.prepare(&*pattern, &[], &Settings::default())
+}
+
+#[test]
+fn packets_of_points_have_the_values_of_single_ones() {
+    let points = [
+        DVec3::new(0.3, 0.2, 0.1),
+        DVec3::new(-1.7, 2.25, 0.6),
+        DVec3::new(12.34, -5.67, 8.9),
+        DVec3::new(5e9, -0.5, 3.0),
+    ];
+    let [a, b, c, d] = points.map(SurfacePoint::at);
+    for word in [
+        "bozo",
+        "spotted",
+        "granite",
+        "wrinkles",
+        "marble",
+        "agate",
+        "wood",
+        "gradient <1, 0, 0>",
+    ] {
+        for modifiers in [
+            "",
+            "turbulence 0.4 octaves 9 lambda 2.3",
+            "warp { turbulence 1 }",
+        ] {
+            for noise in ["", "noise_generator 1", "noise_generator 3"] {
+                let text = format!("{word} {modifiers} scale 2 {noise}");
+                let prepared = prepared(&text);
+                let in_pattern = prepared.to_pattern_space_x4(&points);
+                let together = prepared.values_x4(&in_pattern, [&a, &b, &c, &d]);
+                let alone = points.map(|point| value(&text, point));
+                assert_eq!(
+                    together.map(f64::to_bits),
+                    alone.map(f64::to_bits),
+                    "{text}"
+                );
+            }
+        }
+    }
 }
 
 #[test]

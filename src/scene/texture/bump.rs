@@ -189,15 +189,18 @@ impl PreparedNormal {
                 let pattern_point = pattern.to_pattern_space(point);
                 match pattern.tilt(pattern_point) {
                     Some(tilt) => own + self.amount * tilt,
-                    None => self.by_gradient(own, pattern_point, |at| pattern.value(at, spot)),
+                    None => self.by_gradient(own, pattern_point, |corners| {
+                        pattern.values_x4(corners, [spot; 4])
+                    }),
                 }
             }
             Relief::Slopes(pattern, map) => {
                 let pattern_point = pattern.to_pattern_space(point);
                 match pattern.tilt(pattern_point) {
                     Some(tilt) => own + self.amount * tilt,
-                    None => self.by_gradient(own, pattern_point, |at| {
-                        height(map, pattern.value(at, spot))
+                    None => self.by_gradient(own, pattern_point, |corners| {
+                        let values = pattern.values_x4(corners, [spot; 4]);
+                        values.map(|value| height(map, value))
                     }),
                 }
             }
@@ -265,11 +268,18 @@ impl PreparedNormal {
         }
     }
 
-    /// Tilts a normal by the gradient of a height field at a point.
-    fn by_gradient(&self, normal: DVec3, point: DVec3, height: impl Fn(DVec3) -> f64) -> DVec3 {
+    /// Tilts a normal by the gradient of a height field at a point, from its heights at four corners around it.
+    fn by_gradient(
+        &self,
+        normal: DVec3,
+        point: DVec3,
+        heights: impl Fn(&[DVec3; 4]) -> [f64; 4],
+    ) -> DVec3 {
         let amount = self.amount * SLOPE * (UNIT_ACCURACY / self.accuracy);
-        CORNERS.iter().fold(normal, |sum, &corner| {
-            sum + (height(point + self.accuracy * corner) * amount) * corner
+        let heights = heights(&CORNERS.map(|corner| point + self.accuracy * corner));
+        let corners = CORNERS.iter().zip(heights);
+        corners.fold(normal, |sum, (&corner, height)| {
+            sum + (height * amount) * corner
         })
     }
 

@@ -387,6 +387,21 @@ impl PreparedPigment {
         }
     }
 
+    /// The colours at four points on no surface.
+    #[must_use]
+    pub fn colors_x4(&self, points: &[DVec3; 4]) -> [Color; 4] {
+        match self {
+            PreparedPigment::Colors(both) => {
+                let (pattern, map) = &**both;
+                let [a, b, c, d] = points.map(SurfacePoint::at);
+                let points = pattern.to_pattern_space_x4(points);
+                let values = pattern.values_x4(&points, [&a, &b, &c, &d]);
+                values.map(|value| map.color(value))
+            }
+            _ => points.map(|point| self.color(&SurfacePoint::at(point))),
+        }
+    }
+
     fn can_be_transparent(&self) -> bool {
         let any = |map: &Map<PreparedPigment>| {
             let mut entries = map.entries().iter();

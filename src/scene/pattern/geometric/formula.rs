@@ -19,9 +19,13 @@ pub(crate) struct Formula {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NoiseFormula {
     value: fn(NoiseGenerator, DVec3) -> f64,
+    values_x4: Option<ValuesX4>,
     map: &'static [Stop],
     tilt: Option<Tilt>,
 }
+
+/// Formula for [`PatternEval::values_x4`] with a noise generator.
+type ValuesX4 = fn(NoiseGenerator, &[DVec3; 4]) -> [f64; 4];
 
 /// Formula for [`PatternEval::tilt`] with a noise generator.
 type Tilt = fn(NoiseGenerator, DVec3) -> DVec3;
@@ -74,8 +78,17 @@ impl NoiseFormula {
     pub(crate) fn new(value: fn(NoiseGenerator, DVec3) -> f64) -> Self {
         NoiseFormula {
             value,
+            values_x4: None,
             map: &GREY,
             tilt: None,
+        }
+    }
+
+    /// The same pattern with a formula for four points at once.
+    pub(crate) fn with_x4(self, values_x4: ValuesX4) -> Self {
+        NoiseFormula {
+            values_x4: Some(values_x4),
+            ..self
         }
     }
 
@@ -131,6 +144,7 @@ impl Pattern for NoiseFormula {
     fn prepare(&self, context: &PrepareContext<'_>) -> Box<dyn PatternEval> {
         Box::new(PreparedNoise {
             value: self.value,
+            values_x4: self.values_x4,
             tilt: self.tilt,
             noise: context.noise,
         })
@@ -145,6 +159,7 @@ impl Pattern for NoiseFormula {
 #[derive(Debug)]
 struct PreparedNoise {
     value: fn(NoiseGenerator, DVec3) -> f64,
+    values_x4: Option<ValuesX4>,
     tilt: Option<Tilt>,
     noise: NoiseGenerator,
 }
@@ -156,6 +171,13 @@ impl PatternEval for PreparedNoise {
 
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         (self.value)(self.noise, point)
+    }
+
+    fn values_x4(&self, points: &[DVec3; 4], _spots: [&SurfacePoint; 4]) -> [f64; 4] {
+        match self.values_x4 {
+            Some(values_x4) => values_x4(self.noise, points),
+            None => points.map(|point| (self.value)(self.noise, point)),
+        }
     }
 
     fn tilt(&self, point: DVec3) -> Option<DVec3> {

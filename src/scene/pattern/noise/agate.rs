@@ -63,7 +63,20 @@ impl PatternEval for Prepared {
     }
 
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
-        let bend = self.amount * self.noise.turbulence(point, &self.octaves);
+        self.band(point, self.noise.turbulence(point, &self.octaves))
+    }
+
+    fn values_x4(&self, points: &[DVec3; 4], _spots: [&SurfacePoint; 4]) -> [f64; 4] {
+        let turbulences = self.noise.turbulence_x4(points, &self.octaves);
+        std::array::from_fn(|i| self.band(points[i], turbulences[i]))
+    }
+}
+
+impl Prepared {
+    /// The value at a point with this turbulence.
+    #[inline]
+    fn band(&self, point: DVec3, turbulence: f64) -> f64 {
+        let bend = self.amount * turbulence;
         let band = cycloidal(1.3 * bend + 1.1 * point.z) + 1.0;
         (0.5 * band).clamp(0.0, 1.0).powf(0.77)
     }

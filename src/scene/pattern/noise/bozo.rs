@@ -21,6 +21,7 @@ const COLORS: [Stop; 8] = [
 /// `bozo`, with default colours of its own.
 pub(crate) fn bozo(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     NoiseFormula::new(NoiseGenerator::noise)
+        .with_x4(NoiseGenerator::noise_x4)
         .with_map(&COLORS)
         .boxed()
 }
@@ -28,11 +29,14 @@ pub(crate) fn bozo(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 /// `bumps`, from black to white; as a normal it adds vector noise.
 pub(crate) fn bumps(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     NoiseFormula::new(NoiseGenerator::noise)
+        .with_x4(NoiseGenerator::noise_x4)
         .with_tilt(|_, point| vector_noise(point))
         .boxed()
 }
 
 /// `spotted`, from black to white.
 pub(crate) fn spotted(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    NoiseFormula::new(NoiseGenerator::noise).boxed()
+    NoiseFormula::new(NoiseGenerator::noise)
+        .with_x4(NoiseGenerator::noise_x4)
+        .boxed()
 }

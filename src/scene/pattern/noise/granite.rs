@@ -12,12 +12,21 @@ const OCTAVES: u32 = 6;
 const SCALE: f64 = 4.0;
 
 pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    NoiseFormula::new(value).boxed()
+    NoiseFormula::new(value).with_x4(values_x4).boxed()
 }
 
 fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
-    generator.octaves(point, (OCTAVES, SCALE), |noise| match generator {
+    generator.octaves(point, (OCTAVES, SCALE), |noise| folded(generator, noise))
+}
+
+fn values_x4(generator: NoiseGenerator, points: &[DVec3; 4]) -> [f64; 4] {
+    generator.octaves_x4(points, (OCTAVES, SCALE), |noise| folded(generator, noise))
+}
+
+#[inline(always)]
+fn folded(generator: NoiseGenerator, noise: f64) -> f64 {
+    match generator {
         NoiseGenerator::Original => (0.5 - noise).abs(),
         _ => (1.0 - 2.0 * noise).abs().min(0.5),
-    })
+    }
 }

@@ -61,4 +61,12 @@ impl PatternEval for Prepared {
         }
         point.x + self.amount * self.noise.turbulence(point, &self.octaves)
     }
+
+    fn values_x4(&self, points: &[DVec3; 4], _spots: [&SurfacePoint; 4]) -> [f64; 4] {
+        if self.amount == 0.0 {
+            return points.map(|point| point.x);
+        }
+        let turbulences = self.noise.turbulence_x4(points, &self.octaves);
+        std::array::from_fn(|i| points[i].x + self.amount * turbulences[i])
+    }
 }

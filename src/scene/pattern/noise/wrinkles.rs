@@ -1,7 +1,7 @@
 //! `wrinkles`: ten octaves of noise, each clamped to its range.
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::noise::{NoiseGenerator, vector_noise};
+use crate::base::math::noise::{NoiseGenerator, vector_octaves};
 use crate::scene::pattern::Pattern;
 use crate::scene::pattern::geometric::formula::NoiseFormula;
 use glam::DVec3;
@@ -22,11 +22,5 @@ fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
 }
 
 fn tilt(_generator: NoiseGenerator, point: DVec3) -> DVec3 {
-    let mut frequency = 1.0;
-    let mut sum = DVec3::ZERO;
-    for _ in 0..OCTAVES {
-        sum += (vector_noise(point * frequency) / frequency).abs();
-        frequency *= 2.0;
-    }
-    sum
+    vector_octaves(point, OCTAVES, |noise, frequency| (noise / frequency).abs())
 }

@@ -2,7 +2,7 @@
 
 use super::{Warp, WarpEval};
 use crate::base::args::{Args, Parse};
-use crate::base::math::noise::{Octaves, vector_turbulence};
+use crate::base::math::noise::{Octaves, vector_turbulence, vector_turbulence_x4};
 use crate::scene::pattern::Settings;
 use crate::scene::pattern::octaves::read_octaves;
 use glam::DVec3;
@@ -29,6 +29,14 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
 impl Warp for Turbulence {
     fn prepare(&self, _settings: &Settings) -> Box<dyn WarpEval> {
         Box::new(*self)
+    }
+}
+
+impl Turbulence {
+    /// Four points after the warp.
+    pub(in crate::scene::pattern) fn moved_x4(&self, points: &[DVec3; 4]) -> [DVec3; 4] {
+        let shifts = vector_turbulence_x4(points, &self.octaves);
+        std::array::from_fn(|i| points[i] + self.amount * shifts[i])
     }
 }
 
