@@ -11,6 +11,8 @@ pub(super) struct Features {
     pub(super) needs_interiors: bool,
     /// Some ray crosses media.
     pub(super) has_media: bool,
+    /// Random numbers decide about the picture, so that all samples are taken in POV-Ray's order.
+    pub(super) uses_random: bool,
     /// Some interior attenuates light with distance.
     pub(super) light_fades: bool,
     /// Some material is lit from behind.
@@ -32,6 +34,7 @@ impl Features {
                 || !world.has_clear_atmosphere()
                 || world.subsurface.is_some(),
             has_media,
+            uses_random: world.uses_random(),
             light_fades: world.interiors.any_attenuates(),
             needs_backface_light,
             light_varies_by_surface: needs_backface_light || world.has_unlit(),
@@ -54,7 +57,7 @@ pub(super) struct FastPaths {
 impl FastPaths {
     /// The fast paths of `world`.
     pub(super) fn new(world: &World, quality: Quality, features: Features) -> FastPaths {
-        let wavefront = !world.interiors.any_disperses() && !world.uses_random();
+        let wavefront = !world.interiors.any_disperses() && !features.uses_random;
         let has_radiosity = world.radiosity.is_some();
         FastPaths {
             wavefront,

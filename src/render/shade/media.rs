@@ -4,10 +4,10 @@
 //! three methods (docs/povray-facts.md, section 10): at random, evenly, or evenly with adaptive halving.
 
 mod intervals;
+mod scattering;
 
-use super::bsdf::{ViewPoint, is_negligible};
-use super::shading_point::{LightSamples, ShadingPoint};
 use super::{InteriorStack, Path, Tracer};
+use crate::base::accel::MAX_STREAM_RAYS;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::chi_square::chi_square;
@@ -17,7 +17,8 @@ use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
 use crate::world::LightList;
 use glam::DVec3;
 pub(super) use intervals::{LightBeam, MediaInterval, common_sampling, parts_of, subdivided};
-use smallvec::SmallVec;
+use scattering::MediaPoints;
+use smallvec::{SmallVec, smallvec};
 
 /// The media of a segment; their effects add up.
 pub(super) type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
@@ -47,6 +48,9 @@ struct MediaSample {
     radiance: Rgb,
     optical_depth: Rgb,
 }
+
+/// Samples that are taken together.
+const AHEAD: usize = MAX_STREAM_RAYS;
 
 impl Tracer<'_> {
     /// The effect of the interiors around a ray over `length`.
@@ -263,17 +267,45 @@ impl Tracer<'_> {
         let steps = steps_of(sampling.samples[0]);
         let width = 1.0 / (f64::from(steps) + 1.0);
         let jitter = width * sampling.jitter;
-        let shifted = |at: f64, scratch: &mut Scratch| {
-            at + jitter * (scratch.random.media.next_number() - 0.5)
+        let shifted = |at: f64, scratch: &mut Scratch| match self.features.uses_random {
+            true => at + jitter * (scratch.random.media.next_number() - 0.5),
+            false => at,
+        };
+        // The ends of the steps and the middles between them, many together where no random number moves them.
+        let mut ahead = [MediaSample::NOTHING; AHEAD];
+        let mut known = |half: usize, scratch: &mut Scratch| {
+            if self.features.uses_random {
+                return None;
+            }
+            if half.is_multiple_of(AHEAD) {
+                let end = |step: usize| step as f64 * width;
+                let mut at = [0.0; AHEAD];
+                for (half, at) in (half..).zip(&mut at) {
+                    *at = match half % 2 {
+                        0 => end(half / 2),
+                        _ => 0.5 * (end(half / 2) + end(half / 2 + 1)),
+                    };
+                }
+                let left = (2 * steps as usize + 1 - half).min(AHEAD);
+                ahead = self.media_samples(segment, interval, &at[..left], scratch);
+            }
+            Some(ahead[half % AHEAD])
         };
         let mut from = shifted(0.0, scratch);
-        let mut first = self.media_sample(segment, interval, from, scratch);
+        let mut first = match known(0, scratch) {
+            Some(first) => first,
+            None => self.media_sample(segment, interval, from, scratch),
+        };
         for step in 1..=steps {
             let to = shifted(f64::from(step) * width, scratch);
-            let second = self.media_sample(segment, interval, to, scratch);
+            let middle = known(2 * step as usize - 1, scratch);
+            let second = match known(2 * step as usize, scratch) {
+                Some(second) => second,
+                None => self.media_sample(segment, interval, to, scratch),
+            };
             let ends = [(from, first), (to, second)];
             let depth = sampling.aa_level.saturating_sub(1);
-            let mean = self.halve(segment, interval, ends, depth, scratch);
+            let mean = self.halve(segment, interval, ends, middle, depth, scratch);
             sums.radiance +=
                 mean.radiance * transmittance_of(sums.optical_depth * (1.0 / f64::from(steps)));
             sums.optical_depth += mean.optical_depth;
@@ -282,25 +314,32 @@ impl Tracer<'_> {
         sums.count = steps;
     }
 
-    /// The mean between two samples, with one in the middle and more where they differ.
+    /// The mean between two samples, with one in the middle, which may be known, and more where they differ.
     fn halve(
         &self,
         segment: &MediaSegment,
         interval: &MediaInterval,
         [(from, first), (to, last)]: [(f64, MediaSample); 2],
+        middle: Option<MediaSample>,
         depth: u32,
         scratch: &mut Scratch,
     ) -> MediaSample {
         let sampling = &segment.sampling;
-        let random = scratch.random.media.next_number() - 0.5;
-        let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
-        let middle = self.media_sample(segment, interval, at, scratch);
+        let mut at = 0.5 * (from + to);
+        if self.features.uses_random {
+            let random = scratch.random.media.next_number() - 0.5;
+            at += sampling.jitter * (to - from) * random;
+        }
+        let middle = match middle {
+            Some(middle) => middle,
+            None => self.media_sample(segment, interval, at, scratch),
+        };
         if depth == 0 {
             return first.plus(&middle).plus(&last).times(1.0 / 3.0);
         }
         let mut half = |end: (f64, MediaSample), ends: [(f64, MediaSample); 2]| {
             if end.1.differs(&middle, sampling.aa_threshold) {
-                let mean = self.halve(segment, interval, ends, depth - 1, scratch);
+                let mean = self.halve(segment, interval, ends, None, depth - 1, scratch);
                 mean.times(0.5)
             } else {
                 end.1.times(1.0 / 3.0).plus(&middle.times(1.0 / 6.0))
@@ -318,66 +357,63 @@ impl Tracer<'_> {
         at: f64,
         scratch: &mut Scratch,
     ) -> MediaSample {
+        let [sample] = self.media_samples(segment, interval, &[at], scratch);
+        sample
+    }
+
+    /// The effects of the media at up to `N` fractions of an interval.
+    fn media_samples<const N: usize>(
+        &self,
+        segment: &MediaSegment,
+        interval: &MediaInterval,
+        at: &[f64],
+        scratch: &mut Scratch,
+    ) -> [MediaSample; N] {
         let length = interval.to - interval.from;
-        let distance = interval.from + at * length;
-        let point = segment.ray.at(distance);
-        let effect = effect_of(segment.media, point);
-        let mut radiance = effect.emission;
-        if interval.is_lit && !is_negligible(effect.scattering * length) {
+        let count = at.len().min(N);
+        let mut distances = [0.0; N];
+        let mut points = [DVec3::ZERO; N];
+        for i in 0..count {
+            distances[i] = interval.from + at[i] * length;
+            points[i] = segment.ray.at(distances[i]);
+        }
+        let points = &points[..count];
+        let mut effects = [MediumCoefficients::NONE; N];
+        let effects = &mut effects[..count];
+        add_effects(segment.media, points, effects);
+        let mut radiances = [Rgb::BLACK; N];
+        for (radiance, effect) in radiances.iter_mut().zip(&*effects) {
+            *radiance = effect.emission;
+        }
+        if interval.is_lit {
             for beam in segment.beams {
-                if beam.from <= distance && distance <= beam.to {
-                    let scattered = self.scattered(segment, beam.number, distance, scratch);
-                    radiance += scattered * effect.scattering;
+                let at = MediaPoints {
+                    distances: &distances,
+                    points,
+                    effects,
+                };
+                let scattered: [_; N] = self.scattered(segment, beam, length, &at, scratch);
+                for (i, scattered) in scattered.into_iter().enumerate() {
+                    if let Some(scattered) = scattered {
+                        radiances[i] += scattered * effects[i].scattering;
+                    }
                 }
             }
         }
-        if self.has_volume_photons() {
-            radiance +=
-                self.volume_photon_light(segment.media, point, segment.ray.dir, &effect, scratch);
+        let mut samples = [MediaSample::NOTHING; N];
+        for i in 0..count {
+            let (mut radiance, effect) = (radiances[i], &effects[i]);
+            if self.has_volume_photons() {
+                let dir = segment.ray.dir;
+                radiance +=
+                    self.volume_photon_light(segment.media, points[i], dir, effect, scratch);
+            }
+            samples[i] = MediaSample {
+                radiance: radiance * length,
+                optical_depth: effect.extinction * length,
+            };
         }
-        MediaSample {
-            radiance: radiance * length,
-            optical_depth: effect.extinction * length,
-        }
-    }
-
-    /// Light from a light source that media scatter into the ray at this distance, relative to their scattering.
-    fn scattered(
-        &self,
-        segment: &MediaSegment,
-        number: u32,
-        distance: f64,
-        scratch: &mut Scratch,
-    ) -> Rgb {
-        let point = segment.ray.at(distance);
-        // The first sample lies in the surface that the ray has left.
-        let spawn_surface = segment.path.from.as_ref().filter(|_| distance == 0.0);
-        let light = self.world.lights.get(number);
-        let arrival = light.arrival(point);
-        let mut arriving = light.color * light.attenuation(point, &arrival);
-        if is_negligible(arriving) {
-            return Rgb::BLACK;
-        }
-        let lit = ShadingPoint {
-            at: ViewPoint {
-                point,
-                normal: DVec3::ZERO,
-                view: segment.ray.dir,
-            },
-            spawn_surface,
-            path: segment.path,
-            known: LightSamples::NONE,
-            shadow_cache: None,
-            is_double_illuminated: false,
-            lights: &[],
-            collects: self.has_caustics(),
-        };
-        if self.quality.has_shadows {
-            arriving = self.shadowed_light(arriving, number, &lit, &arrival, scratch);
-        }
-        let cosine = arrival.to_light.dot(segment.ray.dir);
-        let phases = segment.media.iter().map(|media| media.phase(cosine));
-        arriving * (phases.sum::<f64>() / segment.media.len() as f64)
+        samples
     }
 
     /// The transmittance of media along a ray. Media without extinction are skipped, as in POV-Ray: no random numbers
@@ -395,12 +431,12 @@ impl Tracer<'_> {
         if !media.iter().any(|media| media.has_density()) {
             // A single sample draws a random number like any other.
             scratch.random.media.next_number();
-            return transmittance_of(effect_of(media, ray.origin).extinction * length);
+            return transmittance_of(effect_at(media, ray.origin).extinction * length);
         }
         let Some(sampling) = common_sampling(media) else {
             return Rgb::WHITE;
         };
-        let taken = |at: f64| effect_of(media, ray.at(at)).extinction;
+        let taken = |at: f64| effect_at(media, ray.at(at)).extinction;
         let is_even = media.iter().all(|media| media.is_homogeneous());
         let intervals = sampling.intervals;
         let each = length / f64::from(intervals);
@@ -414,7 +450,14 @@ impl Tracer<'_> {
                 scratch.random.media.next_number();
                 taken(from)
             } else {
-                mean_of(&sampling, |at| taken(from + at * long), scratch)
+                let effects_at = |at: &[f64]| {
+                    let points: SmallVec<[DVec3; 16]> =
+                        at.iter().map(|at| ray.at(from + at * long)).collect();
+                    let mut effects = smallvec![MediumCoefficients::NONE; points.len()];
+                    add_effects(media, &points, &mut effects);
+                    effects
+                };
+                mean_extinction(&sampling, effects_at, scratch)
             };
             optical_depth += mean * long;
         }
@@ -422,14 +465,19 @@ impl Tracer<'_> {
     }
 }
 
-/// The combined effect of media at a point.
+/// Adds the combined effects of media at points.
 #[inline]
-fn effect_of(media: &[&PreparedMedia], point: DVec3) -> MediumCoefficients {
-    let mut effect = MediumCoefficients::NONE;
+fn add_effects(media: &[&PreparedMedia], points: &[DVec3], effects: &mut [MediumCoefficients]) {
     for media in media {
-        media.add_coefficients(point, &mut effect);
+        media.add_coefficients(points, effects);
     }
-    effect
+}
+
+/// The combined effect of media at one point.
+pub(super) fn effect_at(media: &[&PreparedMedia], point: DVec3) -> MediumCoefficients {
+    let mut effect = [MediumCoefficients::NONE];
+    add_effects(media, &[point], &mut effect);
+    effect[0]
 }
 
 /// The even steps of method 3; fewer than 2 samples count as 2 (measured with POV-Ray).
@@ -437,34 +485,42 @@ fn steps_of(samples: u32) -> u32 {
     (samples / 2 + 1).max(2)
 }
 
-/// The mean of a quantity over an interval, sampled as the method does without emission and scattering.
-fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) -> Rgb {
+/// The mean extinction over an interval, sampled as the method does without emission and scattering; `effects_at` gives
+/// the effects at fractions of the interval.
+fn mean_extinction(
+    sampling: &Sampling,
+    effects_at: impl Fn(&[f64]) -> SmallVec<[MediumCoefficients; 16]>,
+    scratch: &mut Scratch,
+) -> Rgb {
     let least = sampling.samples[0];
+    let mut random = || scratch.random.media.next_number();
+    let mut at: SmallVec<[f64; 16]> = SmallVec::new();
     let mut sum = Rgb::BLACK;
     if sampling.method != 3 {
-        for number in 0..least {
-            let random = scratch.random.media.next_number();
-            sum += of(if sampling.method == 1 {
-                random
-            } else {
-                (f64::from(number) + 0.5 + sampling.jitter * random) / f64::from(least)
-            });
+        at.extend((0..least).map(|number| match sampling.method {
+            1 => random(),
+            _ => (f64::from(number) + 0.5 + sampling.jitter * random()) / f64::from(least),
+        }));
+        for effect in effects_at(&at) {
+            sum += effect.extinction;
         }
         return sum * (1.0 / f64::from(least));
     }
     let steps = steps_of(least);
     let width = 1.0 / (f64::from(steps) + 1.0);
-    let mut shifted =
-        |at: f64, by: f64| at + by * sampling.jitter * (scratch.random.media.next_number() - 0.5);
+    let mut shifted = |at: f64, by: f64| at + by * sampling.jitter * (random() - 0.5);
     let mut from = shifted(0.0, width);
-    let mut first = of(from);
+    at.push(from);
     for step in 1..=steps {
         let to = shifted(f64::from(step) * width, width);
-        let middle = shifted(0.5 * (from + to), to - from);
-        let last = of(to);
+        at.extend([shifted(0.5 * (from + to), to - from), to]);
+        from = to;
+    }
+    let effects = effects_at(&at);
+    for step in effects.windows(3).step_by(2) {
+        let [first, middle, last] = [0, 1, 2].map(|i| step[i].extinction);
         // Each half takes one of the two thirds in the middle.
-        sum += (first + last) * (1.0 / 3.0) + of(middle) * (1.0 / 3.0);
-        (from, first) = (to, last);
+        sum += (first + last) * (1.0 / 3.0) + middle * (1.0 / 3.0);
     }
     sum * (1.0 / f64::from(steps))
 }
@@ -496,6 +552,11 @@ impl MediaSums {
 }
 
 impl MediaSample {
+    const NOTHING: MediaSample = MediaSample {
+        radiance: Rgb::BLACK,
+        optical_depth: Rgb::BLACK,
+    };
+
     fn plus(&self, other: &MediaSample) -> MediaSample {
         MediaSample {
             radiance: self.radiance + other.radiance,

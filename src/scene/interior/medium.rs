@@ -40,6 +40,13 @@ impl MediumCoefficients {
         emission: Rgb::BLACK,
         scattering: Rgb::BLACK,
     };
+
+    #[inline]
+    fn add(&mut self, other: &MediumCoefficients) {
+        self.extinction += other.extinction;
+        self.emission += other.emission;
+        self.scattering += other.scattering;
+    }
 }
 
 impl Media {
@@ -60,7 +67,7 @@ impl Media {
         };
         let is_plain = |density: &PreparedPigment| matches!(density, PreparedPigment::Plain(_));
         if media.densities.iter().all(is_plain) {
-            media.homogeneous = Some(media.coefficients(DVec3::ZERO));
+            media.homogeneous = Some(media.coefficients(media.density(DVec3::ZERO)));
         }
         media
     }
@@ -86,19 +93,27 @@ impl PreparedMedia {
         self.absorption != Rgb::BLACK || scattered != Rgb::BLACK
     }
 
-    /// Adds the coefficients at a point.
-    #[inline]
-    pub fn add_coefficients(&self, point: DVec3, sum: &mut MediumCoefficients) {
-        let coefficients = match &self.homogeneous {
-            Some(coefficients) => *coefficients,
-            None => self.coefficients(point),
-        };
-        sum.extinction += coefficients.extinction;
-        sum.emission += coefficients.emission;
-        sum.scattering += coefficients.scattering;
+    /// Adds the coefficients at each of these points to one of the sums.
+    pub fn add_coefficients(&self, points: &[DVec3], sums: &mut [MediumCoefficients]) {
+        if let Some(coefficients) = &self.homogeneous {
+            sums.iter_mut().for_each(|sum| sum.add(coefficients));
+            return;
+        }
+        for (points, sums) in points.chunks(4).zip(sums.chunks_mut(4)) {
+            if let Ok(points) = points.try_into() {
+                for (sum, density) in sums.iter_mut().zip(self.densities_x4(points)) {
+                    sum.add(&self.coefficients(density));
+                }
+            } else {
+                for (sum, point) in sums.iter_mut().zip(points) {
+                    sum.add(&self.coefficients(self.density(*point)));
+                }
+            }
+        }
     }
 
-    fn coefficients(&self, point: DVec3) -> MediumCoefficients {
+    /// The product of the densities at a point.
+    fn density(&self, point: DVec3) -> Rgb {
         let surface_point = SurfacePoint::at(point);
         let mut density = Rgb::WHITE;
         for factor in &self.densities {
@@ -107,6 +122,28 @@ impl PreparedMedia {
                 break;
             }
         }
+        density
+    }
+
+    /// The products of the densities at four points.
+    fn densities_x4(&self, points: &[DVec3; 4]) -> [Rgb; 4] {
+        let mut densities = [Rgb::WHITE; 4];
+        for factor in &self.densities {
+            for (density, color) in densities.iter_mut().zip(factor.colors_x4(points)) {
+                if *density != Rgb::BLACK {
+                    *density *= color.rgb;
+                }
+            }
+            if densities == [Rgb::BLACK; 4] {
+                break;
+            }
+        }
+        densities
+    }
+
+    /// The coefficients at this density.
+    #[inline]
+    fn coefficients(&self, density: Rgb) -> MediumCoefficients {
         let scattering = self.scattering.color;
         MediumCoefficients {
             extinction: density * (self.absorption + scattering * self.scattering.extinction),
@@ -148,8 +185,9 @@ mod tests {
             "{ absorption 0.5 emission 2 scattering { 1, 0.25 extinction 2 }
                density { rgb 0.5 } density { gradient <1,0,0> } }",
         );
-        let mut coefficients = MediumCoefficients::NONE;
-        media.add_coefficients(DVec3::new(0.5, 0.0, 0.0), &mut coefficients);
+        let mut coefficients = [MediumCoefficients::NONE];
+        media.add_coefficients(&[DVec3::new(0.5, 0.0, 0.0)], &mut coefficients);
+        let [coefficients] = coefficients;
         assert_eq!(coefficients.extinction, Rgb::splat(0.25));
         assert_eq!(coefficients.emission, Rgb::splat(0.5));
         assert_eq!(coefficients.scattering, Rgb::splat(0.0625));

@@ -118,7 +118,7 @@ impl Tracer<'_> {
     }
 
     /// Returns true if area lights are sampled for a ray; otherwise they are points.
-    fn samples_areas(&self, path: &Path) -> bool {
+    pub(in crate::render::shade) fn samples_areas(&self, path: &Path) -> bool {
         self.quality.has_area_lights && path.irradiance_depth == 0
     }
 

@@ -71,7 +71,7 @@ impl Tracer<'_> {
     }
 
     /// Returns true if fog or media attenuate a light.
-    fn is_attenuated_by_atmosphere(&self, light: u32) -> bool {
+    pub(in crate::render::shade) fn is_attenuated_by_atmosphere(&self, light: u32) -> bool {
         let source = self.world.lights.get(light);
         let by_fog = source.media_attenuation && !self.world.fogs.is_empty();
         by_fog || self.is_attenuated_by_media(source)

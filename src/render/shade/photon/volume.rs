@@ -4,7 +4,9 @@ use super::path::{PhotonPath, PhotonTally};
 use crate::base::color::Rgb;
 use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
-use crate::render::shade::media::{common_sampling, parts_of, subdivided, transmittance_of};
+use crate::render::shade::media::{
+    common_sampling, effect_at, parts_of, subdivided, transmittance_of,
+};
 use crate::scene::interior::{MediumCoefficients, PreparedMedia};
 use crate::world::LightList;
 use glam::DVec3;
@@ -94,10 +96,7 @@ impl Tracer<'_> {
                 let in_interval = at * long;
                 let along = in_interval + interval.from;
                 let point = ray.at(along);
-                let mut effect = MediumCoefficients::NONE;
-                for media in &media {
-                    media.add_coefficients(point, &mut effect);
-                }
+                let effect = effect_at(&media, point);
                 sum += effect.extinction;
                 if is_stored && effect.scattering != Rgb::BLACK {
                     let spreading =

@@ -2,7 +2,7 @@
 
 use super::hits::{HitPacket4, ShadowPacket4};
 use super::rays::RayStream;
-use crate::base::accel::{Bundle, MAX_STREAM_RAYS, NewEnds};
+use crate::base::accel::{Bundle, LightBuffer, MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
@@ -231,6 +231,38 @@ impl World {
         scratch.bundle = bundle;
         scratch.ray_stream = stream;
         was_of_use
+    }
+
+    /// Occlusion of up to [`MAX_STREAM_RAYS`] shadow rays to the light of this index. Those that pass a transmissive
+    /// surface are not counted: they are traced again.
+    #[must_use]
+    pub fn occlusion_of_stream(
+        &self,
+        queries: &[Query],
+        light: u32,
+        scratch: &mut QueryScratch,
+    ) -> [Occlusion; MAX_STREAM_RAYS] {
+        let count = queries.len().min(MAX_STREAM_RAYS);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
+        let mut occlusions = [Occlusion::Clear; MAX_STREAM_RAYS];
+        let query = |ray: usize| queries[ray.min(count - 1)];
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                stream.load_rays(count, query, |query| self.t_min(query));
+                let occlusions = &mut occlusions[..count];
+                self.occlude_by_unbounded(lanes, &query, &mut stream, occlusions, scratch);
+                match self.light_buffers.of_light(light) {
+                    Some(buffer) => self.occlude_through(buffer, &query, occlusions, scratch),
+                    None => self.occlude_streams(lanes, &query, &mut stream, occlusions, scratch),
+                }
+            },
+        );
+        scratch.ray_stream = stream;
+        let decided = occlusions[..count].iter();
+        let decided = decided.filter(|occlusion| **occlusion != Occlusion::Transmissive);
+        scratch.rays.shadow += decided.count() as u64;
+        occlusions
     }
 
     /// Returns true if [`World::occlusion_from_point`] pays off.
@@ -471,6 +503,35 @@ impl World {
                 ended.set(lane, f64::NEG_INFINITY);
             }
         });
+    }
+
+    /// Tests the shadow rays that are not yet blocked through the light buffer of their light.
+    #[inline(always)]
+    fn occlude_through(
+        &self,
+        buffer: &LightBuffer,
+        query: &impl Fn(usize) -> Query,
+        occlusions: &mut [Occlusion],
+        scratch: &mut QueryScratch,
+    ) {
+        for (ray, occlusion) in occlusions.iter_mut().enumerate() {
+            if *occlusion == Occlusion::Opaque {
+                continue;
+            }
+            let query = query(ray);
+            let search = self.search_for(&query);
+            let is_blocked = buffer.any_between(
+                query.ray.origin,
+                #[inline(always)]
+                |position| {
+                    let item = self.bvh().bounded[position as usize];
+                    self.occludes(item, &query, &search, occlusion, scratch)
+                },
+            );
+            if is_blocked {
+                *occlusion = Occlusion::Opaque;
+            }
+        }
     }
 
     /// Tests the shadow rays that are not yet blocked against the items of the BVH, in streams: for incoherent rays.
