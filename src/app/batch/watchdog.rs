@@ -81,20 +81,24 @@ mod tests {
 
     #[test]
     fn only_slow_tasks_are_stopped() {
-        let watchdog = Watchdog::new(Some(Duration::from_millis(40)));
+        const LIMIT: Duration = Duration::from_millis(40);
+        let watchdog = Watchdog::new(Some(LIMIT));
+        // On a busy machine anything may take longer than the limit, and a panic before `end` would wait for ever.
+        let (mut stopped_after, mut second) = (Duration::ZERO, (true, LIMIT));
         std::thread::scope(|scope| {
             scope.spawn(|| watchdog.run());
-            let first = CancelToken::default();
-            watchdog.watch(&first);
-            std::thread::sleep(Duration::from_millis(30));
-            let second = CancelToken::default();
-            watchdog.watch(&second);
-            assert!(!first.is_cancelled());
-            while !first.is_cancelled() {
+            let (begin, stop) = (Instant::now(), CancelToken::default());
+            watchdog.watch(&stop);
+            while !stop.is_cancelled() {
                 std::thread::yield_now();
             }
+            stopped_after = begin.elapsed();
+            let (begin, stop) = (Instant::now(), CancelToken::default());
+            watchdog.watch(&stop);
             watchdog.end();
-            assert!(!second.is_cancelled());
+            second = (stop.is_cancelled(), begin.elapsed());
         });
+        assert!(stopped_after >= LIMIT);
+        assert!(!second.0 || second.1 >= LIMIT);
     }
 }
