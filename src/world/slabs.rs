@@ -248,15 +248,34 @@ impl SlabTree {
         })
     }
 
-    /// Returns true if POV-Ray, which takes nodes by the distance at which the ray enters them, comes to item `a` before
-    /// `b`; both come with those distances, which decide alone if they are far apart. At equal ones the heap decides, and
-    /// a ray may enter a node a rounding behind the item in it. Behind many boxes the distances decide as well.
-    pub(super) fn comes_first(&self, a: (u32, f64), b: (u32, f64), ray: &Ray) -> bool {
-        let ((a, entry_a), (b, entry_b)) = (a, b);
-        let by_entry = || entry_a < entry_b || (entry_a == entry_b && a < b);
-        if (entry_a - entry_b).abs() > self.blur(ray) {
-            return by_entry();
+    /// Sorts items, each with its number and the distance at which the ray enters its box, as POV-Ray comes to them,
+    /// which takes nodes by that distance. At equal ones its heap decides, and a ray may enter a node a rounding behind
+    /// the item in it. Distances far apart, and all behind many boxes, decide alone.
+    pub(super) fn sort<T>(&self, items: &mut [T], entry: impl Fn(&T) -> (u32, f64), ray: &Ray) {
+        items.sort_by(|a, b| {
+            let ((a, entry_a), (b, entry_b)) = (entry(a), entry(b));
+            entry_a.total_cmp(&entry_b).then(a.cmp(&b))
+        });
+        let blur = self.blur(ray);
+        if items
+            .windows(2)
+            .all(|pair| entry(&pair[1]).1 - entry(&pair[0]).1 > blur)
+        {
+            return;
         }
+        let mut sorted = 0;
+        self.visit_items(ray, |item| {
+            let waiting = &mut items[sorted..];
+            if let Some(at) = waiting.iter().position(|other| entry(other).0 == item) {
+                waiting[..=at].rotate_right(1);
+                sorted += 1;
+            }
+            sorted + 1 < items.len()
+        });
+    }
+
+    /// Visits items in POV-Ray's order until `visit` returns false, or many boxes are tested.
+    fn visit_items(&self, ray: &Ray, mut visit: impl FnMut(u32) -> bool) {
         let mut heap = Heap::default();
         // The node of unbounded items is the first child of the root. They never tie with others here, but where they were
         // in the heap decides which of equal nodes rises.
@@ -273,12 +292,11 @@ impl SlabTree {
                 }
             }
             match self.nodes.get(node as usize).map(|node| &node.content) {
-                Some(Content::Item(item)) if *item == a => return true,
-                Some(Content::Item(item)) if *item == b => return false,
+                Some(Content::Item(item)) if !visit(*item) => return,
                 Some(Content::Inner(range)) => {
                     tests += range.len();
                     if tests > MOST_TESTS {
-                        break;
+                        return;
                     }
                     for &child in &self.children[range.clone()] {
                         if let Some(entry) = self.nodes[child as usize].slabs.hit_at(ray) {
@@ -290,7 +308,6 @@ impl SlabTree {
             }
             next = heap.pop();
         }
-        by_entry()
     }
 
     /// Bound on how far behind the entry into an item a ray can enter a node around it: on an axis along which it runs

@@ -17,7 +17,6 @@ use crate::world::model::{IndexedItem, ItemBvh};
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 use crate::world::slabs::SlabTree;
 use smallvec::SmallVec;
-use std::cmp::Ordering;
 
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
 /// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
@@ -340,19 +339,18 @@ impl World {
     #[inline(never)]
     fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
         let ray = &query.ray;
-        let comes_first = |a: &ClosestHit, b: &ClosestHit| self.comes_first(a.item, b.item, ray);
         if self.model.rounding.forms.is_empty() {
-            let (t, other) = (new.hit.root.t, best.hit.root.t);
-            let is_better = t < other || (t == other && comes_first(new, best));
-            return if is_better { *new } else { *best };
+            let mut both = [*best, *new];
+            if best.hit.root.t == new.hit.root.t {
+                self.sort_as_povray(&mut both, ray);
+            } else {
+                both.sort_by(|a, b| a.hit.root.t.total_cmp(&b.hit.root.t));
+            }
+            return both[0];
         }
         // All of them, so that the order in which rays come to items does not matter.
         let mut tied = self.tied_hits(query, new.hit.root.t.min(best.hit.root.t));
-        tied.sort_by(|a, b| match (comes_first(a, b), comes_first(b, a)) {
-            (true, _) => Ordering::Less,
-            (_, true) => Ordering::Greater,
-            _ => Ordering::Equal,
-        });
+        self.sort_as_povray(&mut tied, ray);
         let distance = |of: &ClosestHit| self.povray_distance(of, query);
         let nearer = |a: ClosestHit, b: ClosestHit| {
             let end = distance(&a);
@@ -472,25 +470,19 @@ impl World {
         }
     }
 
-    /// Tie rule for two items at the same distance: unbounded ones come first, then the one that POV-Ray's tree of boxes
-    /// delivers first, mostly that whose box the ray enters first (docs/povray-facts.md, section 5.2).
+    /// Sorts hits at one distance as POV-Ray comes to their items: unbounded ones first, then as its tree of boxes
+    /// delivers them, mostly by the distance at which the ray enters the box (docs/povray-facts.md, section 5.2).
     #[cold]
-    fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
+    fn sort_as_povray(&self, tied: &mut [ClosestHit], ray: &Ray) {
         let is_bounded = |item: u32| self.ties_by_box && self.povray_box(item).is_finite();
-        match (is_bounded(a), is_bounded(b)) {
-            (true, true) => {
-                let tree = self.slab_tree.get_or_init(|| {
-                    SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
-                });
-                tree.comes_first(
-                    (a, self.box_entry(a, ray)),
-                    (b, self.box_entry(b, ray)),
-                    ray,
-                )
-            }
-            (true, false) => false,
-            (false, true) => true,
-            (false, false) => a < b,
+        tied.sort_by_key(|of| (is_bounded(of.item), of.item));
+        let unbounded = tied.partition_point(|of| !is_bounded(of.item));
+        let bounded = &mut tied[unbounded..];
+        if bounded.len() > 1 {
+            let tree = self.slab_tree.get_or_init(|| {
+                SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
+            });
+            tree.sort(bounded, |of| (of.item, self.box_entry(of.item, ray)), ray);
         }
     }
 
