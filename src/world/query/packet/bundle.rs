@@ -233,7 +233,7 @@ impl World {
         was_of_use
     }
 
-    /// Occlusion of up to [`MAX_STREAM_RAYS`] shadow rays to the light of this index. Those that pass a transmissive
+    /// Occlusion of up to eight shadow rays to the light of this index. Those that pass a transmissive
     /// surface are not counted: they are traced again.
     #[must_use]
     pub fn occlusion_of_stream(
