@@ -76,7 +76,7 @@ impl Object {
         self.shrunk(clipped, self.bounded_by())
     }
 
-    /// Same, whatever clips or bounds the object.
+    /// The box of the object without what clips or bounds it.
     fn bare_extent(&self) -> ExtentBox {
         match &self.kind {
             Kind::Shape(shape) => self.shape_box(shape, &[]),
@@ -108,7 +108,7 @@ impl Object {
         }
     }
 
-    /// Same, after transforms of enclosing unions, as a pair of corners, infinite if the object is unbounded.
+    /// The box of the object after transforms of enclosing unions, infinite if it is unbounded.
     pub(crate) fn extent_below(&self, steps: &[Step]) -> Bounds {
         limited(self.transformed_box(steps))
     }

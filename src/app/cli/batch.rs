@@ -136,7 +136,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     }
     let List { pictures, refused } = list::list(&wanted, environment)?;
     if wanted.safety.sandbox {
-        // Folders are made before none may be made outside of this one.
+        // The sandbox allows no new folder outside of this one.
         let _ = std::fs::create_dir_all(&wanted.batch.out);
         let scenes = pictures
             .iter()

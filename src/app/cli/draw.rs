@@ -51,6 +51,9 @@ pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &EventHa
     + Sync
     + 'a;
 
+/// The name of the program, which draws without a command.
+const PROGRAM: &str = "povr";
+
 /// A request on the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
@@ -85,9 +88,9 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
                     })
                 }
             }?;
-            Ok(match done == ExitCode::SUCCESS || !watch.is_over() {
-                true => done,
-                false => ExitCode::FAILURE,
+            Ok(match watch.is_over() {
+                true => ExitCode::FAILURE,
+                false => done,
             })
         }
     }
@@ -98,7 +101,7 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
 /// # Errors
 /// When an option is unknown, malformed, or requests a feature that is not built; when a named file is missing.
 pub fn request(arguments: &[String], environment: &Environment) -> Result<Request, CliError> {
-    request_of("povr", arguments, environment)
+    request_of(PROGRAM, arguments, environment)
 }
 
 /// The same for another command that renders; hints name it.
@@ -139,6 +142,12 @@ pub(super) fn request_of(
         }
     }
     let settings = settings::settle(raw_args, &standard_folders, environment, command)?;
+    let is_limited = settings.timeout.is_some() || settings.max_memory.is_some();
+    if command != PROGRAM && (settings.is_sandboxed || is_limited) {
+        let message = format!("`{command}` has no `--sandbox`, `--timeout` and `--max-memory`");
+        return Err(CliError::new(message)
+            .with_hint("Scenes of strangers are for `povr` and `povr batch`."));
+    }
     Ok(Request::Draw(Box::new(settings)))
 }
 

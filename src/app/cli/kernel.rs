@@ -1,13 +1,13 @@
 //! The kernel's part of `--sandbox`: even where a fault of this program lets a scene run code, it reads and writes no
 //! other files, opens no connections and starts no programs.
 //!
-//! Landlock limits files and connections, a seccomp filter the system calls that no drawing needs. Threads started
-//! later inherit both, so a command enters its sandbox before it starts any. Where the kernel has neither, the limits of
-//! [`crate::base::file`] hold alone, and `--stats` says so.
+//! Landlock limits files and forbids TCP connections, a seccomp filter the system calls that no drawing needs. Threads
+//! started later inherit both, so a command enters its sandbox before it starts any. Where the kernel lacks one of them,
+//! a warning says so, and the limits of [`crate::base::file`] hold alone.
 
 use super::draw::report::say;
 use super::options::settings::{Scene, Settings};
-use crate::base::file::Folders;
+use crate::base::file::{Folders, folder_of};
 use crate::base::options::ReadOptions;
 use crate::output::Target;
 use std::path::{Path, PathBuf};
@@ -27,19 +27,19 @@ pub(super) fn enter_to_draw(settings: &Settings) {
     let mut sandbox = Sandbox::default();
     sandbox.admit(settings.scene.path(), &settings.read);
     if let Some((Target::File(picture), _)) = &settings.output {
-        // The picture is written beside its destination and renamed.
-        sandbox.writable.push(match picture.parent() {
-            _ if picture.exists() && !picture.is_file() => picture.clone(),
-            Some(folder) if folder != Path::new("") => folder.to_owned(),
-            _ => PathBuf::from("."),
+        // The picture, or what a link leads to, is written beside its destination and renamed.
+        let picture = std::fs::canonicalize(picture).unwrap_or_else(|_| picture.clone());
+        let is_written_to = picture.exists() && !picture.is_file();
+        sandbox.writable.push(match is_written_to {
+            true => picture,
+            false => folder_of(&picture),
         });
     }
-    let folders = settings.streams.iter().map(|(_, file)| file.parent());
-    sandbox.writable.extend(folders.map(|folder| match folder {
-        Some(folder) if folder != Path::new("") => folder.to_owned(),
-        _ => PathBuf::from("."),
-    }));
-    sandbox.enter(settings.verbosity.stats);
+    let streams = settings.streams.iter();
+    sandbox
+        .writable
+        .extend(streams.map(|(_, file)| folder_of(file)));
+    sandbox.enter();
 }
 
 /// Enters the sandbox of a command that only reads scenes.
@@ -50,7 +50,7 @@ pub(super) fn enter_to_read(scenes: &[Scene], options: &dyn Fn(&Scene) -> ReadOp
         options.writable = Folders::Only(Vec::new());
         sandbox.admit(scene.path(), &options);
     }
-    sandbox.enter(false);
+    sandbox.enter();
 }
 
 /// Enters the sandbox of a command that reads some scenes and writes to a folder.
@@ -62,12 +62,12 @@ pub(super) fn enter_to_draw_all<'a>(
         writable: vec![out.to_owned()],
         ..Sandbox::default()
     };
-    // What is drawn is identified by this program as well.
+    // A picture is drawn again with another program, which is read to tell.
     sandbox.readable.extend(std::env::current_exe());
     for (scene, options) in scenes {
         sandbox.admit(Some(scene), options);
     }
-    sandbox.enter(false);
+    sandbox.enter();
 }
 
 /// The files and folders that the process may use.
@@ -92,14 +92,16 @@ impl Sandbox {
     }
 
     /// Limits this thread, and all threads that it starts, for good.
-    fn enter(mut self, tells: bool) {
+    fn enter(mut self) {
         self.readable.extend(SYSTEM_FILES.map(PathBuf::from));
         for paths in [&mut self.readable, &mut self.writable] {
             paths.sort();
             paths.dedup();
         }
-        for trouble in limited(&self).into_iter().filter(|_| tells) {
-            say(format_args!("sandbox     {trouble}"));
+        for lack in limited(&self) {
+            say(format_args!(
+                "povr: warning: this sandbox is weaker: {lack}"
+            ));
         }
     }
 }
@@ -147,7 +149,19 @@ fn landlocked(
         ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreatedAttr,
         path_beneath_rules,
     };
-    // Rules of later versions are about what needs a connection or a device.
+    use std::os::unix::fs::FileTypeExt;
+    // The kernel takes no rule for an anonymous pipe, and needs none: it is open already.
+    let ruled = |paths: &[PathBuf]| -> Vec<PathBuf> {
+        let is_pipe = |path: &&PathBuf| {
+            std::fs::metadata(path).is_ok_and(|about| about.file_type().is_fifo())
+        };
+        paths
+            .iter()
+            .filter(|path| !is_pipe(path))
+            .cloned()
+            .collect()
+    };
+    // Later versions add signals and abstract sockets, which the filter of system calls refuses.
     let abi = ABI::V5;
     let read = AccessFs::ReadFile | AccessFs::ReadDir;
     let write = read
@@ -161,8 +175,8 @@ fn landlocked(
         .handle_access(AccessFs::from_all(abi))?
         .handle_access(AccessNet::from_all(abi))?
         .create()?
-        .add_rules(path_beneath_rules(&sandbox.readable, read))?
-        .add_rules(path_beneath_rules(&sandbox.writable, write))?
+        .add_rules(path_beneath_rules(ruled(&sandbox.readable), read))?
+        .add_rules(path_beneath_rules(ruled(&sandbox.writable), write))?
         .restrict_self()?;
     Ok(status.ruleset)
 }
@@ -174,7 +188,12 @@ fn landlocked(
 ))]
 fn filtered() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     use seccompiler::{BpfProgram, SeccompAction, SeccompFilter, apply_filter};
-    const UNNEEDED: [i64; 36] = [
+    const UNNEEDED: [i64; 40] = [
+        libc::SYS_tgkill,
+        libc::SYS_tkill,
+        libc::SYS_rt_sigqueueinfo,
+        libc::SYS_pidfd_send_signal,
+        libc::SYS_open_by_handle_at,
         libc::SYS_execve,
         libc::SYS_execveat,
         libc::SYS_ptrace,
@@ -195,7 +214,6 @@ fn filtered() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         libc::SYS_unshare,
         libc::SYS_setns,
         libc::SYS_kill,
-        libc::SYS_symlinkat,
         libc::SYS_mknodat,
         libc::SYS_keyctl,
         libc::SYS_add_key,

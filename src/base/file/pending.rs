@@ -1,5 +1,6 @@
 //! Atomic file replacement: the bytes go to a temporary file in the same folder, which is then renamed.
 
+use super::folders::Outside;
 use super::{Folders, only_regular};
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -71,13 +72,18 @@ impl PendingFile {
         };
         let mut opened = None;
         if *folders != Folders::All {
-            let file = File::open(&folder).map_err(folder_error)?;
-            folders.check_opened(&file, &folder)?;
-            if let (Some(fixed), Some(name)) = (fixed_path(&file), destination.file_name()) {
-                destination = fixed.join(name);
-                folder = fixed;
+            opened = held_folder(&folder).map_err(folder_error)?;
+            match (&opened, destination.file_name()) {
+                (Some(file), Some(name)) => {
+                    folders.check_opened(file, &folder)?;
+                    if let Some(fixed) = fixed_path(file) {
+                        destination = fixed.join(name);
+                        folder = fixed;
+                    }
+                }
+                _ if folders.hold(&folder) => {}
+                _ => return Err(Outside.into()),
             }
-            opened = Some(file);
         }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".povr-").suffix(".part");
@@ -119,6 +125,21 @@ fn of_system(error: io::Error) -> io::Error {
     error.kind().into()
 }
 
+/// The folder, opened only to name it: it need not be readable.
+#[cfg(target_os = "linux")]
+fn held_folder(path: &Path) -> io::Result<Option<File>> {
+    use rustix::fs::{Mode, OFlags};
+    let flags = OFlags::PATH | OFlags::DIRECTORY | OFlags::CLOEXEC;
+    let folder = rustix::fs::open(path, flags, Mode::empty())?;
+    Ok(Some(folder.into()))
+}
+
+/// Other systems cannot name an open folder.
+#[cfg(not(target_os = "linux"))]
+fn held_folder(_: &Path) -> io::Result<Option<File>> {
+    Ok(None)
+}
+
 /// A path that names this open folder even if another process moves it, or puts a link in its position.
 #[cfg(target_os = "linux")]
 fn fixed_path(folder: &File) -> Option<PathBuf> {
@@ -127,7 +148,6 @@ fn fixed_path(folder: &File) -> Option<PathBuf> {
     path.is_dir().then_some(path)
 }
 
-/// The path as written is all there is.
 #[cfg(not(target_os = "linux"))]
 fn fixed_path(_: &File) -> Option<PathBuf> {
     None

@@ -37,7 +37,14 @@ pub(crate) fn open_appending(path: &Path, folders: &Folders) -> io::Result<File>
     match open_regular(path, &options, folders) {
         // A new file is not created through a link, which could lead anywhere.
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            open_regular(path, options.create_new(true), folders)
+            let created = open_regular(path, options.clone().create_new(true), folders);
+            match created {
+                // Another process has created it since.
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                    open_regular(path, &options, folders)
+                }
+                created => created,
+            }
         }
         opened => opened,
     }

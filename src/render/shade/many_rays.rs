@@ -35,6 +35,9 @@ impl Tracer<'_> {
         mut trace: impl FnMut(&[Option<Ray>], &mut [Sample]),
         mut take: impl FnMut(usize, Sample),
     ) {
+        if positions.is_empty() {
+            return;
+        }
         let (camera, lens) = (&self.world.camera, self.world.lens.as_ref());
         let all = [camera.rays_per_pixel()];
         let ends = lens.map_or(&all[..], Lens::batch_ends);

@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Interval of looking at the memory, which a process cannot fill much further in that time.
+/// Interval of looking at the memory. In that time a process may take some hundred megabytes more.
 const LOOK: Duration = Duration::from_millis(20);
 /// Time for a cancelled rendering to end by itself.
 const GRACE: Duration = Duration::from_secs(1);
@@ -78,15 +78,22 @@ impl Watch {
                 stop.cancel();
                 let grace = Limits {
                     deadline: Instant::now().checked_add(GRACE),
-                    // What is read last may take more, but not for long.
+                    // The last reads may take more, but not for long.
                     max_memory: max_memory.map(|most| most.saturating_add(most / 4)),
                 };
                 grace.wait();
             }
             process::exit(FAILED);
         };
-        // Without a thread there are no limits; then the system has hardly any resources left.
-        let _ = thread::Builder::new().name("limits".to_owned()).spawn(work);
+        if max_memory.is_some() && Taken::now().is_none() {
+            say(
+                "povr: warning: this system does not tell the memory of a process; `--max-memory` is ignored",
+            );
+        }
+        if let Err(error) = thread::Builder::new().name("limits".to_owned()).spawn(work) {
+            say(format_args!("povr: the limits cannot be watched: {error}"));
+            process::exit(FAILED);
+        }
         watch
     }
 

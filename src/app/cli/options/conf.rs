@@ -6,22 +6,23 @@
 //! limits that), and written where both files permit it, subfolders included.
 
 use super::values::unquoted;
-use crate::base::file::Folders;
+use crate::base::file::{Folders, read_regular};
 use std::env;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The folder that `%INSTALLDIR%` stands for.
 const INSTALLED: &str = "/usr/share/povray-3.7";
 /// The usual folder of temporary files; one that `TMPDIR` names counts as well.
 const TEMPORARY: &str = "/tmp";
-/// Larger files are none.
+/// Larger files are ignored, with a warning.
 const LARGEST: u64 = 1 << 20;
 
 /// The content of the files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Conf {
-    /// The folders that scenes may write to; `None` without a file.
+    /// The folders that scenes may write to; `None` where no file limits them.
     pub(crate) writable: Option<Folders>,
     /// Warnings about settings without a meaning.
     pub(crate) doubts: Vec<String>,
@@ -35,11 +36,23 @@ impl Conf {
         let user = home
             .as_ref()
             .map(|home| home.join(".povray/3.7/povray.conf"));
-        let read = |file: &Path| {
-            let is_small = fs::metadata(file).is_ok_and(|about| about.len() <= LARGEST);
-            let text = is_small.then(|| fs::read(file).ok()).flatten()?;
-            let text = String::from_utf8_lossy(&text);
-            Some(Conf::of_text(&text, file, home.as_deref()))
+        let read = |file: &Path| match read_regular(file, LARGEST) {
+            Ok(text) => {
+                let text = String::from_utf8_lossy(&text);
+                Some(Conf::of_text(&text, file, home.as_deref()))
+            }
+            Err(error)
+                if matches!(
+                    error.kind(),
+                    io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+                ) =>
+            {
+                None
+            }
+            Err(error) => Some(Conf {
+                writable: None,
+                doubts: vec![format!("{} is not read: {error}", file.display())],
+            }),
         };
         match (read(system), user.and_then(|file| read(&file))) {
             (Some(system), Some(user)) => system.and(user),
@@ -56,7 +69,7 @@ impl Conf {
 
     fn of_text(text: &str, file: &Path, home: Option<&Path>) -> Self {
         let mut conf = Conf::default();
-        let (mut section, mut is_limited) = (String::new(), true);
+        let (mut section, mut is_limited) = (String::new(), None);
         let mut folders = Vec::new();
         for (number, line) in (1..).zip(text.lines()) {
             let line = line.split(';').next().unwrap_or_default().trim();
@@ -69,7 +82,7 @@ impl Conf {
             }
             let is_known = match section.as_str() {
                 "file i/o security" => {
-                    is_limited = line != "none";
+                    is_limited = Some(line != "none");
                     matches!(line, "none" | "read-only" | "restricted")
                 }
                 "shellout security" => matches!(line, "allowed" | "forbidden"),
@@ -93,7 +106,7 @@ impl Conf {
             }
         }
         folders.dedup();
-        conf.writable = Some(match is_limited {
+        conf.writable = is_limited.map(|is_limited| match is_limited {
             true => Folders::Only(folders),
             false => Folders::All,
         });
@@ -181,6 +194,12 @@ mod tests {
             "conf: 4: unknown setting `write = /`",
         ];
         assert_eq!(conf.doubts, doubts);
+    }
+
+    #[test]
+    fn a_file_about_other_things_limits_no_files() {
+        let conf = conf("[Shellout Security]\nforbidden\n");
+        assert_eq!((conf.writable, conf.doubts.len()), (None, 0));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::raw_args::RawArgs;
 use super::values::{bytes, duration};
-use crate::base::file::Folders;
+use crate::base::file::{Folders, folder_of};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -57,10 +57,7 @@ impl SafetyOptions {
         if !self.sandbox && self.allow_read.is_empty() {
             return Folders::All;
         }
-        let beside = beside.map(|scene| match scene.parent() {
-            Some(folder) if folder != Path::new("") => folder.to_owned(),
-            _ => PathBuf::from("."),
-        });
+        let beside = beside.map(folder_of);
         let named = library_paths.iter().chain(include_header);
         let folders = beside.into_iter().chain(named.cloned());
         Folders::Only(folders.chain(self.allow_read.clone()).collect())

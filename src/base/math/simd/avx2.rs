@@ -187,7 +187,8 @@ impl F64Lanes for F64x4Avx2 {
 /// Two numbers of either array, from index 0 or 2 on.
 #[inline(always)]
 fn halves(low: &[f64; 4], high: &[f64; 4], from: usize) -> __m256d {
-    // SAFETY: only kernels of the wide level call it, and the slices hold two numbers.
+    // SAFETY: only kernels of the wide level call it; the bounds of both slices are checked, and the loads need no
+    // alignment.
     unsafe {
         let low = _mm256_castpd128_pd256(_mm_loadu_pd(low[from..from + 2].as_ptr()));
         _mm256_insertf128_pd::<1>(low, _mm_loadu_pd(high[from..from + 2].as_ptr()))
@@ -196,20 +197,6 @@ fn halves(low: &[f64; 4], high: &[f64; 4], from: usize) -> __m256d {
 
 impl F64x4 for F64x4Avx2 {
     type F32 = F32x8Avx2;
-    #[inline(always)]
-    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
-        // SAFETY: as in `splat`.
-        unsafe {
-            let (ab, cd) = (_mm256_unpacklo_pd(a.0, b.0), _mm256_unpacklo_pd(c.0, d.0));
-            let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a.0, b.0), _mm256_unpackhi_pd(c.0, d.0));
-            [
-                F64x4Avx2(_mm256_permute2f128_pd::<0x20>(ab, cd)),
-                F64x4Avx2(_mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd)),
-                F64x4Avx2(_mm256_permute2f128_pd::<0x31>(ab, cd)),
-                F64x4Avx2(_mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd)),
-            ]
-        }
-    }
     #[inline(always)]
     fn columns([a, b, c, d]: [&[f64; 4]; 4]) -> [Self; 4] {
         let [ac, bd] = [halves(a, c, 0), halves(b, d, 0)];

@@ -46,9 +46,7 @@ pub(crate) trait F64Lanes:
 pub(crate) trait F64x4: F64Lanes {
     /// The single precision lanes of the same level.
     type F32: F32x8;
-    /// Transposes four rows to four columns.
-    fn transpose(rows: [Self; 4]) -> [Self; 4];
-    /// The columns of four rows in memory: fewer shuffles than loading and transposing.
+    /// The columns of four rows in memory.
     fn columns(rows: [&[f64; 4]; 4]) -> [Self; 4];
 }
 

@@ -169,17 +169,8 @@ impl F64Lanes for F64x4Portable {
 impl F64x4 for F64x4Portable {
     type F32 = F32x8Portable;
     #[inline(always)]
-    fn transpose(rows: [Self; 4]) -> [Self; 4] {
-        from_fn(|column| F64x4Portable(rows.map(|row| row.0[column])))
-    }
-    #[inline(always)]
-    fn columns([a, b, c, d]: [&[f64; 4]; 4]) -> [Self; 4] {
-        Self::transpose([
-            Self::from_array(a),
-            Self::from_array(b),
-            Self::from_array(c),
-            Self::from_array(d),
-        ])
+    fn columns(rows: [&[f64; 4]; 4]) -> [Self; 4] {
+        from_fn(|column| F64x4Portable(rows.map(|row| row[column])))
     }
 }
 

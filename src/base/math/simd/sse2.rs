@@ -187,8 +187,8 @@ impl F64Lanes for F64x4Sse2 {
     }
 }
 
-impl F64x4 for F64x4Sse2 {
-    type F32 = F32x8Sse2;
+impl F64x4Sse2 {
+    /// Four columns of four rows.
     #[inline(always)]
     fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
         // SAFETY: as in `splat`.
@@ -201,6 +201,10 @@ impl F64x4 for F64x4Sse2 {
             ]
         }
     }
+}
+
+impl F64x4 for F64x4Sse2 {
+    type F32 = F32x8Sse2;
     #[inline(always)]
     fn columns([a, b, c, d]: [&[f64; 4]; 4]) -> [Self; 4] {
         Self::transpose([

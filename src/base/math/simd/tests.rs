@@ -47,7 +47,8 @@ impl SimdKernel for Everything {
             exponent.exp2(),
             whole,
         ];
-        numbers.extend(F::transpose([a, b, a + b, F::splat(2.0)]));
+        let rows = [a, b, a + b, F::splat(2.0)].map(F::to_array);
+        numbers.extend(F::columns(rows.each_ref()));
         let bits = numbers.iter().map(|x| x.to_array().map(f64::to_bits));
         let masks = [lt, le, eq, from_bits, from_bits & lt, from_bits | lt].map(F::bitmask);
         (bits.collect(), masks.into(), integers)
