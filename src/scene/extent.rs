@@ -10,8 +10,11 @@ use crate::scene::shape::{Geometry, Plane, Quadric, Shape};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Half the side of the box of an unbounded object.
-const UNBOUNDED: f64 = 1e10;
+/// Half the side of the box of an unbounded object in POV-Ray.
+const POVRAY_UNBOUNDED: f64 = 1e10;
+/// The same here, out of reach of scenes in small units of length.
+const UNBOUNDED: f64 = POVRAY_UNBOUNDED * FARTHER;
+const FARTHER: f64 = (1u128 << 70) as f64;
 const EVERYTHING: ExtentBox = ExtentBox {
     min: DVec3::splat(-UNBOUNDED),
     sides: DVec3::splat(2.0 * UNBOUNDED),
@@ -58,6 +61,22 @@ impl Object {
     /// The bounding box that the language returns for the object.
     #[must_use]
     pub fn extent(&self) -> Bounds {
+        let bounds = self.single_extent();
+        if is_limited(&bounds) {
+            return bounds;
+        }
+        let nearer = |corner: DVec3| {
+            let is_far = corner.abs().cmpge(DVec3::splat(0.5 * UNBOUNDED));
+            DVec3::select(is_far, corner / FARTHER, corner)
+        };
+        Bounds {
+            min: nearer(bounds.min),
+            max: nearer(bounds.max),
+        }
+    }
+
+    /// The bounding box with both corners in single precision; larger than [`UNBOUNDED`] where POV-Ray knows no limit.
+    pub(super) fn single_extent(&self) -> Bounds {
         let bounds = self.extent_box().bounds();
         Bounds {
             max: single(bounds.max),

@@ -18,7 +18,7 @@ impl Object {
         let is_union = self.plain_union().is_some();
         let is_bare =
             self.clips_and_bounds().next().is_none() && matches!(self.kind, Kind::Shape(_));
-        let seen_in = (!is_union && !is_bare).then(|| self.extent());
+        let seen_in = (!is_union && !is_bare).then(|| self.single_extent());
         let moves_parts = is_union && !self.steps.is_empty();
         self.set_visibility_box(seen_in.filter(is_limited), moves_parts);
     }
