@@ -96,7 +96,7 @@ pub fn run(
         .threads
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.min(crate::MAX_THREADS))
+        .num_threads(crate::useful_threads(threads))
         .build();
     let pool =
         pool.map_err(|error| BatchError::new(format!("no threads to draw with: {error}")))?;
