@@ -12,6 +12,7 @@ mod completions;
 mod curve;
 mod draw;
 mod help;
+mod install_as_povray;
 mod kernel;
 mod man;
 mod options;
@@ -53,6 +54,7 @@ const COMMANDS: &[Command] = &[
     completions::COMMAND,
     curve::COMMAND,
     help::COMMAND,
+    install_as_povray::COMMAND,
     man::COMMAND,
     sheet::COMMAND,
     watch::COMMAND,

@@ -70,8 +70,7 @@ pub(crate) struct LongOptions {
 pub(crate) const SWITCHES: &str = "\
 POV-Ray's switches, upper or lower case; later ones win:
   SCENE.pov, +IFILE     the scene; - is standard input
-  +OFILE                output file (extension added if missing); +O- standard
-                        output
+  +OFILE                output file (extension added); +O- standard output
   +W800 +H600           size in pixels
   +FN +FN16 +FNg        PNG, with 16 bits, grey; +FT Targa, +FB BMP, +FP PPM,
                         +FJ JPEG, +FE EXR, +FH HDR, -F no file
@@ -191,7 +190,7 @@ pub(crate) fn everything() -> clap::Command {
 fn commands() -> String {
     let lines = COMMANDS
         .iter()
-        .map(|command| format!("  povr {:<17}{}\n", command.name, command.about));
+        .map(|command| format!("  povr {:<18}{}\n", command.name, command.about));
     format!(
         "Commands, each with its own --help:\n{}\n{SWITCHES}",
         lines.collect::<String>()
