@@ -76,6 +76,8 @@ pub struct ReadOptions {
     pub version: Option<f64>,
     /// A file included before the scene.
     pub include_header: Option<PathBuf>,
+    /// True if the user names it on the command line: it may then be a pipe.
+    pub is_header_by_user: bool,
     /// `image_width`.
     pub width: u32,
     /// `image_height`.
@@ -441,6 +443,7 @@ impl Default for ReadOptions {
             declares: Vec::new(),
             version: None,
             include_header: None,
+            is_header_by_user: false,
             width: 800,
             height: 600,
             clock: 0.0,

@@ -1,6 +1,7 @@
 //! The default command: renders a scene as POV-Ray would, by POV-Ray's switches and ini files.
 
 pub(super) mod animate;
+pub(super) mod benchmark;
 pub(super) mod console;
 pub(super) mod done;
 pub(super) mod frames;
@@ -11,11 +12,13 @@ pub(super) mod report;
 pub(super) mod streams;
 pub(super) mod unfinished;
 
+use super::options::created_ini;
 use super::options::output_kinds;
 use crate::app::cli::options::command_line;
 use crate::app::cli::options::ini;
+use std::fs;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -27,7 +30,7 @@ use super::kernel;
 use super::options::arg_words;
 
 use super::options::environment::Environment;
-use super::options::error::CliError;
+use super::options::error::{CliError, Stage};
 use super::options::ini::Reader;
 
 use super::draw::progress::{Progress, ProgressKind};
@@ -73,6 +76,9 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
         }
         Request::Draw(mut settings) => {
             settings.read.stop = settings.render.stop.clone();
+            if let Some((path, text)) = &settings.created_ini {
+                create_ini(path, text)?;
+            }
             if settings.is_sandboxed {
                 kernel::enter_to_draw(&settings);
             }
@@ -96,6 +102,14 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
     }
 }
 
+fn create_ini(path: &Path, text: &str) -> Result<(), CliError> {
+    fs::write(path, text).map_err(|error| {
+        CliError::new(format!("cannot write `{}`: {error}", path.display()))
+            .at_stage(Stage::Output)
+            .with_hint("Name a file in a folder that exists and may be written.")
+    })
+}
+
 /// Parses the arguments, without the program's own name.
 ///
 /// # Errors
@@ -112,8 +126,13 @@ pub(super) fn request_of(
 ) -> Result<Request, CliError> {
     let standard_folders: Vec<PathBuf> = environment.standard_folders()?;
     let mut raw_args = environment.raw_args(&standard_folders)?;
+    raw_args.is_command_line = true;
     let mut reader = Reader::new(&mut raw_args, &standard_folders);
-    let mut rest = arguments;
+    let benchmark = match environment.is_povray {
+        true => benchmark::arguments(arguments)?,
+        false => None,
+    };
+    let mut rest = benchmark.as_deref().unwrap_or(arguments);
     while let Some((first, others)) = rest.split_first() {
         if first == "--" {
             if let Some(scene) = others.last() {
@@ -141,6 +160,13 @@ pub(super) fn request_of(
             rest = others;
         }
     }
+    let created_ini = match &raw_args.create_ini {
+        Some(path) => {
+            let system = environment.system_args()?;
+            Some((path.clone(), created_ini::text(&system, &raw_args)))
+        }
+        None => None,
+    };
     let settings = settings::settle(raw_args, &standard_folders, environment, command)?;
     let is_limited = settings.timeout.is_some() || settings.max_memory.is_some();
     if command != PROGRAM && (settings.is_sandboxed || is_limited) {
@@ -148,7 +174,10 @@ pub(super) fn request_of(
         return Err(CliError::new(message)
             .with_hint("Scenes of strangers are for `povr` and `povr batch`."));
     }
-    Ok(Request::Draw(Box::new(settings)))
+    Ok(Request::Draw(Box::new(Settings {
+        created_ini,
+        ..settings
+    })))
 }
 
 /// Renders and writes.
@@ -165,7 +194,8 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     };
     let mut reporter = reporter(settings);
     reporter.files = Files::create(&settings.streams)?;
-    reporter.files.begin(settings);
+    let target = settings.output.as_ref().map(|(target, _)| target);
+    reporter.files.begin(settings, target);
     let console = Console::new(verbosity);
     console.begin(settings);
     console.parsing();
@@ -229,7 +259,7 @@ pub(super) fn reporter(settings: &Settings) -> Reporter {
     if reporter.warns {
         settings.warnings.iter().for_each(say);
     }
-    if verbosity.verbose && !verbosity.quiet {
+    if verbosity.verbose && !verbosity.quiet && !verbosity.is_povray {
         settings.notes.iter().for_each(say);
     }
     reporter
@@ -298,8 +328,11 @@ pub(super) fn error_reached(reached: &AdaptiveOutcome, pixels: u64) -> String {
 }
 
 pub(super) fn progress_kind(verbosity: Verbosity) -> ProgressKind {
-    if verbosity.is_povray && !verbosity.is_silent {
-        ProgressKind::Lines
+    if verbosity.is_povray {
+        match verbosity.verbose && !verbosity.is_silent {
+            true => ProgressKind::Lines,
+            false => ProgressKind::Nothing,
+        }
     } else if verbosity.quiet || verbosity.format == MessageFormat::Json {
         ProgressKind::Nothing
     } else if verbosity.is_terminal {

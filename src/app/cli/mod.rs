@@ -83,7 +83,10 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
         None => (draw::run(&arguments, &environment), ExitCode::FAILURE),
     };
     done.unwrap_or_else(|refusal| {
-        say(format_args!("povr: {refusal}"));
+        match environment.is_povray {
+            true => draw::console::refused(&program, &arguments, &refusal),
+            false => say(format_args!("povr: {refusal}")),
+        }
         refused
     })
 }

@@ -50,10 +50,11 @@ impl Reader<'_> {
             return;
         };
         let from = self.here_span();
-        let entered = self
-            .sources
-            .load_regular(header)
-            .and_then(|file| self.enter_file(file, from));
+        let loaded = match self.options.is_header_by_user {
+            true => self.sources.load_file(header),
+            false => self.sources.load_regular(header),
+        };
+        let entered = loaded.and_then(|file| self.enter_file(file, from));
         if let Err(error) = entered {
             self.record(*error);
         }

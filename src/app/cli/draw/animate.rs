@@ -8,20 +8,20 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Once};
 use std::thread;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::console::Console;
 use super::done;
 use super::frames::Frames;
 use super::interrupt;
-use super::progress::Progress;
+use super::progress::{Progress, ProgressKind};
 use super::report::{Reporter, say};
 use super::streams::Files;
 use super::{Draw, error_reached, pixels, progress_kind, report_statistics, reporter};
 use crate::RenderSession;
 use crate::app::batch::{MessageBuffer, in_order};
 use crate::app::cli::options::error::CliError;
-use crate::app::cli::options::settings::Settings;
+use crate::app::cli::options::settings::{Settings, Verbosity};
 use crate::base::file::Folders;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, RenderOptions, Sampling, Statistics,
@@ -106,7 +106,7 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         input: settings.scene.input()?,
         draw,
         reporter,
-        progress: Progress::new(progress_kind(settings.verbosity), total),
+        progress: Progress::new(progress_of_frames(settings.verbosity), total),
         console: Console::new(settings.verbosity),
     };
     run.console.begin(settings);
@@ -151,7 +151,7 @@ impl Run<'_> {
         while at < numbers.len() {
             if at == 0 || is_alone {
                 let writes = AtomicBool::new(false);
-                self.begin(at, numbers.len());
+                self.begin(at, numbers);
                 let done = self.draw(numbers[at], Writing::Allowed, &|event| {
                     if let Event::Read { wrote_files, .. } = event {
                         writes.fetch_or(wrote_files, Ordering::Relaxed);
@@ -183,7 +183,7 @@ impl Run<'_> {
                 if done.is_err() && self.settings.render.stop.is_cancelled() {
                     return ControlFlow::Break(End::Failed(at + number));
                 }
-                self.begin(at + number, numbers.len());
+                self.begin(at + number, numbers);
                 messages.replay(|event| self.reporter.report(event));
                 let Ok(drawn) = done else {
                     return ControlFlow::Break(End::Failed(at + number));
@@ -203,23 +203,35 @@ impl Run<'_> {
         Ok(Done::All)
     }
 
+    /// The file of a frame.
+    fn output(&self, number: u32) -> Option<Target> {
+        let (target, _) = self.settings.output.as_ref()?;
+        Some(match target {
+            Target::File(path) => Target::File(self.frames.path(number, path)),
+            Target::Stdout => Target::Stdout,
+        })
+    }
+
     /// The file of a frame for messages.
     fn name(&self, number: u32) -> String {
-        match &self.settings.output {
-            Some((Target::File(path), _)) => self.frames.path(number, path).display().to_string(),
-            Some((Target::Stdout, _)) => "standard output".to_owned(),
+        match self.output(number) {
+            Some(Target::File(path)) => path.display().to_string(),
+            Some(Target::Stdout) => "standard output".to_owned(),
             None => format!("frame {number} (not written)"),
         }
     }
 
     /// Announces a frame, counted from 0, to the message files and to POV-Ray's console.
-    fn begin(&self, at: usize, of: usize) {
-        self.console.frame(at + 1, of);
+    fn begin(&self, at: usize, numbers: &[u32]) {
+        let picture = self.output(numbers[at]);
+        let picture = picture.as_ref();
+        let of = numbers.len();
+        self.console.frame(at + 1, of, self.settings, picture);
         self.console.parsing();
         if at > 0 {
             self.reporter.files.next_frame();
         }
-        self.reporter.files.begin(self.settings);
+        self.reporter.files.begin(self.settings, picture);
     }
 
     /// Number of frames rendered in parallel. One, where times are measured.
@@ -280,8 +292,12 @@ impl Run<'_> {
     /// Writes a frame and reports on it.
     fn finish(&self, at: usize, numbers: &[u32], drawn: Drawn) -> Result<(), CliError> {
         let (settings, verbosity, number) = (self.settings, self.settings.verbosity, numbers[at]);
-        self.console.rendering(settings, None);
-        if verbosity.verbose && !verbosity.quiet {
+        let mut stages = drawn.statistics.stages.iter();
+        let reading = stages.find(|stage| stage.name == "read");
+        let reading = reading.and_then(|stage| Duration::try_from_secs_f64(stage.wall).ok());
+        self.console.rendering(settings, reading);
+        self.console.rendered(pixels(&settings.render));
+        if verbosity.verbose && !verbosity.quiet && !verbosity.is_povray {
             let (frame, count) = (at + 1, numbers.len());
             say(format_args!(
                 "Rendered frame {frame} of {count} (#{number})"
@@ -290,16 +306,20 @@ impl Run<'_> {
         if let Some(reached) = drawn.statistics.reached.filter(|_| !verbosity.quiet) {
             say(error_reached(&reached, pixels(&settings.render)));
         }
-        if let (Some(bytes), Some((target, _))) = (drawn.bytes, &settings.output) {
-            let target = match target {
-                Target::File(path) => Target::File(self.frames.path(number, path)),
-                Target::Stdout => Target::Stdout,
-            };
+        if let (Some(bytes), Some(target)) = (drawn.bytes, self.output(number)) {
             output::put(&bytes?, &target)?;
         }
         report_statistics(&drawn.statistics, verbosity, &self.reporter);
         self.console.drawn(settings, &drawn.statistics);
         Ok(())
+    }
+}
+
+/// The progress over all frames; under the name of POV-Ray each frame has a line of its own.
+fn progress_of_frames(verbosity: Verbosity) -> ProgressKind {
+    match verbosity.is_povray {
+        true => ProgressKind::Nothing,
+        false => progress_kind(verbosity),
     }
 }
 

@@ -10,8 +10,10 @@ use std::time::Duration;
 
 use super::report::say;
 use super::streams::{drawn_how, drawn_what};
+use crate::app::cli::options::error::{CliError, Stage};
 use crate::app::cli::options::settings::{Settings, Verbosity};
 use crate::base::options::Statistics;
+use crate::output::Target;
 
 /// The version of the language and of the command line that programs check for.
 const POVRAY: &str = "3.7.0";
@@ -44,19 +46,75 @@ impl Console {
 
     /// The banner and the options of the scene.
     pub(crate) fn begin(&self, settings: &Settings) {
-        if self.is_on() {
-            say(banner());
+        if !self.is_on() {
+            return;
         }
-        if self.has_options() {
-            say(drawn_what(settings).trim_end());
+        say(banner());
+        self.shellouts(settings, false);
+        if settings.frames.is_none() {
+            let target = settings.output.as_ref().map(|(target, _)| target);
+            self.shellouts(settings, true);
+            self.options(settings, target);
         }
     }
 
-    /// Announces a frame of an animation.
-    pub(crate) fn frame(&self, number: usize, of: usize) {
+    /// Announces a frame of an animation, and the options that it is drawn with.
+    pub(crate) fn frame(
+        &self,
+        number: usize,
+        of: usize,
+        settings: &Settings,
+        picture: Option<&Target>,
+    ) {
         if self.is_on() {
             say(format_args!("Rendering frame {number} of {of}"));
+            self.shellouts(settings, true);
+            self.options(settings, picture);
         }
+    }
+
+    /// Reports that all pixels of a frame are there.
+    pub(crate) fn rendered(&self, pixels: u64) {
+        if self.is_on() && self.verbosity.verbose {
+            say(format_args!(
+                "Rendered {pixels} of {pixels} pixels (100%)\r"
+            ));
+        }
+    }
+
+    /// Names the programs that are not run, twice each as POV-Ray does.
+    fn shellouts(&self, settings: &Settings, is_of_frames: bool) {
+        let shellouts = settings.shellouts.iter();
+        for shellout in shellouts.filter(|shellout| shellout.is_of_frames == is_of_frames) {
+            let line = format!("Execution of shellout '{}' prohibited", shellout.program);
+            say(format_args!("{line}\n{line}"));
+        }
+    }
+
+    fn options(&self, settings: &Settings, picture: Option<&Target>) {
+        if self.has_options() {
+            say(drawn_what(settings, picture).trim_end());
+            say(self.streams());
+        }
+    }
+
+    /// The messages that go to the console.
+    fn streams(&self) -> String {
+        let shown = self.verbosity;
+        let all = !shown.quiet;
+        let lines = [
+            ("All Streams to console..........", all),
+            ("Debug Stream to console.........", shown.debugs),
+            ("Fatal Stream to console.........", true),
+            ("Render Stream to console........", shown.renders),
+            ("Statistics Stream to console....", shown.statistics),
+            ("Warning Stream to console.......", shown.warnings),
+        ];
+        let mut text = "Information Output Options".to_owned();
+        for (name, is_on) in lines {
+            text += &format!("\n  {name}{}", if is_on { "On " } else { "Off" });
+        }
+        text
     }
 
     /// Announces the parsing of the scene.
@@ -69,7 +127,8 @@ impl Console {
         if let Some(took) = reading.filter(|_| self.has_statistics()) {
             let took = clock(took);
             say(format_args!(
-                "{RULE}\nParser Time\n  Parse Time:       {took}"
+                "{RULE}\nParser Time\n  Parse Time:       {took}\n  Bounding Time:    {}",
+                clock(Duration::ZERO)
             ));
         }
         if self.has_options() {
@@ -126,6 +185,29 @@ impl Console {
         if self.is_on() {
             say(format_args!("{line}\n"));
         }
+    }
+}
+
+/// Reports an error of the command line, or of a file, between the lines with which POV-Ray would end.
+pub(crate) fn refused(program: &str, arguments: &[String], refusal: &CliError) {
+    if arguments.iter().any(|argument| argument == "--quiet") {
+        return say(format_args!("povr: {refusal}"));
+    }
+    let option = |last: &str| {
+        let words = arguments.join(" ");
+        say(format_args!(
+            "povr: {refusal}\n\nProblem with option setting\n{program} {words}\n{last}"
+        ));
+    };
+    match refusal.stage {
+        Stage::Options => option("Failed to parse command-line option"),
+        Stage::NoScene => option("No input file provided"),
+        Stage::Scene => say(format_args!(
+            "{}\npovr: {refusal}\nParse Error: Cannot open input file.\nFatal error in parser: Cannot parse \
+             input.\nRender failed\n",
+            banner()
+        )),
+        Stage::Output => say(format_args!("povr: {refusal}\nRender failed\n")),
     }
 }
 

@@ -8,8 +8,9 @@
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::output_kinds::Stream;
 use crate::app::cli::options::settings::{Scene, Settings};
+use crate::base::options::{Method, Sampling};
 use crate::base::source::{Message, Severity};
-use crate::output::Target;
+use crate::output::{EncodeOptions, Target};
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
@@ -86,9 +87,10 @@ impl Files {
     }
 
     /// Writes the scene and the render options.
-    pub(crate) fn begin(&self, settings: &Settings) {
+    pub(crate) fn begin(&self, settings: &Settings, picture: Option<&Target>) {
         if !self.files.is_empty() {
-            let text = format!("{}{RULE}\n{}", drawn_what(settings), drawn_how(settings));
+            let what = drawn_what(settings, picture);
+            let text = format!("{what}{RULE}\n{}", drawn_how(settings));
             self.write(Stream::Render, &text);
         }
     }
@@ -117,8 +119,8 @@ fn wrapped(text: &str) -> String {
     lines
 }
 
-/// The options of scene and picture as POV-Ray lists them, where they apply here.
-pub(crate) fn drawn_what(settings: &Settings) -> String {
+/// The options of scene and picture as POV-Ray lists them, where they apply here. `picture` is the file of a frame.
+pub(crate) fn drawn_what(settings: &Settings, picture: Option<&Target>) -> String {
     let scene = match &settings.scene {
         Scene::File(path) => path.display().to_string(),
         Scene::Stdin => "standard input".to_owned(),
@@ -129,9 +131,9 @@ pub(crate) fn drawn_what(settings: &Settings) -> String {
     }
     let (clock, render) = (settings.read.clock, &settings.render);
     let animation = if settings.frames.is_some() {
-        "On"
+        "on"
     } else {
-        "Off"
+        "off"
     };
     let (rows, columns) = (&render.rows, &render.columns);
     text += &format!(
@@ -144,19 +146,62 @@ pub(crate) fn drawn_what(settings: &Settings) -> String {
         columns.start + 1,
         columns.end
     );
-    match &settings.output {
-        Some((Target::File(path), _)) => {
-            text += &format!("  Output file..........{}\n", path.display());
+    let options = settings.output.as_ref().map(|(_, options)| options);
+    text += &match (picture, options) {
+        (Some(Target::File(path)), Some(options)) => {
+            let name = path.display();
+            format!("  Output file..........{name}, {}\n", encoding(options))
         }
-        Some((Target::Stdout, _)) => text += "  Output file..........standard output\n",
-        None => text += "  Output file..........Off\n",
-    }
+        (Some(Target::Stdout), Some(options)) => {
+            format!("  Output file..........stdout, {}\n", encoding(options))
+        }
+        _ => "  Output file: Disabled\n".to_owned(),
+    };
+    let continued = if settings.continues { "On " } else { "Off" };
+    text += &format!(
+        "  Dithering............Off\n  Graphic display......Off\n  Mosaic preview.......Off\n  Continued \
+         trace......{continued}\n"
+    );
     text
+}
+
+/// The encoding of the picture as POV-Ray names it: `24 bpp PNG`.
+fn encoding(options: &EncodeOptions) -> String {
+    let bits = u32::from(options.bits);
+    let name = match options.format.name {
+        "TGA" => "Targa",
+        "compressed TGA" => "RLE Targa",
+        name => name,
+    };
+    match (options.grayscale, options.alpha && options.format.has_alpha) {
+        (true, _) if options.format.has_grey => format!("grayscale {name}"),
+        (_, true) => format!("{} bpp with alpha {name}", 4 * bits),
+        _ => format!("{} bpp {name}", 3 * bits),
+    }
 }
 
 /// The render options as POV-Ray lists them.
 pub(crate) fn drawn_how(settings: &Settings) -> String {
-    format!("Render Options\n  Quality: {:2}\n", settings.render.quality)
+    let antialiasing = match &settings.render.sampling {
+        Sampling::Centres => "Off".to_owned(),
+        Sampling::Adaptive(_) => "On  (Method 4)".to_owned(),
+        Sampling::PovRay(how) => {
+            let method = match how.method {
+                Method::One => 1,
+                Method::Two => 2,
+            };
+            let jitter = match how.jitter {
+                0.0 => "Off".to_owned(),
+                jitter => format!("{jitter:.2}"),
+            };
+            let (threshold, depth, gamma) = (how.threshold, how.depth, how.gamma);
+            format!(
+                "On  (Method {method}, Threshold {threshold:.3}, Depth {depth}, Jitter {jitter},\n Gamma {gamma:.2})"
+            )
+        }
+    };
+    let quality = settings.render.quality;
+    format!("Render Options\n  Quality: {quality:2}\n  Antialiasing.........{antialiasing}\n")
 }
 
 #[cfg(test)]

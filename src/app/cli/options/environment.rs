@@ -61,11 +61,16 @@ impl Environment {
 
     /// The folders of the system's ini file, which are searched last for includes and ini files.
     pub(crate) fn standard_folders(&self) -> Result<Vec<PathBuf>, CliError> {
+        self.system_args().map(|system| system.library_paths)
+    }
+
+    /// The options of the system's ini file.
+    pub(crate) fn system_args(&self) -> Result<RawArgs, CliError> {
         let mut system = RawArgs::default();
         if let Some(file) = &self.system_ini {
             Reader::new(&mut system, &[]).read_file(file, None)?;
         }
-        Ok(system.library_paths)
+        Ok(system)
     }
 
     /// The default format of messages: source lines for people, POV-Ray's one line for programs.
@@ -79,7 +84,10 @@ impl Environment {
 
     /// The options before the first argument is read: those of the user's ini file.
     pub(crate) fn raw_args(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
-        let mut raw_args = RawArgs::default();
+        let mut raw_args = RawArgs {
+            is_povray: self.is_povray,
+            ..RawArgs::default()
+        };
         raw_args.doubts.extend(self.warning.clone());
         raw_args.doubts.extend(self.conf.doubts.iter().cloned());
         if let Some(file) = &self.user_ini {

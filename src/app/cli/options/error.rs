@@ -12,6 +12,21 @@ pub struct CliError {
     message: String,
     position: Option<String>,
     hint: Option<String>,
+    /// Where POV-Ray would have stopped.
+    pub(crate) stage: Stage,
+}
+
+/// The stages at which POV-Ray stops, each with its own messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// Before it begins.
+    Options,
+    /// Before it begins, for want of a scene's name.
+    NoScene,
+    /// It finds no scene.
+    Scene,
+    /// It cannot write.
+    Output,
 }
 
 impl CliError {
@@ -22,6 +37,7 @@ impl CliError {
             message: message.into(),
             position: None,
             hint: None,
+            stage: Stage::Options,
         }
     }
 
@@ -29,6 +45,13 @@ impl CliError {
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
+        self
+    }
+
+    /// The error at another stage.
+    #[must_use]
+    pub(crate) fn at_stage(mut self, stage: Stage) -> Self {
+        self.stage = stage;
         self
     }
 
@@ -47,6 +70,7 @@ impl From<OutputError> for CliError {
             message: error.to_string(),
             position: None,
             hint: error.hint(),
+            stage: Stage::Output,
         }
     }
 }

@@ -11,8 +11,9 @@ use super::values::unquoted;
 use super::{arg_words, keys, switches};
 use crate::app::cli::COMMANDS;
 use crate::app::cli::options::ini;
-use crate::base::file::read_regular;
+use crate::base::file::{FileLimits, Named, read_limited, read_regular};
 use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Folders with more entries are not fully searched for a file with a similar name.
@@ -49,6 +50,7 @@ impl<'a> Reader<'a> {
             None => (word, None),
         };
         match self.find(name) {
+            Some(file) if self.depth == 0 => self.read_file_of_user(&file, section),
             Some(file) => self.read_file(&file, section),
             None if self.depth > 0 => Err(missing(name, "no scene or ini file", &[])),
             None => {
@@ -59,7 +61,18 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads an existing file.
+    /// Reads a file that the command line names. It may be a pipe.
+    fn read_file_of_user(&mut self, file: &Path, section: Option<&str>) -> Result<(), CliError> {
+        let limits = FileLimits {
+            bytes: LARGEST,
+            ..FileLimits::default()
+        };
+        let read = read_limited(file, Named::ByUser, &limits)
+            .and_then(|bytes| bytes.ok_or_else(|| ErrorKind::FileTooLarge.into()));
+        self.read_bytes(read, file, section)
+    }
+
+    /// Reads an existing file, which must be a regular one.
     pub(crate) fn read_file(&mut self, file: &Path, section: Option<&str>) -> Result<(), CliError> {
         if self.depth == DEEPEST {
             return Err(CliError::new(format!(
@@ -67,11 +80,22 @@ impl<'a> Reader<'a> {
                 file.display()
             )));
         }
-        let bytes = read_regular(file, LARGEST)
+        self.read_bytes(read_regular(file, LARGEST), file, section)
+    }
+
+    fn read_bytes(
+        &mut self,
+        read: io::Result<Vec<u8>>,
+        file: &Path,
+        section: Option<&str>,
+    ) -> Result<(), CliError> {
+        let bytes = read
             .map_err(|error| CliError::new(format!("cannot read `{}`: {error}", file.display())))?;
+        let is_command_line = std::mem::take(&mut self.raw_args.is_command_line);
         self.depth += 1;
         let read = self.read_text(&String::from_utf8_lossy(&bytes), file, section);
         self.depth -= 1;
+        self.raw_args.is_command_line = is_command_line;
         read
     }
 
@@ -107,8 +131,14 @@ impl<'a> Reader<'a> {
             .chain(&self.raw_args.library_paths)
             .chain(self.standard_folders)
             .flat_map(|folder| [folder.join(name), folder.join(format!("{name}.ini"))])
-            .find(|file| file.is_file())
+            .find(|file| file.is_file() || (self.depth == 0 && is_pipe(file)))
     }
+}
+
+/// True for what exists and is neither a regular file nor a folder.
+fn is_pipe(path: &Path) -> bool {
+    path.metadata()
+        .is_ok_and(|about| !about.is_file() && !about.is_dir())
 }
 
 /// An error for an unknown name, with a suggestion.
@@ -197,6 +227,8 @@ pub(crate) fn read(reader: &mut Reader<'_>, word: &str) -> Result<(), CliError> 
     let name = unquoted(word);
     if has_ending(name, ".pov") {
         reader.raw_args.scene = Some(name.to_owned());
+        let given = ("Input_File_Name", name.to_owned());
+        reader.raw_args.given.push(given);
         Ok(())
     } else if name.starts_with(['+', '-']) && !has_ending(name, ".ini") {
         Err(CliError::new(format!("unknown switch `{word}`"))

@@ -5,7 +5,7 @@
 
 use super::error::CliError;
 use super::nearest::nearest;
-use super::raw_args::{Output, RawArgs, Unbuilt};
+use super::raw_args::{Output, RawArgs, Shellout, Unbuilt};
 use super::values::{
     duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
 };
@@ -23,7 +23,11 @@ pub(crate) fn set(
     word: &str,
 ) -> Result<(), CliError> {
     match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
-        Some((_, set)) => set(raw_args, value, word),
+        Some((name, set)) => {
+            set(raw_args, value, word)?;
+            raw_args.given.push((name, value.to_owned()));
+            Ok(())
+        }
         None => {
             let refusal = CliError::new(format!("unknown option `{key}`"));
             Err(match nearest(key, KEYS.iter().map(|(name, _)| *name)) {
@@ -42,6 +46,12 @@ const IDLE: Set = |raw_args, _, word| {
 
 /// Options for a display or a keyboard, which this program does not have.
 const SCREEN: Set = |_, _, _| Ok(());
+
+/// A program that POV-Ray would run once, if it were allowed to: see `conf`. Of the others it says nothing.
+const SCENE_SHELLOUT: Set = |raw_args, value, word| shellout(raw_args, value, word, false);
+
+/// The same for each frame.
+const FRAME_SHELLOUT: Set = |raw_args, value, word| shellout(raw_args, value, word, true);
 
 #[rustfmt::skip]
 const KEYS: &[(&str, Set)] = &[
@@ -69,7 +79,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
     ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
-    ("Create_Ini", IDLE),
+    ("Create_Ini", |t, v, s| { t.create_ini = Some(path(v, s)?); Ok(()) }),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.has_console = true; t.debugs = flag(t, v, s); Ok(()) }),
     ("Debug_File", |t, v, _| { t.stream(Stream::Debug, v); Ok(()) }),
@@ -77,7 +87,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Display", SCREEN),
     ("Display_Gamma", SCREEN),
     ("Dither", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Dither, on, s); Ok(()) }),
-    ("Dither_Method", IDLE),
+    ("Dither_Method", dither_method),
     ("Draw_Vistas", IDLE),
     ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
     ("End_Row", |t, v, s| { t.end_row = Some(single(v, s)?); Ok(()) }),
@@ -93,7 +103,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Grayscale_Output", |t, v, s| { t.grayscale = flag(t, v, s); Ok(()) }),
     ("Height", |t, v, s| { t.height = size(v, s)?; Ok(()) }),
     ("High_Reproducibility", IDLE),
-    ("Include_Header", |t, v, s| { t.include_header = Some(path(v, s)?); Ok(()) }),
+    ("Include_Header", |t, v, s| { t.include_header = Some(path(v, s)?); t.is_header_by_user = t.is_command_line; Ok(()) }),
     ("Initial_Clock", |t, v, s| { t.frames.initial_clock = single(v, s)?; Ok(()) }),
     ("Initial_Frame", |t, v, s| { t.frames.initial_frame = Some(frame(v, s)?); Ok(()) }),
     ("Input_File_Name", |t, v, s| { t.scene = Some(name(v, s)?); Ok(()) }),
@@ -109,13 +119,13 @@ const KEYS: &[(&str, Set)] = &[
     ("Output_To_File", |t, v, s| { t.to_file = flag(t, v, s); Ok(()) }),
     ("Palette", SCREEN),
     ("Pause_When_Done", SCREEN),
-    ("Post_Frame_Command", IDLE),
+    ("Post_Frame_Command", FRAME_SHELLOUT),
     ("Post_Frame_Return", IDLE),
     ("Post_Scene_Command", IDLE),
     ("Post_Scene_Return", IDLE),
-    ("Pre_Frame_Command", IDLE),
+    ("Pre_Frame_Command", FRAME_SHELLOUT),
     ("Pre_Frame_Return", IDLE),
-    ("Pre_Scene_Command", IDLE),
+    ("Pre_Scene_Command", SCENE_SHELLOUT),
     ("Pre_Scene_Return", IDLE),
     ("Preview_End_Size", SCREEN),
     ("Preview_Start_Size", SCREEN),
@@ -143,7 +153,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Test_Abort_Count", SCREEN),
     ("User_Abort_Command", IDLE),
     ("User_Abort_Return", IDLE),
-    ("Verbose", |t, v, s| { t.verbose = flag(t, v, s); Ok(()) }),
+    ("Verbose", |t, v, s| { t.verbose = Some(flag(t, v, s)); Ok(()) }),
     ("Version", |t, v, s| { t.version = Some(number(v, s)?); Ok(()) }),
     ("Video_Mode", SCREEN),
     ("Vista_Buffer", IDLE),
@@ -156,6 +166,20 @@ const KEYS: &[(&str, Set)] = &[
 
 /// POV-Ray's largest `+R`; larger values count as this.
 const MAX_DEPTH: u8 = 9;
+
+fn shellout(
+    raw_args: &mut RawArgs,
+    command: &str,
+    word: &str,
+    is_of_frames: bool,
+) -> Result<(), CliError> {
+    let program = command.split_whitespace().next();
+    raw_args.shellouts.extend(program.map(|program| Shellout {
+        program: program.to_owned(),
+        is_of_frames,
+    }));
+    IDLE(raw_args, command, word)
+}
 
 fn above_zero(value: &str, word: &str) -> Result<f64, CliError> {
     match number(value, word)? {
@@ -219,17 +243,74 @@ fn frame(value: &str, word: &str) -> Result<i64, CliError> {
     number(value, word).map(|frame| frame as i64)
 }
 
+/// The methods that POV-Ray accepts.
+fn dither_method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
+    const METHODS: [&str; 6] = ["B2", "B3", "B4", "D1", "D2", "FS"];
+    if METHODS.iter().any(|name| name.eq_ignore_ascii_case(value)) {
+        return IDLE(raw_args, value, word);
+    }
+    let methods = METHODS.join(", ");
+    Err(CliError::new(format!(
+        "`{word}`: there is no method `{value}` of dithering; there are {methods}"
+    )))
+}
+
 fn declare(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
+    let done = declare_number(raw_args, value, word);
+    match done {
+        Err(_) if raw_args.is_povray => {
+            declare_as_povray(raw_args, value, word);
+            Ok(())
+        }
+        done => done,
+    }
+}
+
+/// Declares what POV-Ray declares for a text that is no number: its beginning, as C's `strtod` reads it, or 0. Without
+/// a name or a value there is nothing to declare.
+fn declare_as_povray(raw_args: &mut RawArgs, text: &str, word: &str) {
+    let (name, value) = text.split_once('=').unwrap_or((text, ""));
+    let doubt = if value.is_empty() || !is_identifier(name) {
+        format!("`{word}` declares nothing")
+    } else {
+        let value = leading_number(value);
+        raw_args.declares.retain(|(declared, _)| declared != name);
+        raw_args.declares.push((name.to_owned(), value));
+        format!("`{word}` is no number: it declares {value}")
+    };
+    raw_args.doubts.push(doubt);
+}
+
+/// The finite number at the beginning of a text, 0 without one.
+fn leading_number(text: &str) -> f64 {
+    let text = text.trim_start();
+    let lower = text.to_ascii_lowercase();
+    if let Some(digits) = lower.strip_prefix("0x") {
+        let end = digits.find(|c: char| !c.is_ascii_hexdigit());
+        let digits = &digits[..end.unwrap_or(digits.len())];
+        return u32::from_str_radix(digits, 16).map_or(0.0, f64::from);
+    }
+    let is_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let end = text.find(|c| !is_number(c)).unwrap_or(text.len());
+    let beginnings = (1..=end).rev().map(|end| text[..end].parse());
+    let number = beginnings.flatten().find(|number: &f64| number.is_finite());
+    number.unwrap_or(0.0)
+}
+
+fn is_identifier(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+fn declare_number(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     let example = || {
         CliError::new(format!("`{word}` declares no number"))
             .with_hint("Write `Declare=Name=2.5`, without spaces around the name.")
     };
     let (name, value) = value.split_once('=').ok_or_else(example)?;
     let name = name.trim();
-    let is_identifier = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let value: f64 = value.trim().parse().map_err(|_| example())?;
-    if !is_identifier || !value.is_finite() {
+    if !is_identifier(name) || !value.is_finite() {
         return Err(example());
     }
     raw_args.declares.retain(|(declared, _)| declared != name);
@@ -244,12 +325,13 @@ pub(crate) fn names() -> impl Iterator<Item = (&'static str, bool)> {
 
 /// True if an option ever changes the settings, or is refused.
 fn acts(set: Set) -> bool {
-    ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
+    ["on", "off", "0", "1", "2", "0.5", "A=1", "FS", "x"]
         .iter()
         .any(|value| {
             let mut raw_args = RawArgs::default();
             let done = set(&mut raw_args, value, "");
             raw_args.idle.clear();
+            raw_args.shellouts.clear();
             raw_args.has_console = false;
             done.is_err() || raw_args != RawArgs::default()
         })
@@ -307,5 +389,29 @@ mod tests {
         assert_eq!(raw_args.quality, 11);
         set(&mut raw_args, "quality", "-1", "+Q-1").unwrap();
         assert_eq!(raw_args.quality, 0);
+    }
+
+    #[test]
+    fn under_the_name_of_povray_a_text_declares_its_leading_number() {
+        // Measured with povray 3.7.0.10.
+        for (text, expected) in [
+            ("A=text", Some(0.0)),
+            ("A=1,2", Some(1.0)),
+            ("A=0x10", Some(16.0)),
+            ("A=-1.5e1xyz", Some(-15.0)),
+            ("A=true", Some(0.0)),
+            ("A=", None),
+            ("A", None),
+            ("1a=2", None),
+        ] {
+            let mut raw_args = RawArgs {
+                is_povray: true,
+                ..RawArgs::default()
+            };
+            set(&mut raw_args, "Declare", text, text).unwrap();
+            let value = raw_args.declares.first().map(|(_, value)| *value);
+            assert_eq!(value, expected, "{text}");
+            assert_eq!(raw_args.doubts.len(), 1, "{text}");
+        }
     }
 }

@@ -3,6 +3,7 @@
 pub(super) mod arg_words;
 pub(crate) mod command_line;
 pub(super) mod conf;
+pub(super) mod created_ini;
 pub(super) mod environment;
 pub(super) mod error;
 pub(super) mod ini;

@@ -36,9 +36,12 @@ pub(crate) struct RawArgs {
     pub(crate) declares: Vec<(String, f64)>,
     pub(crate) version: Option<f64>,
     pub(crate) include_header: Option<PathBuf>,
+    /// True if the command line names it, which may name a pipe.
+    pub(crate) is_header_by_user: bool,
     pub(crate) clock: Option<f64>,
     pub(crate) frames: Wanted,
-    pub(crate) verbose: bool,
+    /// `None` unless set.
+    pub(crate) verbose: Option<bool>,
     pub(crate) quiet: bool,
     /// By `--quiet`, which suppresses even the output that POV-Ray prints under `-GA`.
     pub(crate) silent: bool,
@@ -75,10 +78,29 @@ pub(crate) struct RawArgs {
     pub(crate) limits: LimitOptions,
     /// Requested features that are not built, with the words that requested them. Removed by the opposite option.
     pub(crate) unbuilt: Vec<(Unbuilt, String)>,
+    /// True for a program that is called by the name of POV-Ray: what POV-Ray accepts is no error then.
+    pub(crate) is_povray: bool,
+    /// True while words of the command line are read, false for those of ini files.
+    pub(crate) is_command_line: bool,
+    /// The file that receives the options.
+    pub(crate) create_ini: Option<PathBuf>,
+    /// All options with their values in the order of reading, for that file.
+    pub(crate) given: Vec<(&'static str, String)>,
+    /// The programs of `Pre_Scene_Command` and its relatives; none is run.
+    pub(crate) shellouts: Vec<Shellout>,
     /// Options that are known and have no effect, as typed.
     pub(crate) idle: Vec<String>,
     /// Warnings about assumptions made for doubtful values.
     pub(crate) doubts: Vec<String>,
+}
+
+/// A program that POV-Ray would run, if it were allowed to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Shellout {
+    /// Its name.
+    pub(crate) program: String,
+    /// True to run it for each frame, false to run it once.
+    pub(crate) is_of_frames: bool,
 }
 
 /// The destination of the picture.
@@ -127,9 +149,10 @@ impl Default for RawArgs {
             declares: Vec::new(),
             version: None,
             include_header: None,
+            is_header_by_user: false,
             clock: None,
             frames: Wanted::default(),
-            verbose: false,
+            verbose: None,
             quiet: false,
             silent: false,
             renders: true,
@@ -154,6 +177,11 @@ impl Default for RawArgs {
             safety: SafetyOptions::default(),
             limits: LimitOptions::default(),
             unbuilt: Vec::new(),
+            is_povray: false,
+            is_command_line: false,
+            create_ini: None,
+            given: Vec::new(),
+            shellouts: Vec::new(),
             idle: Vec::new(),
             doubts: Vec::new(),
         }

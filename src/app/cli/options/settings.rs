@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::environment::Environment;
-use super::error::CliError;
+use super::error::{CliError, Stage};
 use super::ini::neighbour;
-use super::raw_args::{Output, RawArgs};
+use super::raw_args::{Output, RawArgs, Shellout};
 use super::safety::LimitOptions;
 use super::values::format_of_ending;
 use crate::app::cli::draw::frames::Frames;
@@ -49,6 +49,10 @@ pub struct Settings {
     pub streams: Vec<(Stream, PathBuf)>,
     /// Warnings about the command line, ready to print.
     pub warnings: Vec<String>,
+    /// The file that receives the options, with its text.
+    pub created_ini: Option<(PathBuf, String)>,
+    /// The programs that POV-Ray would say it does not run.
+    pub(crate) shellouts: Vec<Shellout>,
     /// Options without effect, ready to print in verbose mode.
     pub notes: Vec<String>,
 }
@@ -108,16 +112,22 @@ pub(crate) fn settle(
     environment: &Environment,
     command: &str,
 ) -> Result<Settings, CliError> {
-    if let Some((unbuilt, written)) = raw_args.unbuilt.first() {
-        let (what, instead) = unbuilt.refusal();
-        return Err(CliError::new(format!("`{written}`: {what}")).with_hint(instead));
-    }
     let mut warnings = raw_args.doubts.clone();
+    for (unbuilt, written) in &raw_args.unbuilt {
+        let (what, instead) = unbuilt.refusal();
+        let doubt = format!("`{written}`: {what}");
+        if !raw_args.is_povray {
+            return Err(CliError::new(doubt).with_hint(instead));
+        }
+        warnings.push(doubt);
+    }
     let render = render_options(&raw_args)?;
     let name = raw_args.scene.clone().ok_or_else(|| {
-        CliError::new("no scene is named").with_hint(format!(
-            "Write `{command} scene.pov`, or `{command} --help`."
-        ))
+        CliError::new("no scene is named")
+            .with_hint(format!(
+                "Write `{command} scene.pov`, or `{command} --help`."
+            ))
+            .at_stage(Stage::NoScene)
     })?;
     let output = output(&raw_args, &name, &mut warnings)?;
     let frames = Frames::of(&raw_args.frames);
@@ -154,6 +164,8 @@ pub(crate) fn settle(
             .iter()
             .map(|doubt| format!("povr: warning: {doubt}"))
             .collect(),
+        created_ini: None,
+        shellouts: raw_args.shellouts.clone(),
         notes: raw_args
             .idle
             .iter()
@@ -172,7 +184,8 @@ fn verbosity(raw_args: &RawArgs, environment: &Environment) -> Verbosity {
         warnings: raw_args.warnings,
         debugs: raw_args.debugs,
         format,
-        verbose: raw_args.verbose,
+        // POV-Ray's own ini file says so.
+        verbose: raw_args.verbose.unwrap_or(environment.is_povray),
         quiet: raw_args.quiet,
         is_silent: raw_args.silent,
         renders: raw_args.renders,
@@ -200,6 +213,7 @@ pub(crate) fn read_options(
         declares: raw_args.declares.clone(),
         version: raw_args.version,
         include_header: raw_args.include_header.clone(),
+        is_header_by_user: raw_args.is_header_by_user,
         width: raw_args.width,
         height: raw_args.height,
         clock: raw_args.clock.unwrap_or(0.0),
@@ -307,7 +321,8 @@ pub(crate) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
         .flat_map(|folder| ["", ".pov", ".POV"].map(|end| folder.join(format!("{name}{end}"))))
         .find(|file| file.exists() && !file.is_dir())
         .ok_or_else(|| {
-            let refusal = CliError::new(format!("cannot find the scene `{name}`"));
+            let refusal =
+                CliError::new(format!("cannot find the scene `{name}`")).at_stage(Stage::Scene);
             if let Some(near) = neighbour(Path::new(name)) {
                 return refusal.with_hint(format!("Did you mean `{near}`?"));
             }

@@ -42,7 +42,7 @@ const SWITCHES: &[(&str, Form)] = &[
     ("GA", Both("All_Console", "All_File")),
     ("GD", Both("Debug_Console", "Debug_File")),
     ("GF", Both("Fatal_Console", "Fatal_File")),
-    ("GI", Idle),
+    ("GI", Value("Create_Ini")),
     ("GP", Idle),
     ("GR", Both("Render_Console", "Render_File")),
     ("GS", Both("Statistic_Console", "Statistic_File")),
@@ -161,6 +161,7 @@ pub(crate) fn set(raw_args: &mut RawArgs, word: &str) -> Option<Result<(), CliEr
         }),
         FileType => {
             raw_args.to_file = state == "on";
+            raw_args.given.push(("Output_To_File", state.to_owned()));
             match text {
                 "" => Ok(()),
                 text => file_type_switch(raw_args, text, word),
@@ -225,7 +226,8 @@ mod tests {
                 FileType | Idle => vec![],
             };
             for key in named {
-                let refused = keys::set(&mut RawArgs::default(), key, "1", name).err();
+                let value = if key == "Dither_Method" { "FS" } else { "1" };
+                let refused = keys::set(&mut RawArgs::default(), key, value, name).err();
                 assert!(refused.is_none(), "{name}: {refused:?}");
             }
         }

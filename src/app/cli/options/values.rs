@@ -157,6 +157,12 @@ pub(crate) fn file_type_switch(
     if rest.len() - digits.len() > 1 || (is_grey && !format.has_grey) {
         return Err(no_type(word));
     }
+    let given = &mut raw_args.given;
+    given.push(("Output_File_Type", format.letter.to_string()));
+    given.extend(bits.map(|bits| ("Bits_Per_Color", bits.to_string())));
+    if is_grey {
+        given.push(("Grayscale_Output", "on".to_owned()));
+    }
     raw_args.format = Some(format);
     raw_args.bits = bits;
     raw_args.grayscale = is_grey;
