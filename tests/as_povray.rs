@@ -348,3 +348,31 @@ fn a_link_is_made_once() {
     );
     assert_eq!(code("$P install-as-povray"), Some(2));
 }
+
+#[test]
+fn png_files_are_no_larger_than_those_of_povray() {
+    const PARTS: &str = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 } \
+        light_source { <5, 5, -5>, 1 } plane { y, -1 pigment { bozo color_map { [0 rgb 1] [1 rgb x] } } } \
+        sphere { 0, 1 pigment { rgb <1, 0.6, 0.3> } finish { phong 0.5 } }";
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("parts.pov"), PARTS).expect("a scene");
+    let own = folder.path().join("povray");
+    symlink(env!("CARGO_BIN_EXE_povr"), &own).expect("links can be made");
+    for options in [
+        "+Is.pov",
+        "+Iparts.pov",
+        "+Iparts.pov +A0.1",
+        "+Iparts.pov +UA",
+        "+Iparts.pov +FN16",
+    ] {
+        let size = |program: &Path| {
+            let command = format!("$P {options} +Oq.png +W320 +H240 -D");
+            assert!(shell(folder.path(), program, &command).status.success());
+            fs::metadata(folder.path().join("q.png"))
+                .expect("it is drawn")
+                .len()
+        };
+        let (ours, theirs) = (size(&own), size(Path::new("povray")));
+        assert!(ours <= theirs, "{options}: {ours} bytes, POV-Ray {theirs}");
+    }
+}

@@ -59,6 +59,18 @@ pub struct EncodeOptions {
     pub working: Option<Gamma>,
     /// JPEG quality, 1 to 100; 0 selects POV-Ray's 85.
     pub quality: u8,
+    /// Compression of PNG files.
+    pub effort: Effort,
+}
+
+/// The time spent on compression without loss.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Effort {
+    /// As little as possible.
+    #[default]
+    Fastest,
+    /// As much as makes files no larger than POV-Ray's: 13 ms for 640 by 480 pixels, where the least takes 1 ms.
+    Balanced,
 }
 
 impl Format {
@@ -81,6 +93,7 @@ impl EncodeOptions {
             file_gamma: Gamma::Srgb,
             working: Some(Gamma::LINEAR),
             quality: 0,
+            effort: Effort::default(),
         }
     }
 }

@@ -14,7 +14,7 @@ mod png;
 mod ppm;
 mod tga;
 
-pub use crate::base::encoding::{EncodeOptions, Format, FormatProperties};
+pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties};
 
 use std::fmt;
 use std::io::{self, Write};

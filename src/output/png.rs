@@ -1,13 +1,14 @@
 //! PNG: 8 or 16 bits, greyscale or colour, with or without alpha.
 //!
-//! Uses the fastest compression: the best would take several times as long as rendering a small scene. The `gAMA` and
+//! Uses the fastest compression unless asked for more: the best would take several times as long as rendering a small
+//! scene. The `gAMA` and
 //! `sRGB` chunks are the same as POV-Ray's; a picture without gamma handling is declared as sRGB, as in POV-Ray.
 
-use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
+use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Filter, chunk};
 use std::io::Write;
 
 use super::quantize::{self, Channels, Depth};
-use super::{EncodeOptions, EncodeResult, Format, FormatProperties, WriteError};
+use super::{Effort, EncodeOptions, EncodeResult, Format, FormatProperties, WriteError};
 use crate::base::color::Gamma;
 use crate::base::film::Film;
 
@@ -62,7 +63,14 @@ fn write_png(
         Depth::Byte => BitDepth::Eight,
         Depth::Word => BitDepth::Sixteen,
     });
-    encoder.set_compression(Compression::Fastest);
+    match options.effort {
+        Effort::Fastest => encoder.set_compression(Compression::Fastest),
+        Effort::Balanced => {
+            encoder.set_compression(Compression::Balanced);
+            // The filter that adapts takes longer for the same size.
+            encoder.set_filter(Filter::Sub);
+        }
+    }
     let mut writer = encoder.write_header()?;
     // Without gamma handling POV-Ray declares sRGB regardless of `File_Gamma`.
     let declared = match options.working {

@@ -16,7 +16,7 @@ use crate::app::cli::options::output_kinds::Stream;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
-use crate::output::{EncodeOptions, Format, Target};
+use crate::output::{Effort, EncodeOptions, Format, Target};
 
 /// Upper limit of the pixels of a picture: a film of 8 GiB.
 const MAX_PIXELS: u64 = 1 << 29;
@@ -375,6 +375,10 @@ fn output(
         alpha: raw_args.alpha,
         file_gamma: raw_args.file_gamma,
         quality: raw_args.compression,
+        effort: match raw_args.is_povray {
+            true => Effort::Balanced,
+            false => Effort::Fastest,
+        },
         ..default
     };
     Ok(Some((target, options)))
