@@ -173,6 +173,7 @@ fn failures_have_the_lines_and_the_code_of_povray() {
     agree(&[
         "$P",
         "$P +Is.pov +ZZ9 -D",
+        "$P +Is.pov +W12 +H9 -D 'Declare=Given=\"text\"'",
         "$P +Is.pov Nonsense=3 -D",
         "$P +Is.pov +W12 +H9 -D +THXX",
         "$P +Is.pov +W12 +H9 -D +GI",

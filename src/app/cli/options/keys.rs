@@ -258,7 +258,8 @@ fn dither_method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), 
 fn declare(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     let done = declare_number(raw_args, value, word);
     match done {
-        Err(_) if raw_args.is_povray => {
+        // A text in quotes is an error in POV-Ray too.
+        Err(_) if raw_args.is_povray && !value.contains('"') => {
             declare_as_povray(raw_args, value, word);
             Ok(())
         }
