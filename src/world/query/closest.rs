@@ -369,6 +369,8 @@ impl World {
         let mut scratch = QueryScratch::default();
         let search = self.search_for(query);
         let mut tied = SmallVec::<[ClosestHit; 4]>::new();
+        // Items nearer than a tie replace these when the search comes to them.
+        let from = least - tie_slack(least, query);
         let mut far = behind(least, query);
         let mut visit = |item: IndexedItem| {
             let hit = self.intersect_item(item, query, &search, behind(least, query), &mut scratch);
@@ -384,7 +386,7 @@ impl World {
         }
         let ItemBvh { tree, bounded, .. } = self.bvh();
         with_widest(|lanes| {
-            tree.nearest_in(lanes, &query.ray, (0.0, far), |number, _| {
+            tree.nearest_in(lanes, &query.ray, (from, far), |number, _| {
                 visit(bounded[number as usize])
             });
         });
