@@ -20,9 +20,9 @@ fn a_timeout_ends_every_stage() {
         let sandbox = Sandbox::with(scene);
         let before = sandbox.files();
         let started = Instant::now();
-        let ended = sandbox.shell("$POVR s.pov +W160 +H120 -D -A +WT2 -o s.png --timeout 500ms");
+        let ended = sandbox.shell("$POVR s.pov +W160 +H120 -D -A +WT2 -o s.png --timeout 100ms");
         assert_eq!(ended.code, Some(1), "{scene}: {}", ended.said);
-        let says = "this took longer than 500ms, which `--timeout` allows";
+        let says = "this took longer than 100ms, which `--timeout` allows";
         assert!(ended.said.contains(says), "{scene}: {}", ended.said);
         assert!(started.elapsed().as_secs_f64() < 4.0, "{scene}");
         assert!(sandbox.files() == before, "{}", ended.said);
