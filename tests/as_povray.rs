@@ -3,16 +3,14 @@
 
 #![cfg(unix)]
 
+mod support;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
-
-/// POV-Ray spends most of its wall time asleep, so more rows run in parallel than there are processors.
-const AT_ONCE: usize = 6;
 
 const FILES: [(&str, &str); 5] = [
     (
@@ -136,16 +134,9 @@ fn done(program: Option<&Path>, command: &str) -> Done {
 }
 
 fn agree(rows: &[&str]) {
-    let next = AtomicUsize::new(0);
-    std::thread::scope(|threads| {
-        for _ in 0..AT_ONCE {
-            threads.spawn(|| {
-                while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let (ours, theirs) = (done(None, row), done(Some(Path::new("povray")), row));
-                    assert!(ours == theirs, "{row}\npovr {ours:#?}\nPOV-Ray {theirs:#?}");
-                }
-            });
-        }
+    support::for_each_row(rows, |row| {
+        let (ours, theirs) = (done(None, row), done(Some(Path::new("povray")), row));
+        assert!(ours == theirs, "{row}\npovr {ours:#?}\nPOV-Ray {theirs:#?}");
     });
 }
 

@@ -2,14 +2,12 @@
 //! code, the new files and the pictures in them, whether there was any standard output, and, where the scene is drawn,
 //! the lines of `#debug` that begin with `= `.
 
+mod support;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// POV-Ray spends most of its wall time asleep, so more rows run in parallel than there are processors.
-const AT_ONCE: usize = 6;
 
 /// Files beside the scene that rows use.
 const FILES: [(&str, &str); 9] = [
@@ -115,20 +113,13 @@ fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
 
 /// Runs both programs with each of these rows and compares.
 fn agree(rows: &[&str]) {
-    let next = AtomicUsize::new(0);
-    std::thread::scope(|threads| {
-        for _ in 0..AT_ONCE {
-            threads.spawn(|| {
-                while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let expected = run("povray", row);
-                    let actual = run(env!("CARGO_BIN_EXE_povr"), row);
-                    assert!(
-                        actual == expected,
-                        "{row}\npovr {actual:?}\nPOV-Ray {expected:?}"
-                    );
-                }
-            });
-        }
+    support::for_each_row(rows, |row| {
+        let expected = run("povray", row);
+        let actual = run(env!("CARGO_BIN_EXE_povr"), row);
+        assert!(
+            actual == expected,
+            "{row}\npovr {actual:?}\nPOV-Ray {expected:?}"
+        );
     });
 }
 

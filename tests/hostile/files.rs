@@ -107,8 +107,7 @@ fn the_scene_may_come_out_of_a_pipe() {
         "cat s.pov > ff & $POVR +Iff +W16 +H12 -D -o s.png",
         "cat s.pov | $POVR check /dev/stdin",
     ] {
-        let ended = sandbox.shell(command);
-        assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);
+        sandbox.ends(command, 0);
     }
 }
 

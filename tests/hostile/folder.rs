@@ -78,6 +78,13 @@ impl Sandbox {
         }
     }
 
+    /// [`Self::shell`], which must end with this exit code.
+    pub(crate) fn ends(&self, command: &str, code: i32) -> Ended {
+        let ended = self.shell(command);
+        assert_eq!(ended.code, Some(code), "{command}: {}", ended.said);
+        ended
+    }
+
     pub(crate) fn draw(&self) -> Ended {
         self.shell("$POVR s.pov +W16 +H12 -D -A +WT2 -o s.png")
     }

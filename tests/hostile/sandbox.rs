@@ -26,8 +26,7 @@ fn a_sandbox_reads_beside_the_scene_and_in_library_folders() {
         ),
     ] {
         // `../other/secret` is seen without a sandbox, and with its folder in the library.
-        let ended = sandbox.shell(command);
-        assert_eq!(ended.code, Some(code), "{command}: {}", ended.said);
+        let ended = sandbox.ends(command, code);
         assert!(sandbox.files() == before, "{}", ended.said);
     }
     fs::create_dir(sandbox.path("other/inc")).expect("folders can be made");
@@ -38,8 +37,7 @@ fn a_sandbox_reads_beside_the_scene_and_in_library_folders() {
         "$POVR check s.pov --sandbox +L../home +L../other/inc >&2",
         "$POVR batch s.pov +W16 +H12 --sandbox --max-memory 500M +L../home +L../other/inc -o ../tmp/out",
     ] {
-        let ended = sandbox.shell(command);
-        assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);
+        sandbox.ends(command, 0);
     }
     assert!(sandbox.path("tmp/out/s.png").is_file());
 }
@@ -67,8 +65,7 @@ fn ini_files_beside_scenes_do_not_count_in_a_sandbox() {
         ("$POVR batch s.pov +W16 +H12 -o ../tmp/out", 0),
         ("$POVR batch s.pov +W16 +H12 --sandbox -o ../tmp/again", 1),
     ] {
-        let ended = sandbox.shell(command);
-        assert_eq!(ended.code, Some(code), "{command}: {}", ended.said);
+        sandbox.ends(command, code);
     }
 }
 
@@ -96,8 +93,7 @@ fn a_sandbox_writes_its_picture_only() {
         "cat s.pov | $POVR +I/dev/stdin --sandbox +W16 +H12 -D -o s.png",
         "ln -sf ../tmp/t.png l.png && $POVR s.pov --sandbox +W16 +H12 -D -o l.png && rm l.png",
     ] {
-        let ended = sandbox.shell(command);
-        assert_eq!(ended.code, Some(0), "{command}: {}", ended.said);
+        let ended = sandbox.ends(command, 0);
         assert!(
             !ended.said.contains("failed to add a rule"),
             "{command}: {}",

@@ -6,10 +6,28 @@ use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) mod browser;
 
 pub(crate) use povr::app::compare::run;
+
+/// The number of runs of POV-Ray side by side. It spends most of its wall time asleep, so there are more than processors.
+const AT_ONCE: usize = 6;
+
+/// Calls `check` with each row, on several threads.
+pub(crate) fn for_each_row(rows: &[&str], check: impl Fn(&str) + Sync) {
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|threads| {
+        for _ in 0..AT_ONCE {
+            threads.spawn(|| {
+                while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    check(row);
+                }
+            });
+        }
+    });
+}
 
 /// The folder of the project's own scenes.
 pub(crate) const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/pov_scenes");

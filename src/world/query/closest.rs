@@ -36,8 +36,8 @@ const NORMAL_LOSS: f64 = 1e-9;
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
 
-/// How near to a hit at this distance others may be one point with it: some thousand roundings of the distance and of
-/// the ray's origin.
+/// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and of the
+/// ray's origin.
 #[inline(always)]
 fn tie_slack(t: f64, query: &Query) -> f64 {
     let blur = query.origin_surface.map_or(0.0, |origin| origin.blur);
