@@ -43,4 +43,6 @@ pub struct QueryScratch {
 pub(super) struct ClosestHit {
     pub(super) hit: RawHit,
     pub(super) item: u32,
+    /// It was chosen among all hits within a tie: no other at the same distance, or behind it, is shown instead.
+    pub(super) is_settled: bool,
 }

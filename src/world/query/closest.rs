@@ -9,7 +9,7 @@ use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
-use crate::scene::shape::{Geometry, Root, RoundedHit};
+use crate::scene::shape::{Geometry, Root, Rounded, RoundedHit};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::index::index;
@@ -316,7 +316,11 @@ impl World {
         if hit.root.t >= query.t_max {
             return far;
         }
-        let mut nearest = ClosestHit { hit, item };
+        let mut nearest = ClosestHit {
+            hit,
+            item,
+            is_settled: false,
+        };
         if let Some(known) = best {
             let slack = tie_slack(hit.root.t, query);
             let ahead = known.hit.root.t - hit.root.t;
@@ -324,6 +328,9 @@ impl World {
                 return far;
             }
             if ahead <= slack {
+                if known.is_settled && ahead <= 0.0 {
+                    return far;
+                }
                 nearest = self.shown_of_tied(&nearest, known, query);
             }
         }
@@ -339,7 +346,8 @@ impl World {
     #[inline(never)]
     fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
         let ray = &query.ray;
-        if self.model.rounding.forms.is_empty() {
+        // Neither is rounded otherwise: the order of all tied hits is that of each pair.
+        if self.tie_rounding(best).is_none() && self.tie_rounding(new).is_none() {
             let mut both = [*best, *new];
             if best.hit.root.t == new.hit.root.t {
                 self.sort_as_povray(&mut both, ray);
@@ -369,15 +377,19 @@ impl World {
         let mut scratch = QueryScratch::default();
         let search = self.search_for(query);
         let mut tied = SmallVec::<[ClosestHit; 4]>::new();
-        // Items nearer than a tie replace these when the search comes to them.
+        // Items nearer than a tie replace these when the search comes to them; others at their distance are not looked for.
         let from = least - tie_slack(least, query);
         let mut far = behind(least, query);
         let mut visit = |item: IndexedItem| {
             let hit = self.intersect_item(item, query, &search, behind(least, query), &mut scratch);
-            if let Some(hit) = hit.filter(|hit| hit.root.t < query.t_max) {
+            if let Some(hit) = hit.filter(|hit| (from..query.t_max).contains(&hit.root.t)) {
                 least = least.min(hit.root.t);
                 let item = item.number;
-                tied.push(ClosestHit { hit, item });
+                tied.push(ClosestHit {
+                    hit,
+                    item,
+                    is_settled: true,
+                });
             }
             behind(least, query)
         };
@@ -394,13 +406,18 @@ impl World {
         tied
     }
 
+    /// POV-Ray's rounding of the distance of a hit, if that is known and decides ties.
+    fn tie_rounding(&self, of: &ClosestHit) -> Option<&Rounded> {
+        let leaf = self.model.leaves.get(of.hit.leaf as usize)?;
+        let form = self.model.rounding.forms.get(&of.hit.leaf)?;
+        leaf.shape.decides_ties().then_some(form)
+    }
+
     /// The distance of a hit as POV-Ray rounds it where that is known.
     fn povray_distance(&self, of: &ClosestHit, query: &Query) -> f64 {
         let Root { t, face, .. } = of.hit.root;
-        let leaf = self.model.leaves.get(of.hit.leaf as usize);
-        let hit = leaf
-            .filter(|leaf| leaf.shape.decides_ties())
-            .and_then(|_| self.model.rounding.forms.get(&of.hit.leaf))
+        let hit = self
+            .tie_rounding(of)
             .and_then(|form| form.hit(&query.ray, t, face));
         hit.map(|hit| hit.t)
             .filter(|rounded| (rounded - t).abs() <= tie_slack(t, query))
