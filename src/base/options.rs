@@ -147,8 +147,9 @@ impl PartialEq for CancelToken {
     }
 }
 
-/// About ten seconds of reading. A loop of ten tokens can run eight million times.
-const MAX_REPEATED_TOKENS: u64 = 150_000_000;
+/// Some minutes of reading, which real scenes that grow hair or leaves take. A loop of ten tokens can run 270 million
+/// times.
+const MAX_REPEATED_TOKENS: u64 = 5_000_000_000;
 
 /// Options of rendering.
 #[derive(Clone, Debug, PartialEq)]

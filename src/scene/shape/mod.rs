@@ -271,6 +271,12 @@ pub trait Geometry {
         false
     }
 
+    /// True if a search finds the roots, which may miss some, so that CSG tests the points of other surfaces for being
+    /// inside, as POV-Ray does for all shapes.
+    fn may_miss_roots(&self) -> bool {
+        false
+    }
+
     /// Bounding box for `min_extent` and `max_extent` of a shape that POV-Ray stores in a rotated space of its own, and
     /// the transform from that space to the shape's. `None` where [`Geometry::bounds`] serves.
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
@@ -466,6 +472,9 @@ macro_rules! shapes {
             }
             fn excludes_spawn_surface(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.excludes_spawn_surface()),+ }
+            }
+            fn may_miss_roots(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.may_miss_roots()),+ }
             }
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }

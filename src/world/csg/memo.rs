@@ -24,6 +24,7 @@ struct OperandKey {
     is_solid: bool,
     has_matrix: bool,
     is_bounded: bool,
+    may_miss_roots: bool,
 }
 
 impl OperandKey {
@@ -32,6 +33,7 @@ impl OperandKey {
             is_solid: leaf.shape.is_solid(),
             has_matrix: leaf.object_from_world.is_some(),
             is_bounded: bounds.is_finite() && !bounds.is_empty(),
+            may_miss_roots: leaf.shape.may_miss_roots(),
         }
     }
 }

@@ -171,6 +171,8 @@ pub(crate) struct OperandOrder {
     pub(crate) required: SmallVec<[u32; 4]>,
     /// All others, except those in the BVH.
     pub(crate) others: SmallVec<[u32; 4]>,
+    /// Operands in which the points of other surfaces are tested, because their own roots may miss a part.
+    pub(crate) point_tested: SmallVec<[u32; 2]>,
     /// BVH over operands and parts, if there are enough.
     pub(crate) boxed: Option<Box<OperandBvh>>,
 }

@@ -161,7 +161,13 @@ impl CsgProgram {
         let mut bounded = Vec::new();
         for (number, operand) in (0..).zip(&self.operands) {
             let bounds = &bounds[number as usize];
-            if !operand.is_inverse && self.is_required(operand.parent) {
+            let is_point_tested = leaves[(self.first + number) as usize]
+                .shape
+                .may_miss_roots();
+            if is_point_tested {
+                order.point_tested.push(number);
+            }
+            if !is_point_tested && !operand.is_inverse && self.is_required(operand.parent) {
                 order.required.push(number);
             } else if bounds.is_finite() && !bounds.is_empty() {
                 bounded.push(number);

@@ -114,6 +114,7 @@ impl CsgProgram {
                 let event = sweep.events[at];
                 let is_hidden = self.operands[event.leaf as usize].is_hidden;
                 if first > interval.from && event.root.is_visible && !is_hidden {
+                    self.test_point(at..end, context, sweep);
                     self.step(at, sweep);
                 } else {
                     self.toggle(&event, &mut sweep.state);
@@ -121,6 +122,7 @@ impl CsgProgram {
                     continue;
                 }
             } else {
+                self.test_point(at..end, context, sweep);
                 self.step_together(at, end, leaves, sweep);
             }
             for index in at..end {
@@ -327,6 +329,19 @@ impl CsgProgram {
         if state.leaf_in[operand as usize] != is_in {
             state.set(operand, is_in);
             self.climb(self.operands[operand as usize].parent, is_in, state);
+        }
+    }
+
+    /// Puts the ray inside or outside the operands whose roots may miss a part, by the point of roots of others.
+    fn test_point(&self, roots: Range<usize>, context: SweepContext, sweep: &mut Sweep) {
+        let events = &sweep.events[roots];
+        for &number in &self.order.point_tested {
+            if events.iter().all(|event| event.leaf != number) {
+                let leaf = &context.leaves[(self.first + number) as usize];
+                let holds = leaf.contains(context.ray.at(events[0].root.t));
+                let is_inverse = self.operands[number as usize].is_inverse;
+                self.put(number, holds != is_inverse, &mut sweep.state);
+            }
         }
     }
 

@@ -358,6 +358,10 @@ impl Geometry for Isosurface {
         true
     }
 
+    fn may_miss_roots(&self) -> bool {
+        true
+    }
+
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         let solid = &self.0;
         if face != SURFACE || solid.container.takes_in(point) {
