@@ -173,6 +173,7 @@ fn sizes_and_parts() {
         "+Is.pov +W12 +H9 +WT3 +BS8 +RP2 +MB2 +SU -UR -D",
         "+Is.pov +W12 +H9 +Q3 -D",
         "+Is.pov +W12 +H9 +A0.1 +AM2 +R2 -J -D",
+        "+Is.pov +W12 +H9 Antialias=on Antialias_Threshold=3 -J -D",
     ]);
 }
 

@@ -61,7 +61,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MAX_DEPTH, v, s)?.max(1)); Ok(()) }),
     ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
     ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
-    ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.max(0.0); Ok(()) }),
+    ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
     ("Antialias_Time", |t, v, s| { t.time = Some(duration(v, s)?); t.converge(); Ok(()) }),
     ("Append_File", IDLE),
     ("Bits_Per_Color", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
