@@ -13,14 +13,21 @@
 
 mod system;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 pub(crate) use system::{Taken, address_space_limit, available, left};
 
 /// Blocks of at least this size are mapped on their own, and unmapped as soon as they are freed.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 const MMAP_THRESHOLD: i32 = 1 << 18;
 
-/// Fixes glibc's mmap threshold, so that large blocks stay out of the heap. Programs call this at start.
+/// True in a program of povr's own, whose allocator serves nobody else.
+static OWNS_HEAP: AtomicBool = AtomicBool::new(false);
+
+/// Fixes glibc's mmap threshold, so that large blocks stay out of the heap, and lets renders return free memory to the
+/// system. Programs call this at start; in the process of somebody else the allocator stays as it is.
 pub fn set_mmap_threshold() {
+    OWNS_HEAP.store(true, Ordering::Relaxed);
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     // SAFETY: takes plain integers; an invalid value is rejected without effect.
     unsafe {
@@ -41,10 +48,12 @@ pub(crate) fn prefetch<T>(what: &T) {
     let _ = what;
 }
 
-/// Returns the free memory of the heap to the system.
+/// Returns the free memory of the heap to the system, if the heap is povr's own ([`set_mmap_threshold`]).
 pub(crate) fn trim_heap() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    unsafe {
-        libc::malloc_trim(0);
+    if OWNS_HEAP.load(Ordering::Relaxed) {
+        unsafe {
+            libc::malloc_trim(0);
+        }
     }
 }
