@@ -85,13 +85,11 @@ pub fn draw(
     render: &RenderOptions,
     listen: &EventHandler<'_>,
 ) -> Result<Picture, Failure> {
-    match render.threads {
-        None => draw_with(input, read, render, listen, None, None),
-        Some(threads) => {
-            let pool = pool(threads, listen)?;
-            draw_with(input, read, render, listen, Some(&pool), None)
-        }
-    }
+    let pool = match render.threads {
+        None => None,
+        Some(threads) => Some(Arc::new(pool(threads, listen)?)),
+    };
+    draw_with(input, read, render, listen, &RenderSession::of_one(pool))
 }
 
 /// Renders one scene several times, in sequence or in parallel, with other options each time: the frames of an
@@ -101,6 +99,17 @@ pub struct RenderSession {
     pool: Option<Arc<rayon::ThreadPool>>,
     /// The cache of the scene; `None` for a scene that is rendered once.
     cache: Option<Mutex<Option<Arc<SceneCache>>>>,
+    /// The objects beside those of the text.
+    more: Option<MoreObjects>,
+}
+
+/// Adds objects to a scene that has been read.
+struct MoreObjects(Box<dyn Fn(&mut scene::Objects) + Send + Sync>);
+
+impl std::fmt::Debug for MoreObjects {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("MoreObjects")
+    }
 }
 
 impl RenderSession {
@@ -111,13 +120,28 @@ impl RenderSession {
         RenderSession {
             pool,
             cache: Some(Mutex::default()),
+            more: None,
         }
     }
 
     /// A session for a single image, without a cache.
     #[must_use]
     pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
-        RenderSession { pool, cache: None }
+        RenderSession {
+            pool,
+            cache: None,
+            more: None,
+        }
+    }
+
+    /// The session with objects that no text describes: `add` appends them to those of the scene each time that it has
+    /// been read.
+    #[must_use]
+    pub fn with_objects(self, add: impl Fn(&mut scene::Objects) + Send + Sync + 'static) -> Self {
+        RenderSession {
+            more: Some(MoreObjects(Box::new(add))),
+            ..self
+        }
     }
 
     /// As [`draw`]. The input is the same for the whole session.
@@ -131,8 +155,7 @@ impl RenderSession {
         render: &RenderOptions,
         listen: &EventHandler<'_>,
     ) -> Result<Picture, Failure> {
-        let pool = self.pool.as_deref();
-        draw_with(input, read, render, listen, pool, self.cache.as_ref())
+        draw_with(input, read, render, listen, self)
     }
 }
 
@@ -171,12 +194,15 @@ fn draw_with(
     read: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
-    pool: Option<&rayon::ThreadPool>,
-    cache: Option<&Mutex<Option<Arc<SceneCache>>>>,
+    session: &RenderSession,
 ) -> Result<Picture, Failure> {
     let mut watch = StageTimer::start();
     let ((world, working), print) = with_deep_stack(listen, || {
-        let (scene, print) = read_scene(input, read, render, listen, cache)?;
+        let cache = session.cache.as_ref();
+        let (mut scene, print) = read_scene(input, read, render, listen, cache)?;
+        if let Some(MoreObjects(add)) = &session.more {
+            add(&mut scene.objects);
+        }
         watch.lap("read");
         let prepared = prepared(scene, render);
         watch.lap("compile");
@@ -193,7 +219,7 @@ fn draw_with(
         target_format: only_for,
         ..render.clone()
     };
-    let drawn = match pool {
+    let drawn = match &session.pool {
         None => render::render(&world, render, unfinished, &progress),
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
@@ -290,15 +316,31 @@ fn drop_in_background(world: World) {
 ///
 /// # Errors
 /// When the scene could not be drawn.
-pub fn check(input: &Input, read: &ReadOptions, listen: &EventHandler<'_>) -> Result<(), Failure> {
+pub fn read(
+    input: &Input,
+    read: &ReadOptions,
+    listen: &EventHandler<'_>,
+) -> Result<Scene, Failure> {
     with_deep_stack(listen, || {
         let read = ReadOptions {
             writes: Writes::InMemory,
             ..read.clone()
         };
         let render = RenderOptions::default();
-        read_scene(input, &read, &render, listen, None).map(drop)
+        read_scene(input, &read, &render, listen, None).map(|(scene, _)| scene)
     })
+}
+
+/// As [`read()`], for the findings alone.
+///
+/// # Errors
+/// When the scene could not be drawn.
+pub fn check(
+    input: &Input,
+    options: &ReadOptions,
+    listen: &EventHandler<'_>,
+) -> Result<(), Failure> {
+    read(input, options, listen).map(drop)
 }
 
 /// Runs `work` on a stack that is deep enough for deeply nested scenes.

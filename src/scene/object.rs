@@ -1,6 +1,7 @@
 //! Objects: a shape, a light or a CSG tree, with its transforms and attributes.
 
 use super::extent::ExtentBox;
+use crate::base::color::Color;
 use crate::base::math::{Bounds, Step};
 use crate::scene::interior::Interior;
 use crate::scene::light::{Light, ObjectPhotons};
@@ -230,6 +231,19 @@ impl Object {
             is_inverse: false,
             rare: None,
         }
+    }
+
+    /// The object with another shape, and with one colour as the pigment of its top layer if there is a colour.
+    pub(super) fn with_shape_and_color(&self, shape: Shape, color: Option<Color>) -> Object {
+        let kind = Kind::Shape(Arc::new(shape));
+        let mut object = self.clone();
+        object.size = Object::new(kind.clone()).size;
+        object.kind = kind;
+        if let (Some(color), Some(texture)) = (color, &mut object.texture) {
+            texture.what = Arc::new(texture.what.with_color(color));
+        }
+        object.update_visibility_box();
+        object
     }
 
     /// The texture of the inside of the surface.

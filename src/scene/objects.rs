@@ -8,6 +8,7 @@ use crate::base::color::Color;
 use crate::base::math::Step;
 use crate::scene::shape::{Shape, Sphere};
 use crate::scene::texture::{Finish, Layer, Texture};
+use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -96,6 +97,25 @@ impl Objects {
         self.push_entry(plain.into());
     }
 
+    /// Adds one object for each index below `count`: like `model` in everything except its shape, and its colour where
+    /// there are `colors`. A colour replaces the pigment of the top layer of the texture. All threads make them, each in
+    /// the order of the indices.
+    pub fn extend_like(
+        &mut self,
+        model: &Object,
+        count: usize,
+        shape: impl Fn(usize) -> Shape + Sync,
+        colors: Option<&(dyn Fn(usize) -> Color + Sync)>,
+    ) {
+        let model = Model::of(model);
+        let entries: Vec<Entry> = (0..count)
+            .into_par_iter()
+            .with_min_len(CHUNK)
+            .map(|index| model.entry(shape(index), colors.map(|color| color(index))))
+            .collect();
+        self.append(entries);
+    }
+
     /// Adds a sphere.
     #[inline]
     pub(crate) fn push_sphere(&mut self, sphere: Sphere, look: ColorOrTexture) {
@@ -181,6 +201,37 @@ impl Objects {
 
     fn entries(&self) -> impl Iterator<Item = &Entry> + Clone {
         self.chunks.iter().flatten()
+    }
+}
+
+/// What objects of [`Objects::extend_like`] have in common.
+enum Model<'a> {
+    /// A shape of one colour, without transforms or other attributes.
+    Colored(Color, Arc<Finish>),
+    /// Any other object.
+    Object(&'a Object),
+}
+
+impl Model<'_> {
+    fn of(object: &Object) -> Model<'_> {
+        match plain_parts(object) {
+            Some((_, ColorOrTexture::Color(color, finish))) if object.steps.is_empty() => {
+                Model::Colored(color, finish)
+            }
+            _ => Model::Object(object),
+        }
+    }
+
+    fn entry(&self, shape: Shape, color: Option<Color>) -> Entry {
+        match self {
+            Model::Colored(own, finish) => Entry::from(PlainObject {
+                shape,
+                look: ColorOrTexture::Color(color.unwrap_or(*own), Arc::clone(finish)),
+            }),
+            Model::Object(object) => {
+                Entry::from(Arc::new(object.with_shape_and_color(shape, color)))
+            }
+        }
     }
 }
 
@@ -478,6 +529,36 @@ mod tests {
         let shared = moved(ColorOrTexture::Texture(Arc::clone(&texture)));
         objects.push(Arc::new(shared));
         assert_eq!(objects.whole().count(), 1);
+    }
+
+    #[test]
+    fn objects_like_another_differ_in_shape_and_colour() {
+        let color =
+            |index: usize| Color::from_components([0.1, 0.0, 0.0, 0.0, f64::from(index == 1)]);
+        let center = |index: usize| sphere(if index == 1 { 5.0 } else { 0.0 });
+        let plain = || {
+            Object::from(PlainObject {
+                shape: sphere(0.0),
+                look: red(),
+            })
+        };
+        let mut moved = plain();
+        moved.steps = vec![Step::Translate(DVec3::Y)];
+        moved.flags.no_shadow = true;
+        for model in [plain(), moved] {
+            for colors in [None, Some(&color as &(dyn Fn(usize) -> Color + Sync))] {
+                let mut objects = Objects::default();
+                objects.extend_like(&model, 3, center, colors);
+                for (index, object) in objects.iter().enumerate() {
+                    let mut expected = model.clone();
+                    expected.kind = Kind::Shape(Arc::new(center(index)));
+                    if let (Some(color), Some(texture)) = (colors, &mut expected.texture) {
+                        texture.what = Arc::new(texture.what.with_color(color(index)));
+                    }
+                    assert_eq!(debug_text(&object), debug_text(&expected));
+                }
+            }
+        }
     }
 
     #[test]

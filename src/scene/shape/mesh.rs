@@ -10,7 +10,7 @@
 //! that of the midpoint, and the state beyond the outermost roots is outside.
 
 use super::face_texture::{FaceTexture, TextureWeights};
-use super::mesh::attributes::{NO_TRIPLE, TriangleAttributes, only};
+use super::mesh::attributes::{NO_TRIPLE, TexturesOf, TriangleAttributes, only};
 use super::mesh::build::{MeshBuilder, single_pair};
 use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
@@ -79,6 +79,31 @@ impl PartialEq for Triangles {
 impl Mesh {
     pub(super) fn new(triangles: Triangles) -> Self {
         Mesh(Arc::new(triangles))
+    }
+
+    /// A mesh of triangles by the indices of their vertices, without degenerate ones. A vertex has the normal of its
+    /// index, if there are normals; a triangle has the texture of its index in `textures`, if it is in range.
+    ///
+    /// # Errors
+    /// A vertex that single precision cannot hold, an index out of range, or no triangle left. The error is the reason.
+    pub fn from_lists(
+        vertices: &[DVec3],
+        normals: Option<&[DVec3]>,
+        faces: &[[u32; 3]],
+        textures: Vec<Arc<Texture>>,
+        texture_of_face: Vec<u32>,
+    ) -> Result<Self, String> {
+        let mut builder = MeshBuilder::default();
+        builder.lists(vertices, normals, faces)?;
+        if !texture_of_face.is_empty() {
+            builder.attributes.textures = textures.into_iter().map(FaceTexture).collect();
+            builder.attributes.textures_of = TexturesOf::One(texture_of_face);
+        }
+        let mesh = builder.build();
+        if mesh.corners.is_empty() {
+            return Err("all triangles of this mesh are degenerate".to_owned());
+        }
+        Ok(Mesh::new(mesh))
     }
 
     /// Reads the triangles of `mesh` and its `inside_vector`. Degenerate triangles are dropped silently.

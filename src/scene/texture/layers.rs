@@ -223,6 +223,14 @@ impl Texture {
         self.layers.last_mut().expect("a texture has a layer")
     }
 
+    /// This texture with one colour as the pigment of its top layer.
+    #[must_use]
+    pub fn with_color(&self, color: Color) -> Texture {
+        let mut texture = self.clone();
+        texture.top_mut().pigment = Pigment::plain(color);
+        texture
+    }
+
     /// The reason why another texture cannot be layered over this one, if there is one.
     #[must_use]
     pub fn layering_error(&self, upper: &Texture) -> Option<String> {

@@ -106,6 +106,37 @@ impl MeshBuilder {
         })
     }
 
+    /// Adds vertices, unit normals and triangles with smooth corners by index; a vertex has the normal of its index.
+    ///
+    /// # Errors
+    /// A vertex that single precision cannot hold, or an index out of range. The error is the reason.
+    pub(crate) fn lists(
+        &mut self,
+        vertices: &[DVec3],
+        normals: Option<&[DVec3]>,
+        faces: &[[u32; 3]],
+    ) -> Result<(), String> {
+        self.vertices = vertices
+            .iter()
+            .map(|&v| single(v))
+            .collect::<Result<_, _>>()?;
+        let largest = faces.iter().flatten().max().copied();
+        if let Some(largest) = largest.filter(|&index| index as usize >= vertices.len()) {
+            let count = vertices.len();
+            return Err(format!(
+                "vertex {largest} of {count}, counted from 0, is not there"
+            ));
+        }
+        if let Some(normals) = normals {
+            self.normals = normals
+                .iter()
+                .map(|&normal| single_normal(normal))
+                .collect();
+            self.smooth = faces.to_vec();
+        }
+        faces.iter().try_for_each(|&face| self.face(face))
+    }
+
     /// Index of a texture, appended to the list if it is new.
     pub(crate) fn texture_index(&mut self, texture: FaceTexture) -> u32 {
         let key = std::sync::Arc::as_ptr(&texture.0).addr();

@@ -421,3 +421,32 @@ fn a_mesh_takes_about_a_hundred_bytes_a_triangle_at_most() {
     let each = sphere.bytes() / sphere.len();
     assert!(each < 100, "{each} bytes");
 }
+
+#[test]
+fn lists_make_the_mesh_of_their_text() {
+    let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let faces = [[0, 1, 2], [0, 1, 1], [1, 2, 3]];
+    let texture = std::sync::Arc::new(Texture::from(crate::scene::texture::Layer::default()));
+    let plain = Mesh::from_lists(&points, None, &faces, Vec::new(), Vec::new());
+    let text = format!("{TETRAHEDRON} face_indices {{ 3, <0,1,2>, <0,1,1>, <1,2,3> }}");
+    assert_eq!(plain, Ok(mesh2(&text)));
+    let textures = vec![std::sync::Arc::clone(&texture)];
+    let textured = Mesh::from_lists(
+        &points,
+        Some(&points),
+        &faces,
+        textures,
+        vec![u32::MAX, 7, 0],
+    );
+    let textured = textured.unwrap();
+    assert_eq!(textured.0.corners, [[0, 1, 2], [1, 2, 3]]);
+    let attributes = textured.0.attributes.as_ref().unwrap();
+    assert_eq!(attributes.textures_of, TexturesOf::One(vec![u32::MAX, 0]));
+    let outside = Mesh::from_lists(&points, None, &[[0, 1, 4]], Vec::new(), Vec::new());
+    assert_eq!(
+        outside.unwrap_err(),
+        "vertex 4 of 4, counted from 0, is not there"
+    );
+    let empty = Mesh::from_lists(&points, None, &[[0, 0, 1]], Vec::new(), Vec::new());
+    assert!(empty.is_err());
+}
