@@ -4,4 +4,4 @@ pub mod batch;
 pub mod cli;
 pub mod compare;
 pub mod curve;
-mod picture_file;
+pub mod picture_file;

@@ -12,14 +12,14 @@ use image::{DynamicImage, ImageBuffer, ImageFormat, ImageResult, PixelWithColorT
 ///
 /// # Errors
 /// The file cannot be read or is no such picture.
-pub(crate) fn open(path: &Path) -> ImageResult<DynamicImage> {
+pub fn open(path: &Path) -> ImageResult<DynamicImage> {
     let bytes = std::fs::read(path)?;
     let format = image::guess_format(&bytes).or_else(|_| ImageFormat::from_path(path))?;
     image::load_from_memory_with_format(&bytes, format)
 }
 
 /// An 8-bit picture as a PNG file in memory.
-pub(crate) fn png<P>(picture: &ImageBuffer<P, Vec<u8>>, compression: CompressionType) -> Vec<u8>
+pub fn png<P>(picture: &ImageBuffer<P, Vec<u8>>, compression: CompressionType) -> Vec<u8>
 where
     P: PixelWithColorType<Subpixel = u8>,
 {

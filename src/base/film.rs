@@ -3,8 +3,8 @@
 
 pub(crate) mod quantize;
 
-pub use quantize::Levels;
 pub(crate) use quantize::Quantizer;
+pub use quantize::{Levels, levels_of};
 
 use crate::base::color::Rgb;
 use std::ops::Range;

@@ -315,7 +315,7 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
         CliError::new(format!("`povray` does not run: {error}"))
             .with_hint("Install POV-Ray 3.7 (Debian: `apt-get install povray`).")
     })?;
-    let own = std::env::current_exe()
+    let own = super::program_file()
         .map_err(|error| CliError::new(format!("cannot find this program to run it: {error}")))?;
     let cannot = |what: &Path, error: &std::io::Error| {
         CliError::new(format!(

@@ -17,7 +17,7 @@ use super::options::error::CliError;
 use super::options::long_options;
 use super::options::settings::{Scene, Settings};
 use crate::app::curve::{self, CurveError, Drawn, Family, Report, Setting, Step, Sweep, Task};
-use crate::base::options::{Event, Input, RenderOptions, Sampling};
+use crate::base::options::{CancelToken, Event, Input, RenderOptions, Sampling};
 
 pub(super) const COMMAND: Command = Command {
     name: "curve",
@@ -86,22 +86,51 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         }
         Request::Draw(settings) => *settings,
     };
+    let (report, folder) = report_of(&wanted, &settings, environment)?;
+    if !settings.verbosity.quiet {
+        say(summary(&report, &folder));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Measures as `povr curve` with these arguments, and returns the measurements. `stop` cancels it.
+///
+/// # Errors
+/// When an option is wrong, the scene cannot be drawn, or a file cannot be written.
+pub fn report(
+    arguments: &[String],
+    environment: &Environment,
+    stop: &CancelToken,
+) -> Result<Report, CliError> {
+    let no_help = || CliError::new("expected a scene to measure");
+    let (wanted, rest) = read_arguments(arguments)?.map_err(|_| no_help())?;
+    let Request::Draw(mut settings) = request_of("povr curve", &rest, environment)? else {
+        return Err(no_help());
+    };
+    settings.read.stop = stop.clone();
+    settings.render.stop = stop.clone();
+    report_of(&wanted, &settings, environment).map(|(report, _)| report)
+}
+
+/// The measurements, and the folder of their files.
+fn report_of(
+    wanted: &Wanted,
+    settings: &Settings,
+    environment: &Environment,
+) -> Result<(Report, PathBuf), CliError> {
     let Scene::File(file) = &settings.scene else {
         return Err(CliError::new(
             "`povr curve` needs a scene file, not standard input",
         ));
     };
-    let sweep = sweep(&wanted, &settings, file, environment)?;
+    let sweep = sweep(wanted, settings, file, environment)?;
     if wanted.is_fresh && sweep.folder.is_dir() {
         // Missing files need not be removed.
         let _ = std::fs::remove_file(sweep.folder.join("curve.json"));
         let _ = std::fs::remove_file(sweep.folder.join("truth.json"));
     }
-    let report = measured(&sweep, &settings, file)?;
-    if !settings.verbosity.quiet {
-        say(summary(&report, &sweep.folder));
-    }
-    Ok(ExitCode::SUCCESS)
+    let report = measured(&sweep, settings, file)?;
+    Ok((report, sweep.folder))
 }
 
 /// The options of this command, and all other arguments.

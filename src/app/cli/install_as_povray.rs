@@ -44,7 +44,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
 fn link(folder: &Path) -> Result<(), CliError> {
     let path = folder.join(format!("povray{}", env::consts::EXE_SUFFIX));
     let failed = |error| CliError::new(format!("cannot make `{}`: {error}", path.display()));
-    let own = env::current_exe()
+    let own = super::program_file()
         .and_then(fs::canonicalize)
         .map_err(failed)?;
     fs::create_dir_all(folder).map_err(failed)?;

@@ -171,11 +171,12 @@ impl Quantizer {
 /// Error: the levels are those of another kind of file.
 pub(crate) const WRONG_FILE_KIND: &str = "it was drawn for another kind of file";
 
-/// The levels of a film for a file with encoded values.
-pub(crate) fn levels_of<'a>(
-    film: &'a Film,
-    options: &EncodeOptions,
-) -> Result<Cow<'a, [u8]>, String> {
+/// The levels of a film for a file with encoded values: channels interleaved, rows from the top, no padding; levels of
+/// 16 bits are big-endian.
+///
+/// # Errors
+/// The film was drawn for another kind of file, or the file stores linear light. The error is the reason.
+pub fn levels_of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, [u8]>, String> {
     if let Some(levels) = &film.levels {
         return match levels.options == *options {
             true => Ok(Cow::Borrowed(&levels.bytes)),

@@ -103,7 +103,8 @@ impl Frames {
     }
 
     /// Read options with the frame variables of the scene.
-    pub(crate) fn read_options_for(&self, frame: u32, read: &ReadOptions) -> ReadOptions {
+    #[must_use]
+    pub fn read_options_for(&self, frame: u32, read: &ReadOptions) -> ReadOptions {
         let delta = if self.is_single() {
             0.0
         } else {
