@@ -70,6 +70,8 @@ const LAYERS: &[&[&str]] = &[
     &["render", "render::statistics"],
     &["app::curve", "app::batch"],
     &["app::cli"],
+    // A package of its own, which uses the library by its name.
+    &["app::python"],
 ];
 
 /// Uses within a layer: elements that are composed of others.
