@@ -15,14 +15,14 @@ import copy
 import re
 
 _BLOCKS = """
-    Background BicubicPatch Blob BlackHole Bokeh BoundedBy Box BumpMap Camera ClippedBy Collect Component Composite Cone
-    ContainedBy Cubic Cylinder Default Density Difference Disc FaceIndices Facets Finish Fog Function GlobalSettings
-    HeightField ImageMap ImagePattern Interior InteriorTexture Intersection Irid Isosurface JuliaFractal Lathe
-    LightGroup LightSource LooksLike Material MaterialMap Media Merge Mesh Mesh2 Normal NormalIndices NormalVectors Object Ovus
-    Parametric Pattern Photons Pigment PigmentPattern Plane Poly Polygon Polynomial Prism ProjectedThrough Quadric
-    Quartic Radiosity Rainbow Reflection Scattering Sky SkySphere Slope SmoothTriangle Sor Sphere SphereSweep Spline
-    Subsurface Superellipsoid Text Texture TextureList Torus Transform Triangle Union UvIndices UvVectors VertexVectors
-    Warp
+    Background BicubicPatch Blob BlackHole Bokeh BoundedBy Box BumpMap Camera ClippedBy Collect Component Composite
+    Cone ContainedBy Cubic Cylinder Default Density Difference Disc FaceIndices Facets Finish Fog Function
+    GlobalSettings HeightField ImageMap ImagePattern Interior InteriorTexture Intersection Irid Isosurface
+    JuliaFractal Lathe LightGroup LightSource LooksLike Material MaterialMap Media Merge Mesh Mesh2 Normal
+    NormalIndices NormalVectors Object Ovus Parametric Pattern Photons Pigment PigmentPattern Plane Poly Polygon
+    Polynomial Prism ProjectedThrough Quadric Quartic Radiosity Rainbow Reflection Scattering Sky SkySphere Slope
+    SmoothTriangle Sor Sphere SphereSweep Spline Subsurface Superellipsoid Text Texture TextureList Torus Transform
+    Triangle Union UvIndices UvVectors VertexVectors Warp
 """.split()
 
 _MAPS = "ColorMap ColourMap DensityMap NormalMap PigmentMap SlopeMap TextureMap".split()

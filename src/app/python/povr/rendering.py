@@ -187,25 +187,28 @@ def render_frames(
 
     ``frame_number`` runs from ``first`` to ``frames``, and ``clock`` between the two numbers given. With ``cyclic`` the
     clock of the last frame is one step short of its end. All other options are those of ``render``; ``progress`` gets
-    the part of the frames that are done. Frames are drawn one after the other where the scene may write files.
+    the part of the frames that are done. Frames are drawn one after the other where the scene may write files or
+    ``time`` is set. Leaving the loop early cancels the frames that are being drawn.
     """
+    if frames < first:
+        raise ValueError(f"the last frame, {frames}, is before the first, {first}")
     switches = render_options(depth=depth, **options)
     switches += [f"+KFI{first:d}", f"+KFF{frames:d}", f"+KI{clock[0]}", f"+KF{clock[1]}"]
     switches.append("+KC" if cyclic else "-KC")
     token = cancel or _povr.CancelToken()
     session = _session(scene, switches, name=name, cancel=token, is_series=True)
     numbers = session.frames or [None]
-    workers = 1 if options.get("allow_write") else options.get("threads") or os.cpu_count() or 1
+    is_alone = options.get("allow_write") or options.get("time")
+    workers = 1 if is_alone else options.get("threads") or os.cpu_count() or 1
     return _frames(session, numbers, min(workers, len(numbers)), token, depth, progress)
 
 
 def _frames(session, numbers, workers, token, depth, progress):
     """Draws frames side by side, at most one for each worker ahead of the one that is taken."""
-    waiting, done = collections.deque(), 0
+    waiting, done, is_complete = collections.deque(), 0, False
     with ThreadPoolExecutor(workers, "povr-frame") as executor:
         try:
-            ahead = iter(numbers)
-            for number in ahead:
+            for number in numbers:
                 waiting.append(executor.submit(session.draw, number))
                 if len(waiting) <= workers:
                     continue
@@ -214,9 +217,10 @@ def _frames(session, numbers, workers, token, depth, progress):
             while waiting:
                 yield _array(_drawn(waiting.popleft().result), depth)
                 done = _advance(done, len(numbers), progress)
+            is_complete = True
         finally:
             # Left early, by an exception or because no more frames are taken.
-            if waiting:
+            if not is_complete:
                 token.cancel()
                 for future in waiting:
                     future.cancel()

@@ -17,7 +17,7 @@ __all__ = [*_elements.__all__, "POVRayElement", "POVRayMap", "render_povstring"]
 
 
 class Scene(_elements.Scene):
-    """A scene of vapory: its text names no language version, and ``defaults`` are without effect, as in vapory 0.1.2."""
+    """A scene of vapory: its text names no language version, and ``defaults`` are left out, as in vapory 0.1.2."""
 
     def __init__(
         self,
