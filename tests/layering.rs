@@ -43,7 +43,7 @@ const LAYERS: &[&[&str]] = &[
         "scene::texture",
         "scene::function",
     ],
-    &["output", "app::picture_file"],
+    &["output", "app::picture_file", "app::program"],
     &["app::compare"],
     &["scene"],
     &["lang", "world::ray", "world::index"],

@@ -5,3 +5,4 @@ pub mod cli;
 pub mod compare;
 pub mod curve;
 pub mod picture_file;
+pub mod program;

@@ -10,6 +10,7 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::Picture;
+use crate::app::program;
 use crate::base::file::read_regular;
 use crate::base::source::Dependency;
 
@@ -50,7 +51,7 @@ impl Fingerprints {
     /// For this program, run in the current folder.
     pub(super) fn new() -> Self {
         // Two builds may have the same version and render differently.
-        let program = std::env::current_exe().and_then(fs::read);
+        let program = program::code().and_then(fs::read);
         Fingerprints {
             program: program.map_or_else(
                 |_| env!("CARGO_PKG_VERSION").to_owned(),

@@ -33,6 +33,7 @@ use super::options::settings::Scene;
 use super::options::values::duration;
 use crate::app::compare::{self, Bench, Case, Renderer, Thresholds};
 use crate::app::picture_file::png;
+use crate::app::program;
 
 pub(super) const COMMAND: Command = Command {
     name: "compare",
@@ -315,7 +316,7 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
         CliError::new(format!("`povray` does not run: {error}"))
             .with_hint("Install POV-Ray 3.7 (Debian: `apt-get install povray`).")
     })?;
-    let own = super::program_file()
+    let own = program::start()
         .map_err(|error| CliError::new(format!("cannot find this program to run it: {error}")))?;
     let cannot = |what: &Path, error: &std::io::Error| {
         CliError::new(format!(

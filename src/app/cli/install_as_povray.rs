@@ -12,6 +12,7 @@ use super::draw::report::say;
 use super::options::command_line;
 use super::options::environment::Environment;
 use super::options::error::CliError;
+use crate::app::program;
 
 pub(super) const COMMAND: Command = Command {
     name: "install-as-povray",
@@ -44,7 +45,7 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
 fn link(folder: &Path) -> Result<(), CliError> {
     let path = folder.join(format!("povray{}", env::consts::EXE_SUFFIX));
     let failed = |error| CliError::new(format!("cannot make `{}`: {error}", path.display()));
-    let own = super::program_file()
+    let own = program::start()
         .and_then(fs::canonicalize)
         .map_err(failed)?;
     fs::create_dir_all(folder).map_err(failed)?;

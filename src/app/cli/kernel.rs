@@ -7,6 +7,7 @@
 
 use super::draw::report::say;
 use super::options::settings::{Scene, Settings};
+use crate::app::program;
 use crate::base::file::{Folders, folder_of};
 use crate::base::options::ReadOptions;
 use crate::output::Target;
@@ -63,7 +64,7 @@ pub(super) fn enter_to_draw_all<'a>(
         ..Sandbox::default()
     };
     // A picture is drawn again with another program, which is read to tell.
-    sandbox.readable.extend(std::env::current_exe());
+    sandbox.readable.extend(program::code());
     for (scene, options) in scenes {
         sandbox.admit(Some(scene), options);
     }

@@ -28,9 +28,8 @@ pub use options::error::CliError;
 pub use options::output_kinds::MessageFormat;
 pub use options::settings::{Scene, Settings, Verbosity};
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
-use std::sync::OnceLock;
 
 use draw::report::say;
 
@@ -61,23 +60,6 @@ const COMMANDS: &[Command] = &[
     sheet::COMMAND,
     watch::COMMAND,
 ];
-
-/// The file that starts this program, where it is not the executable of the process.
-static PROGRAM_FILE: OnceLock<PathBuf> = OnceLock::new();
-
-/// Names the file that starts this program: a script whose interpreter calls [`run`]. Commands that start povr again,
-/// or link to it, take this file. Only the first call counts.
-pub fn set_program_file(file: PathBuf) {
-    let _ = PROGRAM_FILE.set(file);
-}
-
-/// The file that starts this program.
-pub(crate) fn program_file() -> std::io::Result<PathBuf> {
-    match PROGRAM_FILE.get() {
-        Some(file) => Ok(file.clone()),
-        None => std::env::current_exe(),
-    }
-}
 
 /// The exit code of a command that could not start.
 const MISUSED: u8 = 2;

@@ -10,6 +10,7 @@ mod session;
 mod watch;
 
 use povr::app::cli::{self, Environment};
+use povr::app::program::{self, Program};
 use pyo3::exceptions::{PyException, PyValueError};
 use pyo3::prelude::*;
 use std::fmt;
@@ -45,11 +46,12 @@ fn value_error(error: &impl fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// Runs the command line as the program of this process, started by the file `program`, and returns the exit code.
+/// Runs the command line as the program of this process and returns the exit code. `start` is the file that starts it,
+/// `code` that of this module.
 #[pyfunction]
-fn run(py: Python<'_>, arguments: Vec<String>, program: PathBuf) -> u8 {
+fn run(py: Python<'_>, arguments: Vec<String>, start: PathBuf, code: PathBuf) -> u8 {
     povr::base::memory::set_mmap_threshold();
-    cli::set_program_file(program);
+    program::set(Program { start, code });
     let code = py.detach(|| {
         let code = cli::run(arguments);
         // The interpreter knows nothing of what is left there.

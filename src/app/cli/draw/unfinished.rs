@@ -12,6 +12,7 @@ use std::time::UNIX_EPOCH;
 
 use super::report::say;
 use crate::app::cli::options::settings::Settings;
+use crate::app::program;
 use crate::base::options::CheckpointOptions;
 use crate::output::Target;
 
@@ -73,7 +74,7 @@ fn state(picture: &Path) -> PathBuf {
 /// Distinguishes builds of the same version: length and modification time of the program.
 fn build() -> String {
     let version = env!("CARGO_PKG_VERSION");
-    let about = std::env::current_exe().and_then(fs::metadata);
+    let about = program::code().and_then(fs::metadata);
     let made = about.ok().and_then(|about| {
         let since = about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?;
         Some((about.len(), since.as_nanos()))

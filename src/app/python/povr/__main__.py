@@ -15,7 +15,7 @@ def main():
     program = sys.argv[0]
     if os.path.basename(program) == "__main__.py":
         program = os.path.join(os.path.dirname(sys.executable), "povr")
-    code = _povr.run([program, *sys.argv[1:]], os.path.realpath(program))
+    code = _povr.run([program, *sys.argv[1:]], os.path.realpath(program), _povr.__file__)
     # The interpreter has nothing to tidy, and under `--sandbox` it may not.
     os._exit(code)
 

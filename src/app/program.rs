@@ -1,0 +1,39 @@
+//! The files of this program: the one that starts it, and the one with its code. Both are the executable of the process,
+//! unless an interpreter runs a script that loads a library.
+
+use std::io;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+/// The files of a program that is not the executable of its process.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The file that starts it.
+    pub start: PathBuf,
+    /// The file with its code.
+    pub code: PathBuf,
+}
+
+static PROGRAM: OnceLock<Program> = OnceLock::new();
+
+/// Sets the files, before anything is run. Only the first call counts.
+pub fn set(program: Program) {
+    let _ = PROGRAM.set(program);
+}
+
+/// The file that starts this program: commands start it again, or link to it.
+pub(crate) fn start() -> io::Result<PathBuf> {
+    file(|program| &program.start)
+}
+
+/// The file with the code of this program, which distinguishes builds.
+pub(crate) fn code() -> io::Result<PathBuf> {
+    file(|program| &program.code)
+}
+
+fn file(of: impl Fn(&Program) -> &PathBuf) -> io::Result<PathBuf> {
+    match PROGRAM.get() {
+        Some(program) => Ok(of(program).clone()),
+        None => std::env::current_exe(),
+    }
+}
