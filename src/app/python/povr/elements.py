@@ -125,18 +125,36 @@ def _rows(values, columns, name, dtype="f8"):
     return array
 
 
+def _joined(radius, **points):
+    """An array with the columns of arrays of points, and a radius as the last column."""
+    import numpy
+
+    points = {name: numpy.asarray(values) for name, values in points.items()}
+    for name, values in points.items():
+        if values.ndim != 2 or values.shape[1] != 3:
+            raise ValueError(f"{name} have the shape {values.shape}; it is (n, 3)")
+    count = len(next(iter(points.values())))
+    numbers = numpy.empty((count, 3 * len(points) + 1))
+    for at, (name, values) in enumerate(points.items()):
+        if len(values) != count:
+            raise ValueError(f"there are {len(values)} {name} for {count} others")
+        numbers[:, 3 * at : 3 * at + 3] = values
+    numbers[:, -1] = radius
+    return _rows(numbers, numbers.shape[1], f"radii and {' and '.join(points)}")
+
+
 def _colors(colors, count):
     """Colours as red, green, blue, filter and transmit."""
     import numpy
 
-    colors = numpy.asarray(colors, "f4")
+    colors = numpy.asarray(colors)
     if colors.ndim == 1:
         colors = numpy.broadcast_to(colors, (count, colors.size))
     if colors.ndim != 2 or not 3 <= colors.shape[1] <= 5 or len(colors) != count:
         raise ValueError(f"colors have the shape {colors.shape}; it is ({count}, 3), with filter and transmit 4 or 5")
-    if not numpy.isfinite(colors).all():
-        raise ValueError("colors are not all finite")
-    return numpy.pad(colors, ((0, 0), (0, 5 - colors.shape[1])))
+    padded = numpy.zeros((count, 5), "f4")
+    padded[:, : colors.shape[1]] = colors
+    return _rows(padded, 5, "colors", "f4")
 
 
 class _Rows:
@@ -189,12 +207,8 @@ class Spheres(_Rows):
     _kind = "sphere"
 
     def __init__(self, centers, radius, *attributes, colors=None):
-        import numpy
-
-        centers = _rows(centers, 3, "centers")
-        super().__init__(attributes, colors, len(centers))
-        radius = numpy.broadcast_to(numpy.asarray(radius, "f8"), (len(centers),))
-        self._numbers = _rows(numpy.column_stack([centers, radius]), 4, "centers and radii")
+        self._numbers = _joined(radius, centers=centers)
+        super().__init__(attributes, colors, len(self._numbers))
 
     @staticmethod
     def _item(row):
@@ -214,13 +228,9 @@ class Cylinders(_Rows):
     """
 
     def __init__(self, starts, ends, radius, *attributes, colors=None, open=False):
-        import numpy
-
-        starts, ends = _rows(starts, 3, "starts"), _rows(ends, 3, "ends")
-        super().__init__(attributes, colors, len(starts))
+        self._numbers = _joined(radius, starts=starts, ends=ends)
+        super().__init__(attributes, colors, len(self._numbers))
         self._kind = "open cylinder" if open else "cylinder"
-        radius = numpy.broadcast_to(numpy.asarray(radius, "f8"), (len(starts),))
-        self._numbers = _rows(numpy.column_stack([starts, ends, radius]), 7, "ends and radii")
 
     def _item(self, row):
         caps = " open" if self._kind == "open cylinder" else ""
