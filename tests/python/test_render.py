@@ -101,7 +101,16 @@ def test_warnings_point_at_the_caller():
 
 @pytest.mark.parametrize(
     "options",
-    [{"width": 0}, {"depth": 12}, {"antialias": "much"}, {"error": -1}, {"options": "--help"}],
+    [
+        {"width": 0},
+        {"depth": 12},
+        {"antialias": "much"},
+        {"error": -1},
+        {"options": "--help"},
+        {"options": "--sandbox"},
+        {"options": ["--timeout=3s"]},
+        {"options": "+C"},
+    ],
 )
 def test_wrong_options_are_refused(options):
     with pytest.raises((ValueError, TypeError)):

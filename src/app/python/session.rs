@@ -119,6 +119,12 @@ impl Session {
             return Err(value_error(&"options ask for help or a version"));
         };
         let mut settings = *settings;
+        if is_for_a_process(&settings) {
+            return Err(value_error(
+                &"`--sandbox`, `--timeout`, `--max-memory`, `+C` and `+GI` need a process of their own: run the program \
+                  `povr`",
+            ));
+        }
         settings.read.stop = token.get().inner().clone();
         settings.render.stop = token.get().inner().clone();
         let Some((_, encoding)) = settings.output.take() else {
@@ -310,6 +316,15 @@ fn floats_of(film: &Film, options: &EncodeOptions) -> Vec<u8> {
         }
     }
     bytes
+}
+
+/// True if some option limits or stores what only a process of povr's own can.
+fn is_for_a_process(settings: &Settings) -> bool {
+    settings.is_sandboxed
+        || settings.timeout.is_some()
+        || settings.max_memory.is_some()
+        || settings.continues
+        || settings.created_ini.is_some()
 }
 
 fn share(done: u64, of: u64) -> f64 {
