@@ -1,4 +1,5 @@
-//! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures must agree.
+//! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures must agree. Those of
+//! `pov_scenes/version38/` are drawn by POV-Ray 3.8 and skipped where it is not installed.
 //!
 //! A scene's first line is a comment that says what it shows. Further comments may state a size, switches and limits
 //! (`povr::app::compare::Case`); without limits `Limits::DEFAULT` holds. Single pixels (never more than
@@ -15,6 +16,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use povr::app::compare::{
     Bench, Case, CheckError, Compared, Explanation, Limits, Renderer, Verdict, side_by_side,
 };
+use std::ffi::OsStr;
 use std::fmt::Display;
 use std::fs;
 use std::path::Path;
@@ -26,6 +28,8 @@ use std::time::Duration;
 const TIME_LIMIT: Duration = Duration::from_secs(120);
 /// The size of pictures whose scenes set none.
 const SIZE: (u32, u32) = (160, 120);
+/// The folder of the scenes that are drawn by POV-Ray 3.8, not 3.7.
+const OF_38: &str = "version38/";
 /// POV-Ray spends most of its wall time asleep, so more tests run in parallel than there are processors.
 const TESTS_PER_PROCESSOR: usize = 4;
 
@@ -39,6 +43,9 @@ fn main() -> ExitCode {
         .test_threads
         .get_or_insert(TESTS_PER_PROCESSOR * processors);
     let remarks = Remarks::default();
+    if let Err(why) = BENCH_38.as_ref() {
+        print_remarks(&format!("{}* are not compared: {why}", OF_38));
+    }
     let trials = match support::scenes(Path::new(support::SCENES)) {
         Ok(scenes) => scenes
             .into_iter()
@@ -80,6 +87,7 @@ fn trials(path: &Path, remarks: &Remarks) -> Vec<Trial> {
     };
     let trial = |case: Case| {
         let remarks = Arc::clone(remarks);
+        let is_skipped = case.name.starts_with(OF_38) && BENCH_38.is_err();
         Trial::test(case.name.clone(), move || {
             let remark = check(&case)?;
             if let (Some(remark), Ok(mut list)) = (remark, remarks.lock()) {
@@ -87,6 +95,7 @@ fn trials(path: &Path, remarks: &Remarks) -> Vec<Trial> {
             }
             Ok(())
         })
+        .with_ignored_flag(is_skipped)
     };
     cases.into_iter().map(trial).collect()
 }
@@ -100,7 +109,11 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
     {
         return Err("the first line is to be a comment that says what the scene shows".into());
     }
-    let bench = BENCH.as_ref().map_err(Failed::from)?;
+    let bench = match case.name.starts_with(OF_38) {
+        true => &BENCH_38,
+        false => &BENCH,
+    };
+    let bench = bench.as_ref().map_err(Failed::from)?;
     let checked = bench.check(case).map_err(|error| error.to_string())?;
     let sheet = support::scratch("parity/failed")?.join(case.file_name("png"));
     let save = || {
@@ -134,9 +147,24 @@ fn check(case: &Case) -> Result<Option<String>, Failed> {
 
 /// The two renderers, or the reason why there is none to compare with.
 static BENCH: LazyLock<Result<Bench, String>> = LazyLock::new(|| {
-    let povray = Renderer::povray().map_err(|error| {
+    bench("povray".as_ref()).map_err(|error| {
         format!("`povray` does not run ({error}); `tools/test` installs it and then runs this test")
-    })?;
+    })
+});
+
+/// The same with POV-Ray 3.8: the program in the environment variable `POVRAY38`, or where `tools/povray38` puts it.
+static BENCH_38: LazyLock<Result<Bench, String>> = LazyLock::new(|| {
+    let program = match std::env::var_os("POVRAY38") {
+        Some(program) => program,
+        None => concat!(env!("CARGO_MANIFEST_DIR"), "/target/povray38/povray").into(),
+    };
+    bench(&program).map_err(|error| {
+        format!("POV-Ray 3.8 does not run ({error}); `tools/povray38 target/povray38` installs it")
+    })
+});
+
+fn bench(povray: &OsStr) -> Result<Bench, String> {
+    let povray = Renderer::povray(povray).map_err(|error| error.to_string())?;
     let program = support::renderer();
     let povr = Renderer::new(&program)
         .map_err(|why| CheckError::NotStarted(program.display().to_string(), why.to_string()));
@@ -152,7 +180,7 @@ static BENCH: LazyLock<Result<Bench, String>> = LazyLock::new(|| {
         limit: TIME_LIMIT,
         thresholds: None,
     })
-});
+}
 
 fn seen_in(sheet: &Path, saved: Result<(), impl Display>) -> String {
     match saved {

@@ -88,6 +88,9 @@ pub(super) struct CommandOptions {
     /// Save POV-Ray's pictures in this folder: later runs draw only what has changed
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
+    /// The POV-Ray to compare with, 3.7 or 3.8 [default: povray]
+    #[arg(long, value_name = "PROGRAM")]
+    against: Option<String>,
     /// How long a renderer may take for a scene [default: 60s]
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
@@ -119,6 +122,7 @@ struct Wanted {
     is_json: bool,
     output: Option<PathBuf>,
     keep: Option<PathBuf>,
+    against: Option<String>,
     timeout: Option<Duration>,
     jobs: Option<u16>,
     shown: Option<u32>,
@@ -266,6 +270,7 @@ impl Wanted {
         self.html = options.html.or(self.html.take());
         self.output = options.output.or(self.output.take());
         self.keep = options.keep.or(self.keep.take());
+        self.against = options.against.or(self.against.take());
         self.timeout = options.timeout.or(self.timeout);
         self.jobs = options.jobs.or(self.jobs);
         self.shown = options.shown.or(self.shown);
@@ -312,9 +317,11 @@ fn pictures<'a>(
 
 /// Compares all scenes named.
 fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
-    let povray = Renderer::povray().map_err(|error| {
-        CliError::new(format!("`povray` does not run: {error}"))
-            .with_hint("Install POV-Ray 3.7 (Debian: `apt-get install povray`).")
+    let program = wanted.against.as_deref().unwrap_or("povray");
+    let povray = Renderer::povray(program).map_err(|error| {
+        CliError::new(format!("`{program}` does not run: {error}")).with_hint(
+            "Install POV-Ray 3.7 (Debian: `apt-get install povray`), or name another with `--against`.",
+        )
     })?;
     let own = program::start()
         .map_err(|error| CliError::new(format!("cannot find this program to run it: {error}")))?;
@@ -337,12 +344,13 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     let version = lines.find(|line| line.starts_with("POV-Ray"));
     let version = version.unwrap_or_default().to_owned();
     let bench = Bench {
-        povray,
         povr: Renderer {
             program: own.into(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             switches: vec!["+WT1".to_owned()],
+            includes: povray.includes.clone(),
         },
+        povray,
         size: SIZE,
         switches: wanted.switches.clone(),
         root: PathBuf::from("/"),

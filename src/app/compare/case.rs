@@ -116,11 +116,16 @@ impl Case {
     }
 
     /// All switches for both renderers: the size, then others, the folders of includes, and those of the scene.
-    pub(super) fn all_switches(&self, size: (u32, u32), others: &[String]) -> Vec<String> {
+    pub(super) fn all_switches(
+        &self,
+        size: (u32, u32),
+        includes: &Path,
+        others: &[String],
+    ) -> Vec<String> {
         let (width, height) = self.size.unwrap_or(size);
         let mut switches = vec![format!("+W{width}"), format!("+H{height}")];
         switches.extend(["-D", "-A"].map(String::from));
-        switches.extend(library(&self.scene));
+        switches.extend(library(&self.scene, includes));
         switches.extend(others.iter().cloned());
         switches.extend(self.switches.iter().cloned());
         switches
@@ -194,7 +199,7 @@ mod tests {
             })
         );
         assert_eq!(parsed[1].file_name("png"), "a-b-+Q4.png");
-        let switches = parsed[1].all_switches((160, 120), &[]);
+        let switches = parsed[1].all_switches((160, 120), Path::new("/"), &[]);
         assert_eq!(
             (switches[0].as_str(), switches.last().unwrap().as_str()),
             ("+W32", "+Q4")

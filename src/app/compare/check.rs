@@ -91,7 +91,7 @@ impl Bench {
     }
 
     fn reference_with(&self, case: &Case, more: &[&str]) -> Result<Reference, CheckError> {
-        let mut switches = case.all_switches(self.size, &self.switches);
+        let mut switches = case.all_switches(self.size, &self.povray.includes, &self.switches);
         switches.extend(more.iter().map(|&switch| switch.to_owned()));
         let picture = Picture {
             scene: &case.scene,
@@ -111,7 +111,7 @@ impl Bench {
         let unwritable = |error| CheckError::file(&self.pictures, &error);
         let folder = tempfile::tempdir_in(&self.pictures).map_err(unwritable)?;
         let file = folder.path().join("picture.png");
-        let mut switches = case.all_switches(self.size, &self.switches);
+        let mut switches = case.all_switches(self.size, &self.povray.includes, &self.switches);
         switches.extend(more.iter().map(|&switch| switch.to_owned()));
         let picture = Picture {
             scene: &case.scene,

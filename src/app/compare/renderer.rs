@@ -8,8 +8,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-/// Debian's folder of the standard include files.
+/// The folder of the standard include files of POV-Ray 3.7, as Debian installs it.
 const STANDARD_INCLUDES: &str = "/usr/share/povray-3.7/include";
+/// Those of POV-Ray 3.8: installed, built, or unpacked by `tools/povray38`; relative to the folder of the program.
+const STANDARD_INCLUDES_38: [&str; 3] = [
+    "../share/povray-3.8/include",
+    "root/usr/share/povray-3.8/include",
+    "/usr/share/povray-3.8/include",
+];
 
 /// A renderer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,6 +26,8 @@ pub struct Renderer {
     pub version: String,
     /// Switches that precede all others.
     pub switches: Vec<String>,
+    /// The folder of the standard include files that belong to it.
+    pub includes: PathBuf,
 }
 
 /// A picture to render.
@@ -38,12 +46,13 @@ pub struct Picture<'a> {
 }
 
 impl Renderer {
-    /// POV-Ray as Debian installs it, with one thread, so that its pictures are the same every time.
+    /// POV-Ray, 3.7 or 3.8, with one thread, so that its pictures are the same every time. `povray` is the one that
+    /// Debian installs.
     ///
     /// # Errors
     /// When it does not run.
-    pub fn povray() -> io::Result<Renderer> {
-        let mut povray = Renderer::new("povray")?;
+    pub fn povray(program: impl Into<OsString>) -> io::Result<Renderer> {
+        let mut povray = Renderer::new(program)?;
         povray.switches = vec!["+WT1".to_owned()];
         Ok(povray)
     }
@@ -60,6 +69,7 @@ impl Renderer {
             return Err(io::Error::other("it does not tell its version"));
         }
         Ok(Renderer {
+            includes: standard_includes(Path::new(&program), &ended.stderr),
             program,
             version: ended.stderr,
             switches: Vec::new(),
@@ -86,10 +96,21 @@ impl Renderer {
     }
 }
 
+/// The folder of the standard include files for a program that says this of its version.
+fn standard_includes(program: &Path, version: &str) -> PathBuf {
+    if !version.contains("POV-Ray 3.8") {
+        return STANDARD_INCLUDES.into();
+    }
+    let folder = program.parent().unwrap_or(Path::new(""));
+    let mut folders = STANDARD_INCLUDES_38.iter().map(|name| folder.join(name));
+    folders
+        .find(|folder| folder.is_dir())
+        .unwrap_or_else(|| STANDARD_INCLUDES.into())
+}
+
 /// Switches with the include folders for both renderers: beside the scene, and the standard library.
-pub(super) fn library(scene: &Path) -> Vec<String> {
-    let beside = scene.parent().map(Path::to_owned);
-    let folders = beside.into_iter().chain([PathBuf::from(STANDARD_INCLUDES)]);
+pub(super) fn library(scene: &Path, includes: &Path) -> Vec<String> {
+    let folders = scene.parent().into_iter().chain([includes]);
     folders
         .map(|folder| format!("+L{}", folder.display()))
         .collect()

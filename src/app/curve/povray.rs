@@ -58,6 +58,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
         program: "povray".into(),
         version: String::new(),
         switches: vec![format!("+WT{}", task.threads)],
+        includes: PathBuf::new(),
     };
     let ended = povray
         .draw(&compare::Picture {

@@ -40,7 +40,7 @@ pub(super) enum Verdict {
 impl Comparer {
     /// POV-Ray, if it is installed.
     pub(super) fn find() -> Option<Self> {
-        Renderer::povray().ok().map(Comparer)
+        Renderer::povray("povray").ok().map(Comparer)
     }
 
     /// Compares the picture of a scene in a folder with POV-Ray's.
