@@ -7,13 +7,16 @@ include!(concat!(env!("OUT_DIR"), "/words.rs"));
 /// Slots of [`BY_SPELLING`]: about eight times the number of words, so that collisions are rare.
 const SLOTS: usize = 1 << 12;
 
+/// A word of POV-Ray 3.7 that 3.8 does not reserve.
+pub const FREE_SINCE_3_8: Word = Word::Steps;
+
 /// Hash table with linear probing: the index of the word in each slot, or `u16::MAX` in a free one.
 static BY_SPELLING: [u16; SLOTS] = by_spelling();
 
 const fn by_spelling() -> [u16; SLOTS] {
     let mut table = [u16::MAX; SLOTS];
     let mut word = 0_u16;
-    while (word as usize) < WORDS.len() {
+    while (word as usize) < COUNT_3_7 {
         let mut at = hash_slot(WORDS[word as usize].1.as_bytes());
         while table[at] != u16::MAX {
             at = (at + 1) % SLOTS;
@@ -39,7 +42,23 @@ impl Word {
     /// Number of reserved words.
     pub const COUNT: usize = WORDS.len();
 
-    /// The word with this spelling; all are lower case.
+    /// The words that POV-Ray 3.8 added, in the order of the grammar.
+    pub fn since_3_8() -> impl Iterator<Item = Word> {
+        WORDS[COUNT_3_7..].iter().map(|entry| entry.0)
+    }
+
+    /// The word of the same meaning under which elements are read: `gray` for `grey`.
+    #[must_use]
+    pub fn usual(self) -> Word {
+        match self {
+            Word::Grey => Word::Gray,
+            Word::GreyThreshold => Word::GrayThreshold,
+            Word::HfGrey16 => Word::HfGray16,
+            word => word,
+        }
+    }
+
+    /// The word of POV-Ray 3.7 with this spelling; all are lower case.
     #[must_use]
     pub fn from_spelling(spelling: &str) -> Option<Word> {
         let mut at = hash_slot(spelling.as_bytes());
@@ -104,9 +123,9 @@ impl Word {
             && !matches!(self, Function | Internal)
     }
 
-    /// All words in the grammar's order, which is the order of `self as usize`.
+    /// All words of POV-Ray 3.7 in the grammar's order, which is the order of `self as usize`.
     pub fn all() -> impl Iterator<Item = Word> {
-        WORDS.iter().map(|entry| entry.0)
+        WORDS[..COUNT_3_7].iter().map(|entry| entry.0)
     }
 }
 
@@ -122,12 +141,15 @@ mod tests {
 
     #[test]
     fn every_word_is_looked_up_by_its_spelling() {
-        assert_eq!(Word::COUNT, 499);
+        assert_eq!(Word::all().count(), 499);
         for word in Word::all() {
             assert_eq!(Word::from_spelling(word.spelling()), Some(word));
             assert_eq!(Word::from_index(word as u32), Some(word));
         }
-        assert_eq!(Word::from_index(499), None);
+        for word in Word::since_3_8() {
+            assert_eq!(Word::from_spelling(word.spelling()), None);
+        }
+        assert_eq!(Word::from_index(499), Word::since_3_8().next());
         assert_eq!(Word::from_spelling("Sphere"), None);
     }
 
@@ -140,10 +162,14 @@ mod tests {
             .flat_map(|line| line.split('"').skip(1).step_by(2))
             .collect();
         assert_eq!(quoted.len(), Word::COUNT);
-        for spelling in quoted {
-            let word = Word::from_spelling(spelling).unwrap();
+        for (word, spelling) in Word::all().chain(Word::since_3_8()).zip(quoted) {
+            assert_eq!(word.spelling(), spelling);
             let class = format!("{:?}", word.class()).to_lowercase();
-            let rule = grammar.find(&format!("\n{class} = {{")).unwrap();
+            let rule = match Word::from_spelling(spelling) {
+                Some(_) => format!("\n{class} = {{"),
+                None => format!("\n{class}_since_3_8 = {{"),
+            };
+            let rule = grammar.find(&rule).unwrap();
             let body = &grammar[rule..];
             let end = body.find("}").unwrap();
             assert!(

@@ -170,13 +170,22 @@ impl Reader<'_> {
 
     /// The next token as it stands in the file: no directive is run, no macro called.
     pub(super) fn raw(&self) -> Token {
-        self.here.tokens.tokens[self.here.at]
+        self.in_version(self.here.tokens.tokens[self.here.at])
+    }
+
+    /// A token as the language version in force reads it: names may be reserved words since 3.8.
+    #[inline(always)]
+    fn in_version(&self, token: Token) -> Token {
+        match self.dialect.has_words_of_3_8() {
+            true => self.dialect.token(token),
+            false => token,
+        }
     }
 
     /// The token `ahead` tokens further in the same file.
     pub(super) fn raw_ahead(&self, ahead: usize) -> Token {
         let tokens = &self.here.tokens.tokens;
-        tokens[(self.here.at + ahead).min(tokens.len() - 1)]
+        self.in_version(tokens[(self.here.at + ahead).min(tokens.len() - 1)])
     }
 
     /// The span of the next token.

@@ -3,6 +3,7 @@
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
+use crate::lang::dialect::is_3_8;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::texture::{Layer, Texture};
@@ -17,6 +18,10 @@ const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 pub(super) struct SceneDraft {
     pub(super) version: f64,
     pub(super) has_version: bool,
+    /// True once a `#default` was read: a later `#version` leaves the defaults alone.
+    pub(super) has_default: bool,
+    /// Width over height of the image, for pixels as wide as high.
+    aspect: f64,
     pub(super) default_layer: Layer,
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
@@ -32,9 +37,11 @@ pub(super) struct SceneDraft {
 impl SceneDraft {
     /// An empty scene.
     pub(super) fn new(options: &ReadOptions) -> SceneDraft {
-        SceneDraft {
+        let mut draft = SceneDraft {
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
+            has_default: false,
+            aspect: f64::from(options.width) / f64::from(options.height),
             default_layer: Layer::default(),
             default_texture: Arc::new(Texture::from(Layer::default())),
             default_camera: Camera::default(),
@@ -44,7 +51,29 @@ impl SceneDraft {
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Objects::default(),
-        }
+        };
+        draft.set_stock_defaults();
+        draft
+    }
+
+    /// Sets the defaults of the version in force.
+    pub(super) fn set_stock_defaults(&mut self) {
+        let is_3_8 = is_3_8(self.version);
+        self.default_layer = match is_3_8 {
+            true => Layer::of_3_8(),
+            false => Layer::default(),
+        };
+        self.default_texture = Arc::new(Texture::from(self.default_layer.clone()));
+        self.default_camera = match is_3_8 {
+            true => Camera::with_aspect(self.aspect),
+            false => Camera::default(),
+        };
+    }
+
+    /// True if no `#default` has changed the camera.
+    pub(super) fn has_stock_camera(&self) -> bool {
+        let camera = &self.default_camera;
+        *camera == Camera::default() || *camera == Camera::with_aspect(self.aspect)
     }
 
     /// The version whose rules hold for lights and images at this point.
@@ -59,10 +88,13 @@ impl SceneDraft {
     /// The scene, at the end of its text.
     pub(super) fn into_scene(self) -> Scene {
         let version = self.version_of_rules();
+        // Without any camera the aspect ratio plays no part in version 3.8 either.
+        let camera_of_none = match self.has_stock_camera() {
+            true => Camera::default(),
+            false => self.default_camera,
+        };
         Scene {
-            camera: self
-                .camera
-                .map_or(self.default_camera, |(camera, _)| camera),
+            camera: self.camera.map_or(camera_of_none, |(camera, _)| camera),
             objects: self.objects,
             background: Background {
                 color: self.background,

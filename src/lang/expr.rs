@@ -348,6 +348,7 @@ impl Reader<'_> {
             Word::U => unit(0, 2),
             Word::V => unit(1, 2),
             Word::Pi => Number::float(std::f64::consts::PI),
+            Word::Tau => Number::float(std::f64::consts::TAU),
             Word::True | Word::Yes | Word::On => Number::float(1.0),
             Word::Clock => Number::float(self.options.clock),
             Word::ClockOn => Number::truth(self.options.clock_on),
@@ -403,11 +404,17 @@ impl Reader<'_> {
             Some(Value::Number(number)) => {
                 let number = *number;
                 self.pass();
+                if self.scopes.is_qualified(symbol) {
+                    self.discard_recording();
+                }
                 self.note_name(symbol, number.len);
                 Ok(number)
             }
             Some(Value::Array(array)) => {
                 let (dimensions, before) = (array.sizes.len(), self.noted());
+                if array.is_mixed {
+                    self.discard_recording();
+                }
                 match self.array_or_item()? {
                     Value::Number(number) => {
                         self.note_item(symbol, before, dimensions, number.len);
@@ -447,14 +454,24 @@ impl Reader<'_> {
             .unwrap_or(Value::Poison(None));
         self.pass();
         while let Value::Array(array) = &value {
-            let token = self.peek()?;
-            if token.kind != Kind::Mark || token.value != '[' as u32 {
-                break;
-            }
             let array = Rc::clone(array);
             let start = self.here_span();
-            let at = self.array_index(&array.sizes)?;
-            value = array.items[at].clone().ok_or_else(|| {
+            let item = if array.is_dictionary() {
+                match self.key()? {
+                    Some(key) => array.index_of(&key).and_then(|at| array.items[at].clone()),
+                    None => break,
+                }
+            } else {
+                let token = match array.is_mixed {
+                    true => self.raw(),
+                    false => self.peek()?,
+                };
+                if token.kind != Kind::Mark || token.value != '[' as u32 {
+                    break;
+                }
+                array.items[self.array_index(&array.sizes)?].clone()
+            };
+            value = item.ok_or_else(|| {
                 let name = self.names.spelling(symbol).to_owned();
                 self.with_trace(
                     Diagnostic::error(

@@ -103,6 +103,8 @@ pub(crate) struct Macro {
     pub(crate) body: usize,
     pub(crate) end: u32,
     pub(crate) parameters: Vec<Symbol>,
+    /// True for each parameter that a call may leave out.
+    pub(crate) optional: Vec<bool>,
     pub(crate) defined: Span,
 }
 

@@ -4,6 +4,7 @@ mod accounting;
 mod budget;
 mod cursor;
 mod diagnose;
+mod dialect;
 mod directive;
 mod draft;
 mod element;

@@ -2,6 +2,7 @@
 
 use super::ReadEvent;
 use super::budget::Budget;
+use super::dialect::Dialect;
 use super::directive::open_file::Files;
 use super::draft::SceneDraft;
 use super::expr::streams::Streams;
@@ -21,7 +22,6 @@ use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
 use crate::lang::syntax::{Names, Tokens, tokenize_around_data};
 use crate::scene::Scene;
-use crate::scene::camera::Camera;
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
@@ -31,6 +31,7 @@ pub(super) struct Reader<'a> {
     pub(super) options: &'a ReadOptions,
     pub(super) probe: &'a mut dyn Probe,
     pub(super) names: Names,
+    pub(super) dialect: Dialect,
     token_cache: Option<&'a mut TokenCache>,
     scene: FileId,
     /// The tokens of all files read so far, the scene itself among them.
@@ -122,6 +123,7 @@ impl<'a> Reader<'a> {
             sources,
             options,
             probe,
+            dialect: Dialect::new(options.version.unwrap_or(0.0), &names),
             names,
             token_cache,
             scene,
@@ -149,6 +151,7 @@ impl<'a> Reader<'a> {
             memory: Memory::default(),
             report: Report::new(listener),
         };
+        reader.scopes.qualify(reader.names.qualified());
         reader.declare_options();
         Ok(reader)
     }
@@ -199,6 +202,7 @@ impl<'a> Reader<'a> {
         match tokenize_around_data(file, self.sources.text(file), &mut self.names) {
             Ok(tokens) => {
                 let tokens = Rc::new(tokens);
+                self.scopes.qualify(self.names.qualified());
                 self.tokenized.insert(file, Rc::clone(&tokens));
                 Ok(tokens)
             }
@@ -265,7 +269,7 @@ impl Reader<'_> {
             self.warning(Diagnostic::warning(None, "no objects in scene"));
             return;
         }
-        if self.draft.camera.is_none() && self.draft.default_camera == Camera::default() {
+        if self.draft.camera.is_none() && self.draft.has_stock_camera() {
             self.warning(
                 Diagnostic::warning(
                     None,

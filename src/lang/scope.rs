@@ -4,7 +4,8 @@
 //! innermost binding. Every symbol has its own stack of bindings, so that a look-up is one step.
 
 use super::expr::value::{Number, Value};
-use crate::lang::syntax::Symbol;
+use crate::lang::syntax::{Qualified, Symbol};
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// A binding: the depth of the scope that owns it, and its value.
@@ -42,6 +43,8 @@ pub(super) struct Scopes {
     bound: Vec<Symbol>,
     /// The index of the first symbol of each of these scopes.
     open: Vec<usize>,
+    /// `local.Name` and `global.Name`, which have no bindings of their own.
+    qualified: FxHashMap<Symbol, Qualified>,
 }
 
 impl Scopes {
@@ -72,8 +75,48 @@ impl Scopes {
     /// The value of a symbol.
     #[inline]
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Value> {
-        let stack = self.stacks.get(symbol.0 as usize)?;
-        self.held(stack.last()?)
+        let stack = self.stacks.get(symbol.0 as usize);
+        match stack.and_then(|stack| stack.last()) {
+            Some(binding) => self.held(binding),
+            None => self.get_qualified(symbol),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn get_qualified(&self, symbol: Symbol) -> Option<&Value> {
+        let (name, depth) = self.in_scope(symbol)?;
+        self.bound_at(name, depth)
+    }
+
+    /// Makes `local.Name` and `global.Name` known.
+    pub(super) fn qualify(&mut self, all: &[Qualified]) {
+        for &qualified in all.get(self.qualified.len()..).unwrap_or_default() {
+            self.qualified.insert(qualified.symbol, qualified);
+        }
+    }
+
+    /// The name and the depth of the scope that `local.Name` or `global.Name` refers to.
+    fn in_scope(&self, symbol: Symbol) -> Option<(Symbol, u32)> {
+        let qualified = self.qualified.get(&symbol)?;
+        let depth = if qualified.is_local { self.depth() } else { 0 };
+        Some((qualified.name, depth))
+    }
+
+    /// True for `local.Name` and `global.Name`.
+    pub(super) fn is_qualified(&self, symbol: Symbol) -> bool {
+        self.qualified.contains_key(&symbol)
+    }
+
+    /// The symbol and the index of the binding that a name refers to.
+    fn binding(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
+        if let Some(top) = self.top(symbol) {
+            return Some((symbol, top));
+        }
+        let (name, depth) = self.in_scope(symbol)?;
+        let stack = self.stacks.get(name.0 as usize)?;
+        let at = stack.iter().position(|binding| binding.depth == depth)?;
+        Some((name, at))
     }
 
     /// The value of a symbol in the scope of that depth, if it is bound there.
@@ -127,14 +170,14 @@ impl Scopes {
 
     /// The value of a symbol, for changes.
     pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
-        let top = self.top(symbol)?;
-        self.held_mut(symbol, top)
+        let (symbol, at) = self.binding(symbol)?;
+        self.held_mut(symbol, at)
     }
 
     /// The value of the binding at an index of a symbol's stack, for changes.
     fn held_mut(&mut self, symbol: Symbol, at: usize) -> Option<&mut Value> {
         let (symbol, at) = self.owner(symbol, at);
-        let (symbol, at, path) = match &self.stacks[symbol.0 as usize][at].held {
+        let (symbol, at, path) = match &self.stacks[symbol.0 as usize].get(at)?.held {
             Held::Item(array, at, path) => (*array, *at as usize, Some(Rc::clone(path))),
             _ => (symbol, at, None),
         };
@@ -147,6 +190,9 @@ impl Scopes {
 
     /// True if a name is bound in the innermost scope, as its own or as a parameter.
     pub(super) fn is_local(&self, symbol: Symbol) -> bool {
+        if let Some((name, depth)) = self.in_scope(symbol) {
+            return depth == self.depth() && self.bound_at(name, depth).is_some();
+        }
         let stack = self.stacks.get(symbol.0 as usize);
         stack.is_some_and(|stack| stack.last().is_some_and(|last| last.depth == self.depth()))
     }
@@ -167,7 +213,10 @@ impl Scopes {
     pub(super) fn declare(&mut self, symbol: Symbol, value: Value) {
         match self.get_mut(symbol) {
             Some(old) => *old = value,
-            None => self.bind(symbol, 0, Held::Value(value)),
+            None => {
+                let (name, depth) = self.in_scope(symbol).unwrap_or((symbol, 0));
+                self.bind(name, depth, Held::Value(value));
+            }
         }
     }
 
@@ -190,6 +239,9 @@ impl Scopes {
     /// `#local`: assigns to the innermost scope's binding, or makes one there.
     #[inline]
     pub(super) fn local(&mut self, symbol: Symbol, value: Value) {
+        if !self.qualified.is_empty() && self.is_qualified(symbol) {
+            return self.declare(symbol, value);
+        }
         let depth = self.depth();
         if depth > 0
             && let Some(stack) = self.stacks.get_mut(symbol.0 as usize)
@@ -230,6 +282,10 @@ impl Scopes {
     /// `#declare` or `#local` of a name that was read with `depth` scopes open, while the value ended in an inner one:
     /// bindings further in belong to other names.
     pub(super) fn assign_from(&mut self, depth: u32, symbol: Symbol, value: Value, is_local: bool) {
+        if let Some(&Qualified { name, is_local, .. }) = self.qualified.get(&symbol) {
+            let depth = if is_local { depth } else { 0 };
+            return self.assign_from(depth, name, value, true);
+        }
         let is_it = |binding: &Binding| match is_local {
             true => binding.depth == depth,
             false => binding.depth <= depth,
@@ -261,7 +317,8 @@ impl Scopes {
 
     /// The target of an alias made now.
     pub(super) fn target(&self, symbol: Symbol) -> Option<Target> {
-        let (symbol, at) = self.owner(symbol, self.top(symbol)?);
+        let (symbol, at) = self.binding(symbol)?;
+        let (symbol, at) = self.owner(symbol, at);
         Some(match &self.stacks[symbol.0 as usize].get(at)?.held {
             Held::Item(array, at, path) => Target {
                 symbol: *array,
@@ -328,6 +385,13 @@ impl Scopes {
 
     /// `#undef`: removes the current binding of the name; true if there was one.
     pub(super) fn undefine(&mut self, symbol: Symbol) -> bool {
+        if let Some((name, depth)) = self.in_scope(symbol) {
+            let stack = self.stacks.get_mut(name.0 as usize);
+            return stack.is_some_and(|stack| {
+                let at = stack.iter().position(|binding| binding.depth == depth);
+                at.map(|at| stack.remove(at)).is_some()
+            });
+        }
         self.stacks
             .get_mut(symbol.0 as usize)
             .and_then(Vec::pop)

@@ -1,5 +1,5 @@
 // mistake in line 2: a version to come
-#version 3.8;
+#version 3.9;
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }
 light_source { <4, 6, -8>, rgb 1 }

@@ -388,7 +388,7 @@ fn versions_hold_at_once_refused() {
             "#version 3.0 #if(1) + .5 #end;",
             "#if(1) #version 3.0 #end;",
             "#version #if(1) 3.0 #end;",
-            "#version 3.8;",
+            "#version 3.9;",
         ],
     );
 }

@@ -439,7 +439,7 @@ fn an_error_ends_the_scene_and_a_warning_does_not() {
 
 #[test]
 fn versions_up_to_3_7() {
-    refused("facts/version_refused", &["!#version 3.8; sphere { 0, 1 }"]);
+    refused("facts/version_refused", &["!#version 3.9; sphere { 0, 1 }"]);
     agree(
         "facts/version",
         &["#declare A = 1; #version 3.5; #debug concat(\"= \", str(version, 0, 1), \"\\n\")"],

@@ -149,7 +149,7 @@ fn versions_refused() {
             r#"!#version unofficial megapov 1.0;
 #debug "= ok\n""#,
             r#"!#version unofficial patch 3.7;"#,
-            r#"!#version 3.8;"#,
+            r#"!#version 3.9;"#,
         ],
     );
 }

@@ -72,16 +72,31 @@ fn words_by_class(text: &str) -> Vec<(String, String)> {
     words
 }
 
+/// Ending of the rules of words that POV-Ray 3.7 does not reserve. They are the last of the file.
+const SINCE_3_8: &str = "_since_3_8";
+
 fn table(words: &[(String, String)]) -> String {
-    let mut classes: Vec<&str> = words.iter().map(|(class, _)| class.as_str()).collect();
-    classes.dedup();
+    let old = words
+        .iter()
+        .filter(|(class, _)| !class.ends_with(SINCE_3_8));
+    let old_count = old.count();
+    let words: Vec<(&str, &str)> = words
+        .iter()
+        .map(|(class, word)| (class.trim_end_matches(SINCE_3_8), word.as_str()))
+        .collect();
+    let mut classes: Vec<&str> = Vec::new();
+    for &(class, _) in &words {
+        if !classes.contains(&class) {
+            classes.push(class);
+        }
+    }
     let mut out = String::new();
     out.push_str("/// A reserved word of the scene language.\n");
     out.push_str(
         "#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]\n#[repr(u16)]\n",
     );
     out.push_str("pub enum Word {\n");
-    for (_, word) in words {
+    for (_, word) in &words {
         writeln!(out, "    /// `{word}`\n    {},", camel(word)).expect("strings grow");
     }
     out.push_str("}\n\n/// The class under which `grammar/words.pest` lists a word.\n");
@@ -90,7 +105,7 @@ fn table(words: &[(String, String)]) -> String {
         writeln!(out, "    /// `{class}`\n    {},", camel(class)).expect("strings grow");
     }
     out.push_str("}\n\nstatic WORDS: &[(Word, &str, Class)] = &[\n");
-    for (class, word) in words {
+    for (class, word) in &words {
         writeln!(
             out,
             "    (Word::{}, \"{word}\", Class::{}),",
@@ -100,6 +115,8 @@ fn table(words: &[(String, String)]) -> String {
         .expect("strings grow");
     }
     out.push_str("];\n");
+    writeln!(out, "\n/// Number of words of POV-Ray 3.7, which come first.\nconst COUNT_3_7: usize = {old_count};")
+        .expect("strings grow");
     out
 }
 

@@ -55,6 +55,9 @@ fn scale_vector(args: &mut dyn Args) -> Parse<DVec3> {
     Ok(by)
 }
 
+/// The last language version without a comma behind the last number of a `matrix`.
+const LAST_WITHOUT_COMMA: f64 = 3.7;
+
 /// `< 12 numbers >`: three rows of the linear part, then the translation, in POV-Ray's row-vector convention.
 fn matrix(args: &mut dyn Args) -> Parse<Transform> {
     let at = args.span();
@@ -75,6 +78,9 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
             )));
         }
         *entry = args.float()?;
+    }
+    if args.version() > LAST_WITHOUT_COMMA {
+        args.comma()?;
     }
     if !args.accept_mark('>')? {
         return Err(args.expected("`>` after the twelve numbers of `matrix`"));

@@ -108,6 +108,11 @@ impl Reader<'_> {
         if let Some(value) = self.scopes.get(symbol) {
             return remedy_of_value(name, value, wanted);
         }
+        if self.dialect.is_of_3_8(symbol, &self.names) {
+            return Some(format!(
+                "`{name}` is a word of POV-Ray 3.8: begin the scene with `#version 3.8;`."
+            ));
+        }
         let small = name.to_lowercase();
         // `Red` is the colour of that name, not the word `red`.
         let is_part_of_color = |word| {

@@ -38,6 +38,15 @@ impl BoundKind {
     }
 }
 
+/// A name of a tuple declaration.
+struct TupleName {
+    declaring: Declaring,
+    start: Start,
+    is_optional: bool,
+    /// The path of an item of an array.
+    item: Option<Vec<usize>>,
+}
+
 impl Reader<'_> {
     /// `#declare Name = value` and `#local Name = value`, and the same for an item of an array.
     pub(crate) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
@@ -51,6 +60,9 @@ impl Reader<'_> {
     }
 
     fn declare(&mut self, is_local: bool) -> Parse<()> {
+        if self.dialect.has_words_of_3_8() && self.is_raw_mark('(') {
+            return self.declare_tuple(is_local);
+        }
         let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;
         let name = self.start_taken();
@@ -63,7 +75,7 @@ impl Reader<'_> {
             }
             None => {}
         }
-        if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
+        if self.begins_item(symbol) {
             return self.declare_item(symbol, is_local);
         }
         if !self.take_mark('=')? {
@@ -76,7 +88,7 @@ impl Reader<'_> {
         }
         let outer = self.statement.declaring.take();
         let mut declaring = self.declaring_here(symbol, is_local);
-        let known = if is_local {
+        let known = if is_local && !self.scopes.is_qualified(symbol) {
             self.scopes.bound_at(symbol, declaring.scope)
         } else {
             self.scopes.get(symbol)
@@ -139,6 +151,67 @@ impl Reader<'_> {
                 Err(error)
             }
         }
+    }
+
+    /// `#declare (A, B[0], optional C) = (value, value, );` of version 3.8. Each name gets its value before the next one
+    /// is read.
+    fn declare_tuple(&mut self, is_local: bool) -> Parse<()> {
+        self.pass();
+        let mut names = Vec::new();
+        loop {
+            let is_optional = self.take_word(Word::Optional)?;
+            let symbol = self.identifier("a name to declare")?;
+            let start = self.start_taken();
+            let item = match self.begins_item(symbol) {
+                true => Some(self.item_path(symbol)?),
+                false => None,
+            };
+            names.push(TupleName {
+                declaring: self.declaring_here(symbol, is_local),
+                start,
+                is_optional,
+                item,
+            });
+            if !self.take_mark(',')? {
+                break;
+            }
+        }
+        self.expect_mark(')', "`,` or `)` after the name")?;
+        self.expect_mark('=', "`=` after the names")?;
+        let outer = self.statement.declaring.take();
+        let declared = self.declare_names(&names);
+        self.statement.declaring = outer;
+        declared?;
+        self.take_mark(';')?;
+        Ok(())
+    }
+
+    /// `(value, value)`, as many as there are names.
+    fn declare_names(&mut self, names: &[TupleName]) -> Parse<()> {
+        self.expect_mark('(', "`(` before the values")?;
+        for (at, name) in names.iter().enumerate() {
+            if at > 0 {
+                self.expect_mark(',', "`,` and a further value")?;
+            }
+            if name.is_optional && self.take_nothing()? {
+                continue;
+            }
+            let symbol = name.declaring.symbol;
+            let Some(value) = self.value("a value")? else {
+                let spelling = self.names.spelling(symbol).to_owned();
+                return Err(self.expected_here(&format!("a value for `{spelling}`")));
+            };
+            if let Some(path) = &name.item {
+                self.set_item(symbol, path, value)?;
+                continue;
+            }
+            let known = self.scopes.get(symbol).map(BoundKind::of);
+            if known.is_some_and(|known| known.excludes(BoundKind::of(&value))) {
+                return Err(self.name_is_taken(symbol, name.start));
+            }
+            self.assign(&name.declaring, value);
+        }
+        self.expect_mark(')', "`)` after the values")
     }
 
     /// True if a value ends as a number does: it is one, or a function or spline by name.
@@ -323,7 +396,7 @@ impl Reader<'_> {
 
     pub(crate) fn run_undef(&mut self) -> Parse<()> {
         let symbol = self.identifier("a name after `#undef`")?;
-        if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
+        if self.begins_item(symbol) {
             let path = self.item_path(symbol)?;
             let array = self.scopes.get_mut(symbol);
             if let Some(item) = array.and_then(|array| array.item_mut(&path)) {
@@ -363,8 +436,7 @@ impl Reader<'_> {
     pub(crate) fn names_a_value(&mut self) -> Parse<bool> {
         self.pass_hash();
         let symbol = self.identifier("a name")?;
-        let is_array = matches!(self.scopes.get(symbol), Some(Value::Array(_)));
-        let path = if is_array && self.is_raw_mark('[') {
+        let path = if self.begins_item(symbol) {
             self.item_path(symbol)?
         } else {
             Vec::new()

@@ -10,6 +10,7 @@ use super::data_file::DataFile;
 use super::open_file::{OpenFile, Output};
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::dialect::is_3_8;
 use crate::lang::expr::strings::general;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
@@ -52,10 +53,10 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The name of a file, in which `\` is no escape.
+    /// The name of a file, in which `\` is no escape before version 3.8.
     pub(crate) fn file_name(&mut self) -> Parse<String> {
         let token = self.peek()?;
-        if token.kind != crate::lang::syntax::Kind::String {
+        if token.kind != crate::lang::syntax::Kind::String || is_3_8(self.draft.version) {
             return self.string();
         }
         self.pass();

@@ -2,12 +2,16 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
+use crate::lang::dialect::is_3_8;
 use crate::lang::expr::FIRST_WITH_OPERATORS;
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::Kind;
 use std::rc::Rc;
+
+/// The newest language version.
+const NEWEST: f64 = 3.8;
 
 impl Reader<'_> {
     pub(crate) fn run_include(&mut self) -> Parse<()> {
@@ -87,13 +91,17 @@ impl Reader<'_> {
         self.statement.is_in_version = false;
         let version = version?;
         self.take_semicolon();
-        if version > 3.7 + crate::lang::limits::EQUAL {
+        if version > NEWEST + crate::lang::limits::EQUAL {
             return Err(self.with_trace(
                 Diagnostic::error(
                     self.taken_span(),
-                    format!("this scene asks for version {version}; povr draws as POV-Ray 3.7"),
+                    format!(
+                        "this scene asks for version {version}; povr draws as POV-Ray {NEWEST}"
+                    ),
                 )
-                .with_hint("Write `#version 3.7;` if the scene uses nothing newer."),
+                .with_hint(format!(
+                    "Write `#version {NEWEST};` if the scene uses nothing newer."
+                )),
             ));
         }
         // Macros after a number are parsed differently before 3.5, and operators before 1.5.
@@ -103,8 +111,19 @@ impl Reader<'_> {
         {
             self.replays.clear();
         }
+        if self.dialect.set_version(version) {
+            self.replays.clear();
+        }
+        let has_other_defaults = is_3_8(version) != is_3_8(self.draft.version);
         self.draft.version = version;
         self.draft.has_version = true;
+        if has_other_defaults && self.draft.has_default {
+            let message = "the defaults stay those of the version before, as a `#default` precedes";
+            let warning = Diagnostic::warning(self.taken_span(), message);
+            self.warning(warning.with_hint("Write `#version` before the first `#default`."));
+        } else if has_other_defaults {
+            self.draft.set_stock_defaults();
+        }
         Ok(())
     }
 

@@ -16,6 +16,8 @@ use std::rc::Rc;
 pub(crate) enum Argument {
     Reference(Target),
     Value(Value),
+    /// An optional argument that is left out: its parameter stays undeclared.
+    None,
 }
 
 /// The arguments of a call, and where a recorded expression finds each of them. Few macros have more than six.
@@ -45,7 +47,7 @@ impl Reader<'_> {
             let error = self.name_is_taken(name, self.start_taken());
             self.record(*error);
         }
-        let mut parameters = Vec::new();
+        let (mut parameters, mut optional) = (Vec::new(), Vec::new());
         if !self.take_raw_mark('(') {
             let name = self.taken_span();
             let text = self.source_text(name).to_owned();
@@ -59,6 +61,11 @@ impl Reader<'_> {
             if self.take_raw_mark(')') {
                 break;
             }
+            let is_optional = self.raw().word() == Some(Word::Optional);
+            if is_optional {
+                self.pass();
+            }
+            optional.push(is_optional);
             parameters.push(self.identifier("a parameter or `)` in `#macro`")?);
         }
         let defined = Macro {
@@ -66,6 +73,7 @@ impl Reader<'_> {
             body: self.here.at,
             end,
             parameters,
+            optional,
             defined: span.to(self.taken_span()),
         };
         self.scopes.declare(name, Value::Macro(Rc::new(defined)));
@@ -123,7 +131,11 @@ impl Reader<'_> {
             match argument {
                 Argument::Reference(target) => self.scopes.alias(parameter, target),
                 Argument::Value(value) => self.scopes.local(parameter, value),
+                Argument::None => {}
             }
+        }
+        if called.optional.contains(&true) {
+            self.discard_recording();
         }
         self.note_call(name, called, length, &arguments.sources);
         Ok(())
@@ -141,7 +153,19 @@ impl Reader<'_> {
         }
         let mut arguments = Arguments::default();
         let wanted = called.parameters.len();
-        while !self.take_mark(')')? {
+        // An argument is left out at the start or after a comma.
+        let mut may_lack = true;
+        loop {
+            let is_optional = called.optional.get(arguments.values.len()) == Some(&true);
+            if is_optional && may_lack && self.take_nothing()? {
+                arguments.values.push(Argument::None);
+                arguments.sources.push(None);
+                may_lack = self.take_mark(',')?;
+                continue;
+            }
+            if self.take_mark(')')? {
+                break;
+            }
             if arguments.values.len() == wanted {
                 let spelling = self.names.spelling(name);
                 let error = self.error_here(format!(
@@ -155,7 +179,7 @@ impl Reader<'_> {
                 ));
             }
             self.macro_argument(&mut arguments)?;
-            self.take_mark(',')?;
+            may_lack = self.take_mark(',')?;
         }
         if arguments.values.len() < wanted {
             let found = arguments.values.len();
@@ -199,7 +223,7 @@ impl Reader<'_> {
             return Ok(());
         }
         if token.kind == Kind::Name
-            && behind.is_mark('[')
+            && (behind.is_mark('[') || behind.is_mark('.'))
             && let Some(target) = self.item_by_reference(Symbol(token.value))?
         {
             arguments.values.push(Argument::Reference(target));
@@ -219,8 +243,10 @@ impl Reader<'_> {
 
     /// An item of an array as a reference, if the argument is nothing else; otherwise nothing is taken.
     fn item_by_reference(&mut self, symbol: Symbol) -> Parse<Option<Target>> {
-        if !matches!(self.scopes.get(symbol), Some(Value::Array(_))) {
-            return Ok(None);
+        let is_entry = self.raw_ahead(1).is_mark('.');
+        match self.scopes.get(symbol) {
+            Some(Value::Array(array)) if !is_entry || array.is_dictionary() => {}
+            _ => return Ok(None),
         }
         self.discard_recording();
         let before = self.here.clone();

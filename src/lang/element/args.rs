@@ -197,6 +197,15 @@ impl Args for Reader<'_> {
                 self.pass();
                 Ok(Some(value))
             }
+            Some(array @ Value::Array(_)) if array.is_mixed() => {
+                match self.mixed_item_ahead(Symbol(token.value))? {
+                    Some(Value::Element(element)) if element.kind() == kind => {
+                        self.array_or_item()?;
+                        Ok(Some(element.value))
+                    }
+                    _ => Ok(None),
+                }
+            }
             Some(Value::Array(array))
                 if array
                     .items

@@ -73,6 +73,12 @@ impl Reader<'_> {
             return Ok(None);
         }
         let value = match self.scopes.get(Symbol(token.value)) {
+            Some(array @ Value::Array(_)) if array.is_mixed() => {
+                match self.mixed_item_ahead(Symbol(token.value))? {
+                    Some(Value::Object(_)) => self.array_or_item()?,
+                    _ => return Ok(None),
+                }
+            }
             Some(Value::Array(_)) => self.array_or_item()?,
             Some(Value::Poison(why)) => return Err(self.consequence_of(why.as_deref())),
             Some(value @ Value::Object(_)) => {

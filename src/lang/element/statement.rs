@@ -280,6 +280,7 @@ impl Reader<'_> {
 
     /// `default { texture | pigment | normal | finish | camera ... }`, also as `#default`.
     pub(crate) fn run_default(&mut self) -> Parse<()> {
+        self.draft.has_default = true;
         self.open_block()?;
         loop {
             if self.take_close()? {

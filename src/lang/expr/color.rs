@@ -172,10 +172,13 @@ impl Reader<'_> {
             Kind::Word => token
                 .word()
                 .is_some_and(|word| word.class() == Class::Color),
-            Kind::Name => self
-                .scopes
-                .get(Symbol(token.value))
-                .is_some_and(holds_color),
+            Kind::Name => match self.mixed_item_ahead(Symbol(token.value))? {
+                Some(item) => holds_color(&item),
+                None => self
+                    .scopes
+                    .get(Symbol(token.value))
+                    .is_some_and(holds_color),
+            },
             Kind::Mark => token.is_mark('<'),
             _ => false,
         };
@@ -208,6 +211,10 @@ impl Reader<'_> {
             Kind::Mark => "<(-+!".contains(char::from_u32(token.value).unwrap_or(' ')),
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 Some(Value::Number(_) | Value::Poison(_)) => true,
+                Some(array @ Value::Array(_)) if array.is_mixed() => {
+                    let item = self.mixed_item_ahead(Symbol(token.value))?;
+                    item.is_some_and(|item| matches!(item, Value::Number(_)) || is_callable(&item))
+                }
                 Some(Value::Array(array)) => array
                     .items
                     .iter()

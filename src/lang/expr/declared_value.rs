@@ -43,6 +43,17 @@ impl Reader<'_> {
         match self.scopes.get(symbol) {
             None => Err(self.expected_here(what)),
             Some(Value::Number(_)) => self.number_or_color().map(Some),
+            Some(array @ Value::Array(_)) if array.is_mixed() => {
+                match self.mixed_item_ahead(symbol)? {
+                    Some(item)
+                        if matches!(item, Value::Number(_))
+                            || is_callable(&item) && !self.is_item_alone() =>
+                    {
+                        self.number_or_color().map(Some)
+                    }
+                    _ => self.array_or_item().map(Some),
+                }
+            }
             Some(Value::Array(array)) => {
                 let is_copied = array.items.iter().flatten().next().is_some_and(is_callable)
                     && self.is_item_alone();
@@ -205,6 +216,7 @@ impl Reader<'_> {
                 let step = transform_step(self)?;
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
+            Word::Dictionary => self.dictionary_value().map(Some),
             Word::Array => self.array_value().map(Some),
             Word::Function => self.function_value().map(Some),
             Word::Spline => self.spline_value().map(Some),

@@ -28,8 +28,12 @@ impl Reader<'_> {
         let open = self.start_taken();
         let value = match word {
             Word::Defined => {
-                let is_defined = self.names_a_value()?;
-                Number::truth(is_defined)
+                // A reserved word is no identifier; before version 3.8 it is an error.
+                let is_word = self.dialect.has_words_of_3_8() && self.raw().kind == Kind::Word;
+                if is_word {
+                    self.pass();
+                }
+                Number::truth(!is_word && self.names_a_value()?)
             }
             Word::Strlen => Number::float(self.string()?.chars().count() as f64),
             Word::Asc => {
@@ -242,7 +246,7 @@ impl Reader<'_> {
     fn dimensions(&mut self, word: Word) -> Parse<Number> {
         self.pass_hash();
         let symbol = self.identifier("an array")?;
-        let path = if self.is_raw_mark('[') {
+        let path = if self.begins_item(symbol) {
             self.item_path(symbol)?
         } else {
             Vec::new()
@@ -302,6 +306,10 @@ impl Reader<'_> {
             Kind::String => true,
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 Some(Value::Text(_)) => true,
+                Some(array @ Value::Array(_)) if array.is_mixed() => {
+                    let item = self.mixed_item_ahead(Symbol(token.value))?;
+                    matches!(item, Some(Value::Text(_)))
+                }
                 Some(Value::Array(array)) => array
                     .items
                     .iter()

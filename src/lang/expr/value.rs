@@ -3,6 +3,7 @@
 use crate::base::source::Diagnostic;
 use crate::lang::frame::Macro;
 use crate::scene::Object;
+use rustc_hash::FxHashMap;
 use std::any::{Any, TypeId};
 use std::fmt;
 use std::rc::Rc;
@@ -134,15 +135,30 @@ impl Element {
     }
 }
 
-/// An array of one to five dimensions, row-major.
+/// An array of one to five dimensions, row-major; or a dictionary, whose entries are the items of one dimension.
 #[derive(Clone, Debug)]
 pub(crate) struct Array {
     /// The sizes by dimension.
     pub(crate) sizes: Vec<usize>,
     /// The elements; `None` is not initialised.
     pub(crate) items: Vec<Option<Value>>,
-    /// The kind of all elements, once one has been set.
+    /// The kind of all elements, once one has been set. Mixed arrays have none.
     pub(crate) holds: Option<&'static str>,
+    /// True if elements may be of several kinds.
+    pub(crate) is_mixed: bool,
+    /// Access to items beyond the size.
+    pub(crate) extent: Extent,
+}
+
+/// The way in which an array gets further items.
+#[derive(Clone, Debug)]
+pub(crate) enum Extent {
+    /// It gets none.
+    Fixed,
+    /// An index beyond the end makes it longer.
+    Growing,
+    /// A dictionary: the index of the item of each key. Removed keys keep theirs.
+    Keys(FxHashMap<Rc<str>, usize>),
 }
 
 impl Array {
@@ -152,7 +168,66 @@ impl Array {
             items: vec![None; sizes.iter().product()],
             sizes,
             holds: None,
+            is_mixed: false,
+            extent: Extent::Fixed,
         }
+    }
+
+    /// A dictionary without entries.
+    pub(crate) fn dictionary() -> Self {
+        let mut array = Array::new(vec![0]);
+        array.is_mixed = true;
+        array.extent = Extent::Keys(FxHashMap::default());
+        array
+    }
+
+    /// True for a dictionary.
+    pub(crate) fn is_dictionary(&self) -> bool {
+        matches!(self.extent, Extent::Keys(_))
+    }
+
+    /// The index of the item with a key of a dictionary.
+    pub(crate) fn index_of(&self, key: &str) -> Option<usize> {
+        match &self.extent {
+            Extent::Keys(keys) => keys.get(key).copied(),
+            Extent::Fixed | Extent::Growing => None,
+        }
+    }
+
+    /// The same; a new key gets an item without a value.
+    pub(crate) fn index_for(&mut self, key: &str) -> usize {
+        let next = self.items.len();
+        if let Extent::Keys(keys) = &mut self.extent {
+            if let Some(&known) = keys.get(key) {
+                return known;
+            }
+            keys.insert(key.into(), next);
+            self.grow(next + 1);
+        }
+        next
+    }
+
+    /// Makes an array of one dimension at least this long.
+    pub(crate) fn grow(&mut self, size: usize) {
+        if size > self.items.len() {
+            self.items.resize(size, None);
+            self.sizes[0] = size;
+        }
+    }
+
+    /// Sets an item; if the items are of another kind, returns that kind and changes nothing.
+    pub(crate) fn set(&mut self, at: usize, value: Value) -> Option<&'static str> {
+        if !self.is_mixed {
+            let sort = value.sort();
+            if let (Some(sort), Some(holds)) = (sort, self.holds)
+                && sort != holds
+            {
+                return Some(holds);
+            }
+            self.holds = self.holds.or(sort);
+        }
+        *self.items.get_mut(at)? = Some(value);
+        None
     }
 }
 
@@ -202,15 +277,35 @@ impl Value {
         if !rest.is_empty() {
             return array.items.get_mut(first)?.as_mut()?.put(rest, value);
         }
-        let sort = value.sort();
-        if let (Some(sort), Some(holds)) = (sort, array.holds)
-            && sort != holds
-        {
-            return Some(holds);
+        array.set(first, value)
+    }
+
+    /// An array or one within it, for changes; those on the path that are shared with other names are copied.
+    pub(crate) fn array_mut(&mut self, path: &[usize]) -> Option<&mut Array> {
+        let held = match path {
+            [] => self,
+            path => self.item_mut(path)?.as_mut()?,
+        };
+        match held {
+            Value::Array(array) => Some(Rc::make_mut(array)),
+            _ => None,
         }
-        array.holds = array.holds.or(sort);
-        *array.items.get_mut(first)? = Some(value);
-        None
+    }
+
+    /// True for an array whose items, or those of arrays in it, may be of several kinds.
+    pub(crate) fn is_mixed(&self) -> bool {
+        match self {
+            Value::Array(array) => {
+                array.is_mixed
+                    || array
+                        .items
+                        .iter()
+                        .flatten()
+                        .next()
+                        .is_some_and(Value::is_mixed)
+            }
+            _ => false,
+        }
     }
 
     /// Number of items that [`Value::item_mut`] copies.
@@ -233,6 +328,7 @@ impl Value {
             Value::Number(n) => n.kind(),
             Value::Text(_) => "a string",
             Value::Macro(_) => "a macro",
+            Value::Array(array) if array.is_dictionary() => "a dictionary",
             Value::Array(_) => "an array",
             Value::Object(_) => "an object",
             Value::Element(e) => e.name,
@@ -252,6 +348,7 @@ impl Value {
             Value::Number(n) => n.kind().to_owned(),
             Value::Text(_) => "a string".to_owned(),
             Value::Macro(_) => "a macro".to_owned(),
+            Value::Array(array) if array.is_dictionary() => "a dictionary".to_owned(),
             Value::Array(_) => "an array".to_owned(),
             Value::Object(_) => "an object".to_owned(),
             Value::Element(e) => format!("a {}", e.name),

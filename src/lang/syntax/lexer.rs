@@ -7,7 +7,7 @@
 
 use super::faults;
 use super::groups;
-use super::names::Names;
+use super::names::{Names, Symbol};
 use super::scan::{self, Item};
 use super::split_points;
 use super::token::{Directive, END_OF_FILE, Kind, Token, Tokens};
@@ -348,8 +348,31 @@ impl<'a> Lexer<'a> {
             self.push(Kind::Word, word as u32, start);
         } else {
             let symbol = self.names.intern(spelling);
-            self.push(Kind::Name, symbol.0, start);
+            match self.out.tokens.last() {
+                Some(last) if last.is_mark('.') => self.push_behind_point(symbol, start),
+                _ => self.push(Kind::Name, symbol.0, start),
+            }
         }
+    }
+
+    /// A name behind a point: `local.Name` and `global.Name` are one token, which no version before 3.8 allows.
+    fn push_behind_point(&mut self, name: Symbol, start: usize) {
+        let scope = match self.out.tokens.as_slice() {
+            [.., scope, _point] => *scope,
+            _ => return self.push(Kind::Name, name.0, start),
+        };
+        let is_local = match scope.word() {
+            Some(Word::Local) => true,
+            Some(Word::Global) => false,
+            _ => return self.push(Kind::Name, name.0, start),
+        };
+        let symbol = self.names.intern_qualified(is_local, name);
+        self.out.tokens.truncate(self.out.tokens.len() - 2);
+        self.out.tokens.push(Token {
+            kind: Kind::Name,
+            value: symbol.0,
+            start: scope.start,
+        });
     }
 
     fn push_mark(&mut self, slice: Slice, start: usize, end: usize) {

@@ -21,7 +21,7 @@ mod tests;
 pub use crate::base::word::{Class, Word};
 pub use data_segment::{after_more, more_from, tokenize_more};
 pub use lexer::{tokenize, tokenize_around_data};
-pub use names::{Names, Symbol};
+pub use names::{Names, Qualified, Symbol};
 pub use scan::number;
 pub(crate) use scan::word_end;
 pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};

@@ -128,6 +128,14 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// The camera of a scene without one from version 3.8 on, for images of this width over height.
+    #[must_use]
+    pub fn with_aspect(aspect: f64) -> Camera {
+        let mut camera = Camera::default();
+        camera.frame.right.x = aspect;
+        camera
+    }
+
     /// A perspective camera at `location` that looks at `look_at`, with aspect ratio `aspect` (width over height).
     /// `None` if the two points are the same.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
 use crate::base::args::{Args, Parse, Word, declared, interned, transform_step};
-use crate::base::color::Color;
+use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
 use crate::scene::pattern::{NormalTransforms, Settings};
 use smallvec::SmallVec;
@@ -25,6 +25,22 @@ pub struct Layer {
     pub normal: Option<Arc<Normal>>,
     /// `no_bump_scale` in the texture itself. Holds for the normal that the layer has at the end of the block.
     pub has_no_bump_scale: bool,
+}
+
+impl Layer {
+    /// The default layer from version 3.8 on: white, without ambient light.
+    #[must_use]
+    pub fn of_3_8() -> Layer {
+        let finish = Finish {
+            ambient: Rgb::BLACK,
+            ..Finish::default()
+        };
+        Layer {
+            pigment: Pigment::plain(Color::opaque(Rgb::splat(1.0))),
+            finish: Arc::new(finish),
+            ..Layer::default()
+        }
+    }
 }
 
 /// The appearance of a surface: layers, the lowest first, at least one.

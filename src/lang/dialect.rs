@@ -1,0 +1,77 @@
+//! The reserved words of a language version.
+//!
+//! Version 3.8 reserves words that older scenes may declare, and frees one. Text becomes tokens before its version is
+//! known, so the cursor reads such tokens by the version in force.
+
+use super::syntax::{Kind, Names, Symbol, Token};
+use crate::base::args::Word;
+use crate::base::word::FREE_SINCE_3_8;
+use crate::lang::limits::EQUAL;
+
+/// The first version with the words of POV-Ray 3.8: that of its early releases.
+const FIRST_WITH_WORDS: f64 = 3.71;
+/// The first version with the defaults and rules of POV-Ray 3.8.
+pub(crate) const FIRST_OF_3_8: f64 = 3.8;
+
+/// True if a version has the defaults and rules of POV-Ray 3.8.
+pub(crate) fn is_3_8(version: f64) -> bool {
+    version >= FIRST_OF_3_8 - EQUAL
+}
+
+/// The reserved words in force.
+#[derive(Debug)]
+pub(crate) struct Dialect {
+    has_words: bool,
+    /// The word that each of the first symbols is in version 3.8.
+    words: Vec<Word>,
+    /// The symbol of the word that 3.8 frees.
+    freed: u32,
+}
+
+impl Dialect {
+    /// The dialect of a version. `names` holds the symbols of the words that 3.8 added.
+    pub(crate) fn new(version: f64, names: &Names) -> Dialect {
+        Dialect {
+            has_words: version >= FIRST_WITH_WORDS - EQUAL,
+            words: Word::since_3_8().map(Word::usual).collect(),
+            freed: names
+                .symbol(FREE_SINCE_3_8.spelling())
+                .map_or(u32::MAX, |symbol| symbol.0),
+        }
+    }
+
+    /// Follows a `#version`; true if the reserved words have changed.
+    pub(crate) fn set_version(&mut self, version: f64) -> bool {
+        let has_words = version >= FIRST_WITH_WORDS - EQUAL;
+        std::mem::replace(&mut self.has_words, has_words) != has_words
+    }
+
+    /// True if the words of POV-Ray 3.8 are reserved.
+    #[inline(always)]
+    pub(crate) fn has_words_of_3_8(&self) -> bool {
+        self.has_words
+    }
+
+    /// A token where the words of 3.8 are reserved.
+    pub(crate) fn token(&self, token: Token) -> Token {
+        let (kind, value) = match token.kind {
+            Kind::Name => match self.words.get(token.value as usize) {
+                Some(&word) => (Kind::Word, word as u32),
+                None => return token,
+            },
+            Kind::Word if token.value == FREE_SINCE_3_8 as u32 => (Kind::Name, self.freed),
+            _ => return token,
+        };
+        Token {
+            kind,
+            value,
+            ..token
+        }
+    }
+
+    /// True if a name, which has no value here, means something where the words of 3.8 are reserved.
+    pub(crate) fn is_of_3_8(&self, name: Symbol, names: &Names) -> bool {
+        let is_word = (name.0 as usize) < self.words.len();
+        !self.has_words && (is_word || names.is_qualified(name))
+    }
+}
