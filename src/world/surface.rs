@@ -242,7 +242,7 @@ impl Surface {
             ),
             (
                 SurfaceFlags::FRESNEL,
-                has(&|layer| layer.finish.reflection.is_fresnel),
+                has(&|layer| layer.finish.reflection.is_fresnel || layer.finish.fresnel != 0.0),
             ),
             (
                 SurfaceFlags::PLAIN,

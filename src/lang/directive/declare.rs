@@ -66,15 +66,7 @@ impl Reader<'_> {
         let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;
         let name = self.start_taken();
-        match deprecation {
-            Some(deprecation) => {
-                self.usage.deprecated.insert(symbol, deprecation);
-            }
-            None if !self.usage.deprecated.is_empty() => {
-                self.usage.deprecated.remove(&symbol);
-            }
-            None => {}
-        }
+        self.set_deprecation(symbol, deprecation);
         if self.begins_item(symbol) {
             return self.declare_item(symbol, is_local);
         }
@@ -159,9 +151,11 @@ impl Reader<'_> {
         self.pass();
         let mut names = Vec::new();
         loop {
-            let is_optional = self.take_word(Word::Optional)?;
+            let is_optional = self.take_raw_word(Word::Optional);
+            let deprecation = self.deprecation()?;
             let symbol = self.identifier("a name to declare")?;
             let start = self.start_taken();
+            self.set_deprecation(symbol, deprecation);
             let item = match self.begins_item(symbol) {
                 true => Some(self.item_path(symbol)?),
                 false => None,
@@ -304,6 +298,19 @@ impl Reader<'_> {
             None
         };
         Ok(Some(Deprecation { is_once, message }))
+    }
+
+    /// Marks a name that is declared as deprecated, or no longer.
+    fn set_deprecation(&mut self, symbol: Symbol, deprecation: Option<Deprecation>) {
+        match deprecation {
+            Some(deprecation) => {
+                self.usage.deprecated.insert(symbol, deprecation);
+            }
+            None if !self.usage.deprecated.is_empty() => {
+                self.usage.deprecated.remove(&symbol);
+            }
+            None => {}
+        }
     }
 
     /// Warns of the use of a deprecated name, or of its first use only.

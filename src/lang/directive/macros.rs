@@ -61,10 +61,7 @@ impl Reader<'_> {
             if self.take_raw_mark(')') {
                 break;
             }
-            let is_optional = self.raw().word() == Some(Word::Optional);
-            if is_optional {
-                self.pass();
-            }
+            let is_optional = self.take_raw_word(Word::Optional);
             optional.push(is_optional);
             parameters.push(self.identifier("a parameter or `)` in `#macro`")?);
         }
@@ -80,6 +77,15 @@ impl Reader<'_> {
         self.here.at = end as usize;
         self.pass();
         Ok(())
+    }
+
+    /// Takes the next token of the file if it is a reserved word; no directive before it is run.
+    pub(crate) fn take_raw_word(&mut self, word: Word) -> bool {
+        let is_it = self.raw().word() == Some(word);
+        if is_it {
+            self.pass();
+        }
+        is_it
     }
 
     fn take_raw_mark(&mut self, mark: char) -> bool {

@@ -226,7 +226,7 @@ impl Reader<'_> {
     /// `array[n][m] { ... }`; from version 3.8 on also `array mixed`, and `array` without sizes, which grows.
     pub(crate) fn array_value(&mut self) -> Parse<Value> {
         self.pass();
-        let is_mixed = self.take_word(Word::Mixed)?;
+        let is_mixed = self.take_raw_word(Word::Mixed);
         let mut sizes = Vec::new();
         loop {
             let so_far = || Value::Array(Rc::new(Array::new(sizes.clone())));
@@ -275,7 +275,7 @@ impl Reader<'_> {
         let mut array = Array::new(sizes);
         array.is_mixed = is_mixed;
         array.extent = extent;
-        let is_optional = self.take_word(Word::Optional)?;
+        let is_optional = self.take_raw_word(Word::Optional);
         if self.is_raw_mark('{') {
             self.array_items(&mut array, 0, 0, is_optional)?;
         }

@@ -44,6 +44,8 @@ pub(in crate::render::shade) struct LayerBsdf<'f> {
     pub(in crate::render::shade) rgb: Rgb,
     /// The share of light that does not pass the layer.
     pub(in crate::render::shade) opacity: f64,
+    /// The index of refraction behind the surface, relative to the one before it. Counts where the finish has `fresnel`.
+    pub(in crate::render::shade) ior: f64,
 }
 
 /// The side of a layer that receives light from one direction.
@@ -67,6 +69,44 @@ pub(in crate::render::shade) struct LightContribution {
 }
 
 impl LayerBsdf<'_> {
+    /// The share of light that Fresnel's law with the finish's `fresnel` lets through the surface at an angle of this
+    /// cosine.
+    pub(in crate::render::shade) fn entering(&self, cosine: f64) -> f64 {
+        1.0 - self.mirrored(cosine)
+    }
+
+    /// The share that it mirrors.
+    fn mirrored(&self, cosine: f64) -> f64 {
+        f64::from(self.finish.fresnel) * fresnel(cosine, self.ior)
+    }
+
+    /// The highlights of light from one direction.
+    #[inline]
+    pub(in crate::render::shade) fn highlight(&self, at: &ViewPoint, to_light: DVec3) -> f64 {
+        let finish = self.finish;
+        match finish.fresnel != 0.0 || finish.use_alpha {
+            true => self.reduced_highlight(at, to_light),
+            false => highlight(finish, at, to_light),
+        }
+    }
+
+    #[inline(never)]
+    fn reduced_highlight(&self, at: &ViewPoint, to_light: DVec3) -> f64 {
+        let mut phong = phong(self.finish, at, to_light);
+        let mut specular = specular(self.finish, at, to_light);
+        if self.finish.fresnel != 0.0 {
+            let half_vector = (to_light - at.view).normalize_or_zero();
+            phong *= self.mirrored(at.normal.dot(to_light).abs());
+            specular *= self.mirrored(half_vector.dot(to_light).abs());
+        }
+        let share = if self.finish.use_alpha {
+            self.opacity
+        } else {
+            1.0
+        };
+        (phong + specular) * share
+    }
+
     /// The side lit by light at this cosine to the normal; `None` if the layer receives none from there.
     #[inline]
     pub(in crate::render::shade) fn side(
@@ -98,7 +138,7 @@ pub(in crate::render::shade) fn is_negligible(light: Rgb) -> bool {
     is_small(light.r) && is_small(light.g) && is_small(light.b)
 }
 
-/// The highlights of light from one direction.
+/// The highlights of light from one direction, without the effects of `fresnel` and `use_alpha`.
 #[inline]
 pub(in crate::render::shade) fn highlight(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     phong(finish, at, to_light) + specular(finish, at, to_light)
@@ -132,6 +172,18 @@ fn specular(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     } else {
         0.0
     }
+}
+
+/// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction.
+pub(in crate::render::shade) fn fresnel(cosine: f64, ior: f64) -> f64 {
+    let g_sq = ior * ior + cosine * cosine - 1.0;
+    if g_sq < 0.0 {
+        return 1.0;
+    }
+    let g = g_sq.sqrt();
+    let across = (g - cosine) / (g + cosine);
+    let along = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+    (0.5 * across * across * (1.0 + along * along)).clamp(0.0, 1.0)
 }
 
 /// The mirror image of a direction.

@@ -1,6 +1,6 @@
 //! Shading of a surface: its layers from the top down, then transmitted light, then reflections.
 
-use super::bsdf::{LayerBsdf, ViewPoint, facing_normal, metallic, mirrored};
+use super::bsdf::{LayerBsdf, ViewPoint, facing_normal, fresnel, metallic, mirrored};
 use super::direct::shadow_cache::ShadowCache;
 use super::indirect::radiosity::{Irradiance, IrradiancePoint};
 use super::shading_point::{LightSamples, ShadingPoint};
@@ -356,7 +356,11 @@ impl<'w> Tracer<'w> {
             spot.normal = tilted.unwrap_or(flat);
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
-            let (emitted, mut bsdf) = self.layer_bsdf(layer, color);
+            let (mut emitted, mut bsdf) = self.layer_bsdf(layer, color);
+            if layer.finish.fresnel != 0.0 {
+                bsdf.ior = self.relative_ior(&path.inside, surface.interior);
+                emitted = emitted * bsdf.entering(-lit.at.view.dot(lit.at.normal));
+            }
             let mut own = Rgb::BLACK;
             if let Some((transport, translucency)) = self.subsurface_of(layer) {
                 let colors = [
@@ -389,6 +393,9 @@ impl<'w> Tracer<'w> {
                 let mut mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, ior);
                 // The weight falls although the layers above do not darken the reflection.
                 mirror.weight *= f64::from(filter.grey());
+                if layer.finish.use_alpha {
+                    mirror.reflectivity = mirror.reflectivity * bsdf.opacity;
+                }
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
@@ -433,6 +440,7 @@ impl<'w> Tracer<'w> {
             finish,
             rgb: color.rgb,
             opacity: f64::from(1.0 - passing),
+            ior: 1.0,
         };
         let own = color.rgb * finish.ambient * self.world.globals.ambient_light
             + color.rgb * finish.emission;
@@ -582,18 +590,6 @@ pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
         mirrored(image, flat)
     };
     image.normalize_or_zero()
-}
-
-/// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction.
-fn fresnel(cosine: f64, ior: f64) -> f64 {
-    let g_sq = ior * ior + cosine * cosine - 1.0;
-    if g_sq < 0.0 {
-        return 1.0;
-    }
-    let g = g_sq.sqrt();
-    let across = (g - cosine) / (g + cosine);
-    let along = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
-    (0.5 * across * across * (1.0 + along * along)).clamp(0.0, 1.0)
 }
 
 /// Transmission without refraction.

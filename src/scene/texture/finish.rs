@@ -6,6 +6,9 @@ use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::Rgb;
 use crate::base::source::Diagnostic;
 
+/// The last language version without `fresnel` and `use_alpha` in `finish`.
+const LAST_WITHOUT_FRESNEL: f64 = 3.7;
+
 /// The reflection properties of a surface, in single precision as in POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finish {
@@ -39,6 +42,10 @@ pub struct Finish {
     pub subsurface: Option<Subsurface>,
     /// Specular reflection.
     pub reflection: Reflection,
+    /// The share of Fresnel's law in the surface's light and highlights; since version 3.8.
+    pub fresnel: f32,
+    /// True if transparency takes from highlights and reflection as well; since version 3.8.
+    pub use_alpha: bool,
     /// True if transmitted light is reduced by the light that is reflected.
     pub conserve_energy: bool,
     /// `ior` in a finish, the syntax before version 3.1; overrides the interior's.
@@ -68,6 +75,8 @@ impl Default for Finish {
             irid: Irid::default(),
             subsurface: None,
             reflection: Reflection::default(),
+            fresnel: 0.0,
+            use_alpha: false,
             conserve_energy: false,
             ior: None,
             caustics: None,
@@ -117,6 +126,9 @@ impl Finish {
             if !is_known {
                 return Err(args.expected("a parameter of `finish` or `}`"));
             }
+        }
+        if finish.reflection.is_fresnel && finish.reflection.has_one_color {
+            finish.reflection.min = Rgb::BLACK;
         }
         finish.scale_albedos(&albedo);
         finish.clamp_negative_strengths();
@@ -214,6 +226,17 @@ impl Finish {
                 args.accept(word)?;
                 self.conserve_energy = true;
             }
+            Word::Fresnel => {
+                since_3_8(word, args)?;
+                args.accept(word)?;
+                self.fresnel = single(args.float_or(1.0)?);
+                self.reflection.is_fresnel = self.fresnel != 0.0;
+            }
+            Word::UseAlpha => {
+                since_3_8(word, args)?;
+                args.accept(word)?;
+                self.use_alpha = args.float_or(1.0)? != 0.0;
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -291,6 +314,18 @@ impl Finish {
             self.specular = single(f64::from(self.specular) * scale);
         }
     }
+}
+
+/// An error for a word that `finish` takes since version 3.8 only.
+fn since_3_8(word: Word, args: &mut dyn Args) -> Parse<()> {
+    if args.version() > LAST_WITHOUT_FRESNEL {
+        return Ok(());
+    }
+    let message = format!("`{word}` in `finish` needs version 3.8");
+    let error = Diagnostic::error(args.span(), message);
+    Err(Box::new(
+        error.with_hint("Begin the scene with `#version 3.8;`."),
+    ))
 }
 
 /// Reads `word` and the colour after it; a number is a grey.

@@ -238,6 +238,8 @@ impl PreparedTexture {
                 layer.normal().is_none()
                     && finish.crand <= 0.0
                     && finish.subsurface.is_none()
+                    && finish.fresnel == 0.0
+                    && !finish.use_alpha
                     && finish.irid.amount <= 0.0
                     && (!finish.has_reflection() || finish.reflection.exponent == 1.0)
             }

@@ -11,6 +11,8 @@ pub struct Reflection {
     pub min: Rgb,
     /// Reflectivity at grazing incidence.
     pub max: Rgb,
+    /// True if it is written with one colour for all angles.
+    pub has_one_color: bool,
     /// True if reflectivity follows Fresnel's law with the `ior` of the interior, rather than `falloff`.
     pub is_fresnel: bool,
     /// The exponent of the transition from `min` to `max`.
@@ -26,6 +28,7 @@ impl Default for Reflection {
         Reflection {
             min: Rgb::BLACK,
             max: Rgb::BLACK,
+            has_one_color: false,
             is_fresnel: false,
             falloff: 1.0,
             exponent: 1.0,
@@ -40,18 +43,19 @@ impl Reflection {
         if !args.accept_mark('{')? {
             self.min = args.color()?.rgb;
             self.max = self.min;
+            self.has_one_color = true;
             return Ok(());
         }
         self.min = args.color()?.rgb;
         self.max = self.min;
         args.comma()?;
-        let mut has_max = true;
+        self.has_one_color = false;
         if args.at_expression()? {
             self.max = args.color()?.rgb;
         } else if let Some(max) = args.color_if_any()? {
             self.max = max.rgb;
         } else {
-            has_max = false;
+            self.has_one_color = true;
         }
         while !args.accept_close()? {
             match args.word()? {
@@ -71,9 +75,6 @@ impl Reflection {
                     ));
                 }
             }
-        }
-        if self.is_fresnel && !has_max {
-            self.min = Rgb::BLACK;
         }
         Ok(())
     }

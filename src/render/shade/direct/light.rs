@@ -5,8 +5,7 @@ use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::base::math::sampling::hash;
 use crate::render::shade::bsdf::{
-    LayerBsdf, LightContribution, MAX_TILTED, NEGLIGIBLE, ViewPoint, highlight, is_negligible,
-    metallic,
+    LayerBsdf, LightContribution, MAX_TILTED, NEGLIGIBLE, ViewPoint, is_negligible, metallic,
 };
 use crate::render::shade::shading_point::{LightSample, ShadingPoint};
 use crate::render::shade::{Path, Scratch, Tracer};
@@ -166,13 +165,16 @@ impl Tracer<'_> {
             let mut strength = f64::from(side.diffuse)
                 * bsdf.opacity
                 * exact_power(cosine, f64::from(finish.brilliance));
+            if finish.fresnel != 0.0 {
+                strength *= bsdf.entering(cosine) * bsdf.entering(-at.view.dot(at.normal));
+            }
             if finish.crand > 0.0 {
                 strength -= grain(scratch) * f64::from(finish.crand);
             }
             sum += bsdf.rgb * arriving * strength;
         }
         if has_highlights {
-            let strength = highlight(finish, at, to_light);
+            let strength = bsdf.highlight(at, to_light);
             if strength != 0.0 {
                 let shine = metallic(finish.metallic, bsdf.rgb, cosine);
                 sum += arriving * shine * strength;
