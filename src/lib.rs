@@ -197,7 +197,7 @@ fn draw_with(
     session: &RenderSession,
 ) -> Result<Picture, Failure> {
     let mut watch = StageTimer::start();
-    let ((world, working), print) = with_deep_stack(listen, || {
+    let ((world, working, rounding), print) = with_deep_stack(listen, || {
         let cache = session.cache.as_ref();
         let (mut scene, print) = read_scene(input, read, render, listen, cache)?;
         if let Some(MoreObjects(add)) = &session.more {
@@ -213,6 +213,7 @@ fn draw_with(
     let progress = |pixels| listen(Event::Drawn(pixels));
     let only_for = render.target_format.as_ref().map(|options| EncodeOptions {
         working,
+        rounding,
         ..options.clone()
     });
     let render = &RenderOptions {
@@ -246,6 +247,7 @@ fn draw_with(
     Ok(Picture {
         film: drawn.film,
         working,
+        rounding,
         statistics,
     })
 }
@@ -418,8 +420,11 @@ impl lang::Probe for OwnObjects {
     }
 }
 
-fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<base::color::Gamma>) {
-    let working = scene.working_gamma();
+fn prepared(
+    scene: Scene,
+    render: &RenderOptions,
+) -> (World, Option<base::color::Gamma>, base::encoding::Rounding) {
+    let (working, rounding) = (scene.working_gamma(), scene.rounding());
     let count = scene.objects.len();
     let world = if count < LARGE_SCENE {
         let world = world::compile(scene, render);
@@ -430,7 +435,7 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<base::color:
     } else {
         compiled_in_a_thread(scene, render)
     };
-    (world, working)
+    (world, working, rounding)
 }
 
 /// Lowers a scene in a thread of its own, and drops its objects in this one. glibc's allocator has an arena for each

@@ -57,10 +57,22 @@ pub struct EncodeOptions {
     /// The working space of the film; `None` stores its values unchanged (EXR and HDR then interpret them as sRGB, as
     /// POV-Ray does).
     pub working: Option<Gamma>,
+    /// The rule by which values become levels.
+    pub rounding: Rounding,
     /// JPEG quality, 1 to 100; 0 selects POV-Ray's 85.
     pub quality: u8,
     /// Compression of PNG files.
     pub effort: Effort,
+}
+
+/// The level that a value between two of them is rounded to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rounding {
+    /// The nearer one in the file's encoding, as POV-Ray 3.7 does.
+    #[default]
+    Encoded,
+    /// The nearer one in light, as POV-Ray 3.8 does.
+    Light,
 }
 
 /// The time spent on compression without loss.
@@ -92,6 +104,7 @@ impl EncodeOptions {
             alpha: false,
             file_gamma: Gamma::Srgb,
             working: Some(Gamma::LINEAR),
+            rounding: Rounding::default(),
             quality: 0,
             effort: Effort::default(),
         }

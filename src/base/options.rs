@@ -11,7 +11,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use crate::base::color::Gamma;
-use crate::base::encoding::EncodeOptions;
+use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::file::Folders;
 use crate::base::film::Film;
 use crate::base::source::{Dependency, Message};
@@ -316,6 +316,8 @@ pub struct Picture {
     pub film: Film,
     /// The working space of the pixels; `None` for a scene without gamma handling, whose values are stored unchanged.
     pub working: Option<Gamma>,
+    /// The rule by which the scene's language version rounds pixels to the levels of a file.
+    pub rounding: Rounding,
     /// Statistics of the run.
     pub statistics: Statistics,
 }

@@ -27,11 +27,15 @@ pub use objects::{ColorOrTexture, Objects, PlainObject};
 pub(crate) use objects::{Colored, Entry, OwnedObject};
 
 use crate::base::color::{Color, Gamma, Rgb};
+use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::pattern::Settings;
 use glam::DVec3;
+
+/// The last language version whose pictures are rounded in their encoding.
+const LAST_ROUNDED_AS_ENCODED: f64 = 3.799;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -156,6 +160,15 @@ impl Scene {
     #[must_use]
     pub fn pattern_settings(&self) -> Settings {
         self.globals.pattern_settings(self.version)
+    }
+
+    /// The rule by which pixels are rounded to the levels of a file.
+    #[must_use]
+    pub fn rounding(&self) -> Rounding {
+        match self.version > LAST_ROUNDED_AS_ENCODED {
+            true => Rounding::Light,
+            false => Rounding::Encoded,
+        }
     }
 
     /// Gamma of the working space. `None` means no gamma handling at all, as in old scenes that set neither `#version

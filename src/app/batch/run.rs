@@ -357,6 +357,7 @@ impl Run<'_> {
         let drawn = drawn.map_err(|Failure { .. }| None)?;
         let options = EncodeOptions {
             working: drawn.working,
+            rounding: drawn.rounding,
             ..picture.encode.clone()
         };
         let reason = |refused: &dyn std::fmt::Display| Some(refused.to_string());

@@ -231,6 +231,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     if let Some((target, options)) = &settings.output {
         let options = output::EncodeOptions {
             working: picture.working,
+            rounding: picture.rounding,
             ..options.clone()
         };
         let write = || output::write(&picture.film, target, &options);

@@ -538,6 +538,7 @@ fn white(read: &ReadOptions, alpha: bool) -> Picture {
     Picture {
         film,
         working: Some(Gamma::LINEAR),
+        rounding: crate::base::encoding::Rounding::default(),
         statistics: crate::base::options::Statistics::default(),
     }
 }

@@ -289,6 +289,7 @@ impl Session {
     fn bytes_of(&self, picture: &Picture, is_file: bool) -> PyResult<Vec<u8>> {
         let options = EncodeOptions {
             working: picture.working,
+            rounding: picture.rounding,
             ..self.encoding.clone()
         };
         if is_file {

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::{Film, Pixel};
 use crate::base::color::{Gamma, Rgb};
-use crate::base::encoding::EncodeOptions;
+use crate::base::encoding::{EncodeOptions, Rounding};
 
 /// The channels of a stored pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,7 +120,7 @@ fn bytes_per_pixel(options: &EncodeOptions) -> usize {
 /// Converts pixels to levels.
 pub(crate) struct Quantizer {
     options: EncodeOptions,
-    curve: Curve,
+    curve: Rounded,
     /// For 8-bit levels, if the curve allows one.
     table: Option<StepTable>,
 }
@@ -131,7 +131,7 @@ impl Quantizer {
         if options.format.is_linear {
             return None;
         }
-        let curve = Curve::of(options);
+        let curve = Rounded::of(options);
         let table = match Depth::of(options) {
             Depth::Byte => StepTable::new(curve),
             Depth::Word => None,
@@ -287,13 +287,45 @@ impl Curve {
             Curve::Between { working, file } => file.encode(working.decode(c)),
         }
     }
+}
+
+/// A curve, and the rounding of its values to levels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rounded {
+    curve: Curve,
+    /// The two spaces, if values are rounded in light.
+    light: Option<(Gamma, Gamma)>,
+}
+
+impl Rounded {
+    fn of(options: &EncodeOptions) -> Rounded {
+        let curve = Curve::of(options);
+        let light = match (options.rounding, options.working) {
+            (Rounding::Light, Some(working)) if options.file_gamma != Gamma::LINEAR => {
+                Some((working, options.file_gamma))
+            }
+            _ => None,
+        };
+        Rounded { curve, light }
+    }
 
     fn level_8(self, c: f32) -> u8 {
-        byte(unit(self.apply(c)) * 255.0 + 0.5)
+        byte(self.level(c, 255.0))
     }
 
     fn level_16(self, c: f32) -> u16 {
-        word(unit(self.apply(c)) * 65535.0 + 0.5)
+        word(self.level(c, 65535.0))
+    }
+
+    /// The level of a value among those from 0 to `max`; its fraction does not count.
+    fn level(self, c: f32, max: f32) -> f32 {
+        let encoded = unit(self.curve.apply(c)) * max;
+        let Some((working, file)) = self.light else {
+            return encoded + 0.5;
+        };
+        let below = f32::from(word(encoded)).min(max - 1.0);
+        let middle = 0.5 * (file.decode(below / max) + file.decode((below + 1.0) / max));
+        below + f32::from(u8::from(working.decode(unit(c)) >= middle))
     }
 }
 
@@ -322,7 +354,7 @@ fn word(v: f32) -> u16 {
 
 /// The 8-bit levels of a curve, one entry for each range of floats.
 struct StepTable {
-    curve: Curve,
+    curve: Rounded,
     ranges: Vec<FloatRange>,
 }
 
@@ -343,8 +375,8 @@ impl StepTable {
     const FIRST: f32 = 1.0 / 4096.0;
 
     /// `None` if the curve is the identity and needs no table, or too steep for one.
-    fn new(curve: Curve) -> Option<StepTable> {
-        if curve == Curve::Same {
+    fn new(curve: Rounded) -> Option<StepTable> {
+        if curve.curve == Curve::Same {
             return None;
         }
         let first = Self::FIRST.to_bits() >> Self::SHIFT;
@@ -368,7 +400,7 @@ impl StepTable {
 
 impl FloatRange {
     /// The range of floats with bits in `start..end`; `None` if it has more than one step.
-    fn new(curve: Curve, start: u32, end: u32) -> Option<FloatRange> {
+    fn new(curve: Rounded, start: u32, end: u32) -> Option<FloatRange> {
         let level_of = |bits: u32| curve.level_8(f32::from_bits(bits));
         let level = level_of(start);
         let rise = level_of(end - 1).checked_sub(level)?;
@@ -396,7 +428,7 @@ impl FloatRange {
 mod tests {
     use super::*;
 
-    fn curves() -> Vec<Curve> {
+    fn curves() -> Vec<Rounded> {
         let spaces = [
             Gamma::LINEAR,
             Gamma::Srgb,
@@ -407,7 +439,7 @@ mod tests {
             .iter()
             .flat_map(|&working| {
                 spaces.iter().map(move |&file| {
-                    Curve::of(&EncodeOptions {
+                    Rounded::of(&EncodeOptions {
                         working: Some(working),
                         file_gamma: file,
                         ..EncodeOptions::new(crate::output::Format::PNG)
@@ -419,10 +451,7 @@ mod tests {
 
     #[test]
     fn table_matches_the_curve_on_both_sides_of_every_step() {
-        let linear_to_srgb = Curve::Between {
-            working: Gamma::LINEAR,
-            file: Gamma::Srgb,
-        };
+        let linear_to_srgb = Rounded::of(&EncodeOptions::new(crate::output::Format::PNG));
         assert!(StepTable::new(linear_to_srgb).is_some());
         for curve in curves() {
             let Some(table) = StepTable::new(curve) else {
@@ -455,6 +484,30 @@ mod tests {
         }
     }
 
+    /// The middle between two levels in light lies above that of the encoding.
+    #[test]
+    fn version_3_8_rounds_in_light() {
+        let options = EncodeOptions::new(crate::output::Format::PNG);
+        let encoded = Rounded::of(&options);
+        let light = Rounded::of(&EncodeOptions {
+            rounding: Rounding::Light,
+            ..options
+        });
+        let middle = Gamma::Srgb.decode(107.5 / 255.0);
+        let levels = |c: f32| (encoded.level_8(c), light.level_8(c));
+        assert_eq!(levels(middle * 0.999_99), (107, 107));
+        assert_eq!(levels(middle * 1.000_01), (108, 107));
+        assert_eq!(levels(middle * 1.000_04), (108, 108));
+        assert_eq!(
+            (
+                light.level_8(0.0),
+                light.level_8(1.0),
+                light.level_8(f32::NAN)
+            ),
+            (0, 255, 0)
+        );
+    }
+
     #[test]
     fn nan_is_black_and_infinity_white() {
         for curve in curves() {
@@ -472,8 +525,12 @@ mod tests {
             transmit: 0.5,
         };
         let (rgb, alpha) = straight(pixel);
-        let levels = [rgb.r, rgb.g, rgb.b].map(|c| Curve::Same.level_16(c));
+        let same = Rounded {
+            curve: Curve::Same,
+            light: None,
+        };
+        let levels = [rgb.r, rgb.g, rgb.b].map(|c| same.level_16(c));
         assert_eq!(levels, [65535, 62668, 47001]);
-        assert_eq!(Curve::Same.level_16(alpha), 32896);
+        assert_eq!(same.level_16(alpha), 32896);
     }
 }

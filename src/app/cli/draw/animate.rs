@@ -272,6 +272,7 @@ impl Run<'_> {
         let Picture {
             film,
             working,
+            rounding,
             statistics,
             ..
         } = (self.draw)(&self.input, &read, &render, &|event| match event {
@@ -282,6 +283,7 @@ impl Run<'_> {
         let bytes = output.map(|(_, options)| {
             let options = EncodeOptions {
                 working,
+                rounding,
                 ..options.clone()
             };
             output::encode(&film, &options)

@@ -146,6 +146,7 @@ impl Painter {
         };
         let options = EncodeOptions {
             working: picture.working,
+            rounding: picture.rounding,
             ..options.clone()
         };
         Ok(output::write(&picture.film, target, &options)?)
