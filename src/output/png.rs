@@ -79,6 +79,7 @@ fn write_png(
     };
     let exponent = match declared {
         Gamma::Srgb => 45455,
+        Gamma::Bt709 | Gamma::Bt2020 => 45000,
         Gamma::Power(g) => hundred_thousandths(1.0 / f64::from(g)),
     };
     writer.write_chunk(chunk::gAMA, &exponent.to_be_bytes())?;

@@ -301,7 +301,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+W100000", "+H100000", &scene], "a picture of 100000 by 100000 pixels is too large: the most is 536870912 pixels".to_owned()),
         (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
         (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
-        (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
+        (vec!["File_Gamma=bt601"], "`File_Gamma=bt601` needs `sRGB`, `BT709`, `BT2020` or a number greater than 0, found `bt601`".to_owned()),
         (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`.".to_owned()),
         (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not supported yet\n  hint: Use `-UO` (or `Odd_Field=off`).".to_owned()),
         (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not supported yet\n  hint: Use `-UF` (or `Field_Render=off`).".to_owned()),

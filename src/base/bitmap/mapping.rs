@@ -26,6 +26,8 @@ pub enum MapType {
     Cylindrical,
     /// 5: a torus about the y axis with major radius 1.
     Toroidal,
+    /// 7: an angular map about the z axis, as light probes have; since version 3.8.
+    Angular,
 }
 
 /// `interpolate`: the filter between pixel centres.
@@ -76,6 +78,7 @@ impl Mapping {
                 (1.0, MapType::Spherical),
                 (2.0, MapType::Cylindrical),
                 (5.0, MapType::Toroidal),
+                (7.0, MapType::Angular),
             ];
             let matching_entry = entries.into_iter().find(|entry| entry.0 == number);
             self.map_type = matching_entry.map_or(MapType::Planar, |entry| entry.1);
@@ -112,6 +115,15 @@ impl Mapping {
                     0.5 + unit.y.clamp(-1.0, 1.0).asin() / PI,
                 )
             }
+            MapType::Angular => {
+                let unit = point.try_normalize()?;
+                let off_axis = unit.x.hypot(unit.y);
+                let radius = match off_axis == 0.0 {
+                    true => 0.0,
+                    false => unit.z.clamp(-1.0, 1.0).acos() / (TAU * off_axis),
+                };
+                DVec2::new(0.5 + unit.x * radius, 0.5 + unit.y * radius)
+            }
             MapType::Cylindrical => DVec2::new(angle_in_turns(point.x, point.z), point.y),
             MapType::Toroidal => {
                 let radial_distance = point.x.hypot(point.z) - 1.0;
@@ -135,7 +147,7 @@ impl Mapping {
         match self.map_type {
             MapType::Planar => at = DVec2::new(remainder(at.x, size.x), remainder(at.y, size.y)),
             MapType::Cylindrical => at.y = remainder(at.y, size.y),
-            MapType::Spherical | MapType::Toroidal => {}
+            MapType::Spherical | MapType::Toroidal | MapType::Angular => {}
         }
         at += PIXEL_OFFSET;
         if self.is_once && at.cmpge(size).any() {

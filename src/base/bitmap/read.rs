@@ -269,13 +269,19 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
     }
 }
 
-/// Reads the value after `gamma`: a positive number or `srgb`.
+/// Reads the value after `gamma`: a positive number or `srgb`, from version 3.8 on also `bt709` and `bt2020`.
 ///
 /// # Errors
 /// Anything else.
 pub fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
-    if args.accept(Word::Srgb)? {
-        return Ok(Gamma::Srgb);
+    for (word, gamma) in [
+        (Word::Srgb, Gamma::Srgb),
+        (Word::Bt709, Gamma::Bt709),
+        (Word::Bt2020, Gamma::Bt2020),
+    ] {
+        if args.accept(word)? {
+            return Ok(gamma);
+        }
     }
     let start = args.span();
     let gamma = args.float()?;

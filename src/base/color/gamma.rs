@@ -5,6 +5,10 @@
 pub enum Gamma {
     /// The sRGB curve (IEC 61966-2-1).
     Srgb,
+    /// The curve of ITU-R BT.709.
+    Bt709,
+    /// The curve of ITU-R BT.2020, with the constants for 12 bits.
+    Bt2020,
     /// A power law: `linear = encoded ^ g`. `Power(1.0)` is linear.
     Power(f32),
 }
@@ -30,6 +34,8 @@ impl Gamma {
         match self {
             Gamma::Srgb if encoded <= 0.040_45 => encoded / 12.92,
             Gamma::Srgb => ((encoded + 0.055) / 1.055).powf(2.4),
+            Gamma::Bt709 => BT709.decode(encoded),
+            Gamma::Bt2020 => BT2020.decode(encoded),
             Gamma::Power(1.0) => encoded,
             Gamma::Power(g) => encoded.max(0.0).powf(g),
         }
@@ -41,8 +47,41 @@ impl Gamma {
         match self {
             Gamma::Srgb if linear <= 0.003_130_8 => linear * 12.92,
             Gamma::Srgb => 1.055 * linear.powf(1.0 / 2.4) - 0.055,
+            Gamma::Bt709 => BT709.encode(linear),
+            Gamma::Bt2020 => BT2020.encode(linear),
             Gamma::Power(1.0) => linear,
             Gamma::Power(g) => linear.max(0.0).powf(1.0 / g),
+        }
+    }
+}
+
+/// A curve of the ITU: linear up to `knee`, then a power law.
+struct ItuCurve {
+    scale: f32,
+    knee: f32,
+}
+
+const BT709: ItuCurve = ItuCurve {
+    scale: 1.099,
+    knee: 0.018,
+};
+const BT2020: ItuCurve = ItuCurve {
+    scale: 1.0993,
+    knee: 0.0181,
+};
+
+impl ItuCurve {
+    fn decode(&self, encoded: f32) -> f32 {
+        match encoded < 4.5 * self.knee {
+            true => encoded / 4.5,
+            false => ((encoded + (self.scale - 1.0)) / self.scale).powf(1.0 / 0.45),
+        }
+    }
+
+    fn encode(&self, linear: f32) -> f32 {
+        match linear < self.knee {
+            true => linear * 4.5,
+            false => self.scale * linear.powf(0.45) - (self.scale - 1.0),
         }
     }
 }
@@ -53,7 +92,13 @@ mod tests {
 
     #[test]
     fn decoding_inverts_encoding() {
-        for gamma in [Gamma::Srgb, Gamma::LINEAR, Gamma::power(2.2)] {
+        for gamma in [
+            Gamma::Srgb,
+            Gamma::Bt709,
+            Gamma::Bt2020,
+            Gamma::LINEAR,
+            Gamma::power(2.2),
+        ] {
             for i in 0..=10u8 {
                 let v = f32::from(i) / 10.0;
                 assert!((gamma.decode(gamma.encode(v)) - v).abs() < 1e-5);

@@ -73,7 +73,7 @@ impl Scale {
     fn new(working: Option<Gamma>, settings: &Antialias, has_alpha: bool) -> Scale {
         let (working, gamma) = match working.unwrap_or(Gamma::LINEAR) {
             Gamma::Power(g) => (Gamma::LINEAR, f64::from(g)),
-            Gamma::Srgb => (Gamma::Srgb, 1.0),
+            curve => (curve, 1.0),
         };
         Scale {
             working,

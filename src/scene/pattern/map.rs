@@ -3,13 +3,19 @@
 //! Colour maps, pigment maps, normal maps, slope maps, texture maps and density maps are all of this form.
 
 use super::Stop;
-use crate::base::args::{Args, Parse, declared};
-use crate::base::color::Color;
+use crate::base::args::{Args, Parse, Word, declared};
+use crate::base::bitmap::read_gamma;
+use crate::base::color::{Color, Gamma, Rgb};
+use crate::base::source::Diagnostic;
 use crate::base::word::Class;
 use std::sync::Arc;
 
-/// Largest number of entries of a map, as in POV-Ray.
+/// Largest number of entries of a map, as in POV-Ray 3.7.
 pub const MAX_ENTRIES: usize = 256;
+/// The last language version with that limit.
+const LAST_LIMITED: f64 = 3.7;
+/// Largest number of entries after it, a bound on memory.
+const MOST_ENTRIES: usize = 1_000_000;
 
 /// Maps of at most this many entries are searched linearly.
 const MAX_LINEAR_SEARCH: usize = 8;
@@ -19,7 +25,109 @@ const MAX_LINEAR_SEARCH: usize = 8;
 pub struct Map<T> {
     entries: Arc<[(f32, T)]>,
     is_sorted: bool,
+    blend: Blend,
 }
+
+/// The blending of the colours of neighbouring entries; `filter` and `transmit` are blended linearly.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Blend {
+    /// Linearly in the working space.
+    #[default]
+    Working,
+    /// Otherwise, in a space to which the working space is decoded first.
+    Decoded {
+        /// The working space.
+        working: Gamma,
+        /// The space in which colours are blended.
+        space: BlendSpace,
+    },
+}
+
+/// `blend_mode` 1 to 3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BlendSpace {
+    /// Linear light.
+    Light,
+    /// The space of `blend_gamma`.
+    Encoded(Gamma),
+    /// Linear light, with the grey that the blend in the space of `blend_gamma` has.
+    GreyEncoded(Gamma),
+}
+
+impl Blend {
+    /// Reads `blend_mode` and `blend_gamma` at the start of a map.
+    fn read(args: &mut dyn Args) -> Parse<Blend> {
+        let (mut mode, mut gamma) = (0.0, Gamma::power(DEFAULT_BLEND_GAMMA));
+        loop {
+            if args.accept(Word::BlendMode)? {
+                let at = args.span();
+                mode = args.float()?.trunc();
+                if !(0.0..=3.0).contains(&mode) {
+                    let error = Diagnostic::error(at.to(args.last_span()), "no such `blend_mode`");
+                    return Err(Box::new(error.with_hint("The modes are 0 to 3.")));
+                }
+            } else if args.accept(Word::BlendGamma)? {
+                gamma = read_gamma(args)?;
+            } else {
+                break;
+            }
+        }
+        let space = match mode {
+            1.0 => BlendSpace::Light,
+            2.0 => BlendSpace::Encoded(gamma),
+            3.0 => BlendSpace::GreyEncoded(gamma),
+            _ => return Ok(Blend::Working),
+        };
+        let working = args.working_gamma().unwrap_or(Gamma::LINEAR);
+        Ok(Blend::Decoded { working, space })
+    }
+
+    /// The colour between two; `share` is the weight of the second.
+    #[must_use]
+    #[inline]
+    pub fn of(self, from: &Color, to: &Color, share: f64) -> Color {
+        match self {
+            Blend::Working => from.blended(to, share),
+            Blend::Decoded { working, space } => {
+                let rgb = space.blended(working, from.rgb, to.rgb, share);
+                Color {
+                    rgb,
+                    ..from.blended(to, share)
+                }
+            }
+        }
+    }
+}
+
+impl BlendSpace {
+    fn blended(self, working: Gamma, from: Rgb, to: Rgb, share: f64) -> Rgb {
+        let [from, to] = [from, to].map(|rgb| rgb.map(|c| working.decode(c)));
+        let linear = from + (to - from) * share;
+        let light = match self {
+            BlendSpace::Light => linear,
+            BlendSpace::Encoded(gamma) => {
+                let [from, to] = [from, to].map(|rgb| rgb.map(|c| gamma.encode(c)));
+                (from + (to - from) * share).map(|c| gamma.decode(c))
+            }
+            BlendSpace::GreyEncoded(gamma) => {
+                let [from, to] = [from, to].map(|rgb| f64::from(gamma.encode(rgb.grey())));
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    reason = "colours are single precision"
+                )]
+                let grey = gamma.decode((from + (to - from) * share) as f32);
+                match linear.grey() {
+                    0.0 => linear,
+                    plain => linear * f64::from(grey / plain),
+                }
+            }
+        };
+        light.map(|c| working.encode(c))
+    }
+}
+
+/// `blend_gamma` of maps that set none.
+const DEFAULT_BLEND_GAMMA: f64 = 2.5;
 
 /// The entries next to a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +175,7 @@ impl<T> Clone for Map<T> {
         Map {
             entries: Arc::clone(&self.entries),
             is_sorted: self.is_sorted,
+            blend: self.blend,
         }
     }
 }
@@ -79,6 +188,7 @@ impl<T> Map<T> {
         (!entries.is_empty()).then(|| Map {
             entries: entries.into(),
             is_sorted,
+            blend: Blend::default(),
         })
     }
 
@@ -113,21 +223,32 @@ impl<T> Map<T> {
             args.close()?;
             return Ok(Map::clone(&known));
         }
+        let most = match args.version() > LAST_LIMITED {
+            true => MOST_ENTRIES,
+            false => MAX_ENTRIES,
+        };
+        let blend = Blend::read(args)?;
         let mut entries = Vec::new();
         while args.accept_mark('[')? {
             entry(args, &mut entries)?;
             if !args.accept_mark(']')? {
                 return Err(args.expected(&format!("`]` after an entry of `{what}`")));
             }
-            if entries.len() > MAX_ENTRIES {
-                let limit = format!("at most {MAX_ENTRIES} entries in `{what}`");
+            if entries.len() > most {
+                let limit = format!("at most {most} entries in `{what}`");
                 return Err(args.expected(&limit));
             }
         }
         match Map::new(entries) {
-            Some(map) => args.close().map(|()| map),
+            Some(map) => args.close().map(|()| Map { blend, ..map }),
             None => Err(args.expected(&format!("`[` and an entry of `{what}`"))),
         }
+    }
+
+    /// The blending of neighbouring colours.
+    #[must_use]
+    pub fn blend(&self) -> Blend {
+        self.blend
     }
 
     /// The entries with their positions.
@@ -146,6 +267,7 @@ impl<T> Map<T> {
                 .map(|(at, t)| (*at, change(t)))
                 .collect(),
             is_sorted: self.is_sorted,
+            blend: self.blend,
         }
     }
 
@@ -184,6 +306,7 @@ impl Map<Color> {
         Map {
             entries: stops.into(),
             is_sorted: stops.is_sorted_by(|a, b| a.0 <= b.0),
+            blend: Blend::default(),
         }
     }
 
@@ -193,7 +316,7 @@ impl Map<Color> {
     pub fn color(&self, value: f64) -> Color {
         match self.between(value) {
             Between::One(color) => *color,
-            Between::Two(from, to, share) => from.blended(to, share),
+            Between::Two(from, to, share) => self.blend.of(from, to, share),
         }
     }
 

@@ -3,6 +3,7 @@
 
 mod boxed_default;
 mod bump;
+mod color_functions;
 mod film;
 mod finish;
 mod layers;
@@ -19,6 +20,7 @@ mod version_2;
 
 pub use boxed_default::BoxedDefault;
 pub use bump::PreparedNormal;
+pub use color_functions::ColorFunctions;
 pub use film::{Irid, Subsurface};
 pub use finish::Finish;
 pub use layers::{Layer, Texture};

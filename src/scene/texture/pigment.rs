@@ -1,6 +1,6 @@
 //! `pigment`: the colour of a surface, uniform or from a pattern.
 
-use super::{BoxedDefault, read_pattern};
+use super::{BoxedDefault, ColorFunctions, read_pattern};
 use crate::base::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::base::bitmap;
 use crate::base::color::{Color, Rgb};
@@ -8,6 +8,9 @@ use crate::base::math::Step;
 use crate::base::source::Diagnostic;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
+
+/// The last language version whose default pigment is black, not white.
+const LAST_BLACK: f64 = 3.799;
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -33,6 +36,8 @@ pub enum PigmentKind {
     Average(Option<Box<Map<Pigment>>>),
     /// `image_map`: the colours of an image.
     Image(Box<bitmap::MappedBitmap>),
+    /// `user_defined`: a function for each component of the colour.
+    Functions(Box<ColorFunctions>),
     /// `uv_mapping`: another pigment, evaluated at the texture coordinates of the surface.
     Uv(Box<Pigment>),
 }
@@ -183,7 +188,10 @@ impl Pigment {
             PigmentKind::Uv(_) => true,
             PigmentKind::Pigments(mapped) => any(&mapped.map),
             PigmentKind::Average(map) => map.as_ref().is_some_and(|map| any(map)),
-            PigmentKind::Plain(_) | PigmentKind::Colors(_) | PigmentKind::Image(_) => false,
+            PigmentKind::Plain(_)
+            | PigmentKind::Colors(_)
+            | PigmentKind::Image(_)
+            | PigmentKind::Functions(_) => false,
         }
     }
 
@@ -301,7 +309,10 @@ impl Pigment {
     fn read_idle(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         let is_color_map = matches!(word, Word::ColorMap | Word::ColourMap);
         let is_map = is_color_map || word == family.map_word();
-        let is_unmapped = is_map && self.plain_color() == Some(Color::opaque(Rgb::BLACK));
+        let plain = self.plain_color();
+        let is_unmapped = is_map
+            && (plain == Some(Color::opaque(Rgb::BLACK))
+                || plain == Some(Color::opaque(Rgb::WHITE)) && args.version() > LAST_BLACK);
         let is_idle = is_unmapped || (word, family) == (Word::UvMapping, PigmentSyntax::Density);
         if is_idle {
             skip_idle(word, args, family)?;
@@ -374,6 +385,11 @@ impl Pigment {
             self.kind = PigmentKind::Image(Box::new(source));
             return Ok(true);
         }
+        if word == Word::UserDefined {
+            args.accept(word)?;
+            self.kind = PigmentKind::Functions(Box::new(ColorFunctions::read(args)?));
+            return Ok(true);
+        }
         if word == Word::Average {
             args.accept(word)?;
             let known = match &self.kind {
@@ -430,7 +446,7 @@ impl Pigment {
                 }
             }
             PigmentKind::Uv(mapped) => mapped.filter_to_transmit(),
-            PigmentKind::Image(_) => {}
+            PigmentKind::Image(_) | PigmentKind::Functions(_) => {}
         }
     }
 }

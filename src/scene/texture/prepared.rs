@@ -1,7 +1,9 @@
 //! Textures prepared for rendering: the top layer first, with inverse matrices for patterns and precomputed properties.
 
 use super::select::{Selector, TextureSelection};
-use super::{Finish, Layer, Pigment, PigmentKind, PreparedNormal, Texture, WeightedTexture};
+use super::{
+    ColorFunctions, Finish, Layer, Pigment, PigmentKind, PreparedNormal, Texture, WeightedTexture,
+};
 use crate::base::bitmap;
 use crate::base::color::Color;
 use crate::base::math::Step;
@@ -65,6 +67,8 @@ pub enum PreparedPigment {
     Average(Box<(PreparedWarpChain, Map<PreparedPigment>)>),
     /// The colours of an image.
     Image(Box<(PreparedWarpChain, bitmap::MappedBitmap)>),
+    /// The values of functions.
+    Functions(Box<(PreparedWarpChain, ColorFunctions)>),
     /// Another pigment, evaluated at the texture coordinates.
     Uv(Box<PreparedPigment>),
 }
@@ -337,6 +341,10 @@ impl PreparedPigment {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Image(Box::new((chain, (**source).clone())))
             }
+            PigmentKind::Functions(functions) => {
+                let chain = modifiers.prepare_chain(after, settings);
+                PreparedPigment::Functions(Box::new((chain, (**functions).clone())))
+            }
             // No transforms apply to texture coordinates.
             PigmentKind::Uv(mapped) => {
                 PreparedPigment::Uv(Box::new(Self::new(mapped, &[], settings)))
@@ -372,7 +380,8 @@ impl PreparedPigment {
                     Between::One(entry) => entry.color_at(pattern_point, spot),
                     Between::Two(from, to, share) => {
                         let to = to.color_at(pattern_point, spot);
-                        from.color_at(pattern_point, spot).blended(&to, share)
+                        let from = from.color_at(pattern_point, spot);
+                        map.blend().of(&from, &to, share)
                     }
                 }
             }
@@ -385,6 +394,7 @@ impl PreparedPigment {
                 Color::average(map.entries().iter().map(weighted))
             }
             PreparedPigment::Image(both) => both.1.color(both.0.to_pattern_space(point)),
+            PreparedPigment::Functions(both) => both.1.color(both.0.to_pattern_space(point)),
             PreparedPigment::Uv(mapped) => mapped.color_at(spot.uv_point(), spot),
         }
     }
@@ -418,6 +428,7 @@ impl PreparedPigment {
             PreparedPigment::Pigments(both) => any(&both.1),
             PreparedPigment::Average(both) => any(&both.1),
             PreparedPigment::Image(both) => both.1.can_be_transparent(),
+            PreparedPigment::Functions(both) => both.1.can_be_transparent(),
             PreparedPigment::Uv(mapped) => mapped.can_be_transparent(),
         }
     }
@@ -428,7 +439,9 @@ impl PreparedPigment {
             entries.any(|(_, entry)| entry.jumps())
         };
         match self {
-            PreparedPigment::Plain(_) | PreparedPigment::Image(_) => false,
+            PreparedPigment::Plain(_)
+            | PreparedPigment::Image(_)
+            | PreparedPigment::Functions(_) => false,
             PreparedPigment::Colors(both) => both.0.jumps(),
             PreparedPigment::Pigments(both) => both.0.jumps() || any(&both.1),
             PreparedPigment::Average(both) => any(&both.1),
@@ -445,9 +458,10 @@ impl PreparedPigment {
             PreparedPigment::Uv(_) => true,
             PreparedPigment::Pigments(both) => any(&both.1),
             PreparedPigment::Average(both) => any(&both.1),
-            PreparedPigment::Plain(_) | PreparedPigment::Colors(_) | PreparedPigment::Image(_) => {
-                false
-            }
+            PreparedPigment::Plain(_)
+            | PreparedPigment::Colors(_)
+            | PreparedPigment::Image(_)
+            | PreparedPigment::Functions(_) => false,
         }
     }
 }

@@ -175,10 +175,13 @@ pub(crate) fn format_of_ending(ending: &str) -> Option<Format> {
     output::formats().find(|format| format.extensions.contains(&ending.as_str()))
 }
 
-/// `sRGB` or the exponent of a power law.
+/// `sRGB`, `BT709`, `BT2020` or the exponent of a power law.
 pub(crate) fn file_gamma(value: &str, word: &str) -> Result<Gamma, CliError> {
-    if value.eq_ignore_ascii_case("srgb") {
-        return Ok(Gamma::Srgb);
+    match value.to_ascii_lowercase().as_str() {
+        "srgb" => return Ok(Gamma::Srgb),
+        "bt709" => return Ok(Gamma::Bt709),
+        "bt2020" => return Ok(Gamma::Bt2020),
+        _ => {}
     }
     value
         .parse()
@@ -187,7 +190,7 @@ pub(crate) fn file_gamma(value: &str, word: &str) -> Result<Gamma, CliError> {
         .map(Gamma::power)
         .ok_or_else(|| {
             CliError::new(format!(
-                "`{word}` needs `sRGB` or a number greater than 0, found `{value}`"
+                "`{word}` needs `sRGB`, `BT709`, `BT2020` or a number greater than 0, found `{value}`"
             ))
         })
 }

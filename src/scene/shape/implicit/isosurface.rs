@@ -1,5 +1,6 @@
 //! `isosurface { function { ... } [contained_by { ... }] [threshold] [accuracy] [max_gradient] [open] ... }`: the
-//! surface on which a function of the point has the value `threshold`; inside the function is smaller.
+//! surface on which a function of the point has the value `threshold`; inside the function is smaller, or larger with a
+//! positive `polarity` (since version 3.8).
 //!
 //! There is no root between two points of a ray if the values there are too large to fall to zero at `max_gradient`,
 //! the greatest change of the function per unit of length; otherwise the interval is halved, down to `accuracy`
@@ -62,6 +63,8 @@ struct Solid {
     /// Number of visible roots per ray.
     visible_count: u32,
     is_open: bool,
+    /// 1 if the function is smaller inside, -1 if it is larger there.
+    side: f64,
 }
 
 /// Growth of the gradient: `evaluate least, factor, ...`.
@@ -78,6 +81,7 @@ impl PartialEq for Solid {
             && [self.threshold, self.accuracy, self.gradient]
                 == [other.threshold, other.accuracy, other.gradient]
             && self.evaluate == other.evaluate
+            && self.side == other.side
             && (self.is_open, self.visible_count) == (other.is_open, other.visible_count)
     }
 }
@@ -101,6 +105,7 @@ impl Isosurface {
             evaluate: None,
             visible_count: 1,
             is_open: false,
+            side: 1.0,
         };
         while read_word(args, &mut solid)? {}
         Ok(Isosurface(Arc::new(solid)))
@@ -131,6 +136,9 @@ fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
         if args.float_or(1.0)? != 0.0 {
             solid.visible_count = MAX_VISIBLE;
         }
+    } else if args.accept(Word::Polarity)? {
+        let is_above = read::number(args, "the polarity of the isosurface")? > 0.0;
+        solid.side = if is_above { -1.0 } else { 1.0 };
     } else if args.accept(Word::Open)? {
         solid.is_open = args.float_or(1.0)? != 0.0;
     } else {
@@ -164,7 +172,7 @@ impl Solid {
     }
 
     fn value(&self, point: DVec3) -> f64 {
-        self.function.eval(&point.to_array()) - self.threshold
+        self.side * (self.function.eval(&point.to_array()) - self.threshold)
     }
 
     /// Passes the roots of a ray from its start on, in order, to `emit` until it returns false. Returns the side on
@@ -428,6 +436,7 @@ mod tests {
             evaluate: None,
             visible_count: 1,
             is_open,
+            side: 1.0,
         }))
     }
 

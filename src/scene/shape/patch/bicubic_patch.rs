@@ -21,6 +21,9 @@ use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
+/// The last language version without a comma behind the last point.
+const LAST_WITHOUT_COMMA: f64 = 3.7;
+
 /// More steps would give more than two million triangles.
 const MAX_STEPS: u32 = 20;
 /// Corners nearer than this, relative to the size of the part, are the same; POV-Ray's tolerance is in scene units.
@@ -127,6 +130,9 @@ impl BicubicPatch {
         for number in 0..16 {
             let what = format!("point {} of 16 of the bicubic patch", number + 1);
             net.points[number / 4][number % 4] = read::vector(args, &what)?;
+        }
+        if args.version() > LAST_WITHOUT_COMMA {
+            args.comma()?;
         }
         Ok(BicubicPatch {
             net: Box::new(net),
