@@ -2,6 +2,7 @@
 
 use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::other_dialects;
 use crate::lang::expr::value::Value;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
@@ -111,6 +112,11 @@ impl Reader<'_> {
         if self.dialect.is_of_3_8(symbol, &self.names) {
             return Some(format!(
                 "`{name}` is a word of POV-Ray 3.8: begin the scene with `#version 3.8;`."
+            ));
+        }
+        if other_dialects::is_of_hg_povray(name) {
+            return Some(format!(
+                "`{name}` is a word of HG-POV, which POV-Ray does not read either."
             ));
         }
         let small = name.to_lowercase();

@@ -20,6 +20,11 @@ pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
     })
 }
 
+/// True for a word of HG-POV, a program with a larger language than POV-Ray's.
+pub(crate) fn is_of_hg_povray(name: &str) -> bool {
+    matches!(name, "galley" | "stereo" | "nurbs" | "stl_save")
+}
+
 /// Foreign words in blocks and at the top level, and the word that is meant, or a sentence without its full stop.
 const WORDS: &[(&str, &str)] = &[
     (

@@ -60,8 +60,14 @@ impl Reader<'_> {
     }
 
     fn declare(&mut self, is_local: bool) -> Parse<()> {
-        if self.dialect.has_words_of_3_8() && self.is_raw_mark('(') {
-            return self.declare_tuple(is_local);
+        if self.is_raw_mark('(') {
+            if self.dialect.has_words_of_3_8() {
+                return self.declare_tuple(is_local);
+            }
+            let error = self.expected_here("a name to declare");
+            return Err(Box::new(error.with_hint(
+                "Several names at once are of POV-Ray 3.8: begin the scene with `#version 3.8;`.",
+            )));
         }
         let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;

@@ -275,8 +275,12 @@ impl Reader<'_> {
         let token = self.raw();
         match token.kind {
             Kind::Name => {
+                let symbol = Symbol(token.value);
+                if self.names.is_qualified(symbol) && !self.dialect.has_words_of_3_8() {
+                    return Err(self.expected_here(what));
+                }
                 self.pass();
-                Ok(Symbol(token.value))
+                Ok(symbol)
             }
             Kind::Word => {
                 let word = token.word().map_or("", Word::spelling);
