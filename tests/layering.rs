@@ -93,6 +93,8 @@ const SIBLINGS: &[(&str, &str)] = &[
     ("scene::camera", "scene::pattern"),
     // A mesh camera shoots rays from the triangles of meshes.
     ("scene::camera", "scene::shape"),
+    // The rays of a `user_defined` camera are given by functions.
+    ("scene::camera", "scene::function"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("scene::interior", "scene::texture"),
     // A pattern selects a density from a map.

@@ -4,6 +4,7 @@
 //! ([`FocalBlur`]) adds depth of field; a `normal` perturbs the ray directions.
 
 mod bumps;
+mod by_functions;
 mod cylinder;
 mod fisheye;
 mod focal_blur;
@@ -27,9 +28,11 @@ use crate::base::math::conditioning::unit;
 use crate::base::math::{Ray, Transform};
 use crate::scene::pattern::Settings;
 use bumps::Bumps;
+use by_functions::CameraFunctions;
 use glam::{DVec2, DVec3};
 use mesh_camera::{MeshCamera, RasterPoint};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// The projection of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +55,8 @@ pub enum Projection {
     Cylinder(cylinder::Roll),
     /// Rays start at the triangles of meshes.
     Mesh,
+    /// Rays are given by functions.
+    Functions,
 }
 
 /// The projections by keyword, with their default parameters.
@@ -68,6 +73,7 @@ const KINDS: &[(Word, Projection)] = &[
         Projection::Cylinder(cylinder::Roll::Upright),
     ),
     (Word::MeshCamera, Projection::Mesh),
+    (Word::UserDefined, Projection::Functions),
 ];
 
 /// A camera. Only its [`Lens`] and its bumps need preparation: rays are computed directly from its vectors.
@@ -85,6 +91,8 @@ pub struct Camera {
     bumps: Option<Bumps>,
     /// The meshes of a `mesh_camera`.
     meshes: Option<MeshCamera>,
+    /// The functions of a `user_defined` camera.
+    functions: Option<Arc<CameraFunctions>>,
 }
 
 /// The camera frame: location and the three vectors of the view.
@@ -123,6 +131,7 @@ impl Default for Camera {
             blur: FocalBlur::default(),
             bumps: None,
             meshes: None,
+            functions: None,
         }
     }
 }
@@ -193,7 +202,10 @@ impl Camera {
         let width = self.frame.right.length() / unit;
         let height = self.frame.up.length() / unit;
         let (x, y) = match self.projection {
-            Projection::Perspective | Projection::Orthographic | Projection::Mesh => (u, v),
+            Projection::Perspective
+            | Projection::Orthographic
+            | Projection::Mesh
+            | Projection::Functions => (u, v),
             Projection::Fisheye => fisheye::bump_point(&self.frame, screen, self.angle),
             Projection::UltraWideAngle => {
                 let angle = self.angle.unwrap_or(ultra_wide_angle::ANGLE);
@@ -278,6 +290,10 @@ impl Camera {
                 let meshes = self.meshes.as_ref()?;
                 meshes.start(0, RasterPoint::new(x, y, width, height))
             }
+            Projection::Functions => {
+                let functions = self.functions.as_ref()?;
+                Some(functions.start(frame, screen))
+            }
         }
     }
 
@@ -288,6 +304,7 @@ impl Camera {
             self.projection,
             Projection::Orthographic
                 | Projection::Mesh
+                | Projection::Functions
                 | Projection::Cylinder(cylinder::Roll::UprightFlat | cylinder::Roll::LyingFlat)
         )
     }
@@ -348,6 +365,9 @@ impl Camera {
         if let Some(meshes) = &mut self.meshes {
             meshes.scale(factor);
         }
+        if let Some(functions) = &mut self.functions {
+            Arc::make_mut(functions).transform(&Transform::scaling(DVec3::splat(factor)));
+        }
         self
     }
 
@@ -358,6 +378,9 @@ impl Camera {
         self.look_at += by;
         if let Some(meshes) = &mut self.meshes {
             meshes.transform(&Transform::translation(by));
+        }
+        if let Some(functions) = &mut self.functions {
+            Arc::make_mut(functions).transform(&Transform::translation(by));
         }
         self
     }

@@ -10,6 +10,7 @@ use crate::base::math::Transform;
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::texture::Normal;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The first language version in which the order of the parameters does not matter.
 const FIRST_WITHOUT_ORDER: f64 = 3.5;
@@ -117,6 +118,11 @@ impl Camera {
             _ => return Ok(false),
         };
         args.accept(word)?;
+        if let (Some(functions), Word::Location | Word::Direction) = (&mut self.functions, word)
+            && Arc::make_mut(functions).read_item(word, args)?
+        {
+            return Ok(true);
+        }
         *slot = args.vector()?;
         Ok(true)
     }
@@ -142,6 +148,7 @@ impl Camera {
         if word == Word::MeshCamera {
             self.meshes = Some(MeshCamera::read(args)?);
         }
+        self.functions = (word == Word::UserDefined).then(Arc::default);
         if word == Word::Cylinder {
             let at = args.span();
             let number = args.float()?;
