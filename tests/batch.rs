@@ -449,6 +449,136 @@ object { U }\n")),
     assert_eq!((again.code, again.drawn().len()), (Some(1), 0));
 }
 
+/// The processes that another has started.
+#[cfg(target_os = "linux")]
+fn children(process: u32) -> Vec<String> {
+    let threads = fs::read_dir(format!("/proc/{process}/task"));
+    let threads = threads.into_iter().flatten().flatten();
+    let children = threads.map(|thread| fs::read_to_string(thread.path().join("children")));
+    let children = children.map(Result::unwrap_or_default).collect::<String>();
+    children.split_whitespace().map(str::to_owned).collect()
+}
+
+/// A scene that takes minutes.
+#[cfg(target_os = "linux")]
+const SLOW: &str = "sphere { 0, 3 hollow pigment { rgbt 1 }
+interior { media { scattering { 1, 1 } intervals 1000 samples 1000 } } }\n";
+
+/// Waits until something is so.
+#[cfg(target_os = "linux")]
+fn wait_until(is_so: impl Fn() -> bool) {
+    let start = Instant::now();
+    while !is_so() {
+        assert!(start.elapsed() < Duration::from_secs(30));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_that_brings_its_process_down_fails_alone() {
+    let scenes = folder(&[
+        ("a_slow.pov", &scene(SLOW)),
+        ("b_right.pov", &scene("")),
+        ("c_right.pov", &scene("box { 1, 2 }\n")),
+    ]);
+    let out = folder(&[]);
+    let run = command(&[text(scenes.path()), "-o", text(out.path()), "--jobs", "1"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("povr starts");
+    wait_until(|| !children(run.id()).is_empty());
+    // Not while it is started.
+    std::thread::sleep(Duration::from_millis(300));
+    for child in children(run.id()) {
+        let killed = Command::new("kill").args(["-ABRT", &child]).status();
+        assert!(killed.expect("there is `kill`").success());
+    }
+    let output = run.wait_with_output().expect("povr ends");
+    let log = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{log}");
+    let lost = log.lines().find(|line| line.contains("a_slow")).unwrap();
+    let says = "its process ended (signal: 6 (SIGABRT)";
+    assert!(lost.contains(says), "{lost}");
+    let names: Vec<PathBuf> = pictures(out.path()).into_keys().collect();
+    assert_eq!(names, ["b_right.png", "c_right.png"].map(PathBuf::from));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_process_outlives_a_run_that_is_killed() {
+    let scenes = folder(&[("a.pov", &scene(SLOW)), ("b.pov", &scene(SLOW))]);
+    let out = folder(&[]);
+    let mut run = command(&[text(scenes.path()), "-o", text(out.path()), "--jobs", "2"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("povr starts");
+    wait_until(|| children(run.id()).len() == 2);
+    let processes = children(run.id());
+    let _ = (run.kill(), run.wait());
+    // A zombie waits for another parent, and has no memory.
+    let is_running = |process: &String| {
+        let status = fs::read_to_string(format!("/proc/{process}/status"));
+        status.is_ok_and(|status| status.contains("VmRSS"))
+    };
+    wait_until(|| !processes.iter().any(is_running));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn limits_hold_for_each_scene() {
+    let scenes = folder(&[
+        ("a_slow.pov", &scene(SLOW)),
+        ("b_right.pov", &scene("")),
+        ("c_large.pov", &scene("")),
+        ("c_large.ini", "Width=9000\nHeight=9000\n"),
+        ("d_right.pov", &scene("box { 1, 2 }\n")),
+    ]);
+    let out = folder(&[]);
+    let mut run = Command::new(support::renderer());
+    run.arg("batch")
+        .args([text(scenes.path()), "-o", text(out.path()), "--json"])
+        .args([
+            "--timeout",
+            "2s",
+            "--max-memory",
+            "150M",
+            "-A",
+            "+W32",
+            "+H24",
+        ]);
+    // The size of the command line comes after that of the ini file.
+    let sized = ran(run.args(["--only", "[abd]*"]));
+    assert_eq!(sized.drawn(), ["b_right", "d_right"], "{}", sized.stderr);
+    let why = sized.why("a_slow.pov");
+    assert!(why.contains("it took longer than 2s, which"), "{why}");
+    let mut run = Command::new(support::renderer());
+    run.arg("batch")
+        .args([text(scenes.path()), "-o", text(out.path()), "--json", "-A"])
+        .args(["--max-memory", "150M", "--only", "c*"]);
+    let why = ran(&mut run).why("c_large.pov");
+    assert!(why.contains("more memory than the 150 MB that"), "{why}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_sandbox_gives_the_same_pictures() {
+    let scenes = folder(&[
+        ("a/a.pov", &scene("#include \"a.inc\"\n")),
+        ("a/a.inc", "box { 1, 2 }"),
+        ("b/b.pov", &scene("")),
+        ("b/b.ini", "Final_Frame=3\n"),
+    ]);
+    let [out, sandboxed] = [folder(&[]), folder(&[])];
+    let frames = "+KFF3";
+    assert_eq!(batch(scenes.path(), out.path(), &[frames]).code, Some(0));
+    let ran = batch(scenes.path(), sandboxed.path(), &[frames, "--sandbox"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(pictures(sandboxed.path()), pictures(out.path()));
+}
+
 /// Scenes that write files of the same name would disturb each other.
 #[test]
 fn scenes_that_write_files_are_drawn_alone() {

@@ -6,3 +6,4 @@ pub mod compare;
 pub mod curve;
 pub mod picture_file;
 pub mod program;
+pub(crate) mod worker;

@@ -2,6 +2,8 @@
 //! unless an interpreter runs a script that loads a library.
 
 use std::io;
+#[cfg(target_os = "linux")]
+use std::path::Path;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -24,6 +26,19 @@ pub fn set(program: Program) {
 /// The file that starts this program: commands start it again, or link to it.
 pub(crate) fn start() -> io::Result<PathBuf> {
     file(|program| &program.start)
+}
+
+/// The executable of a process on Linux, even where its file was replaced since.
+#[cfg(target_os = "linux")]
+const THIS_PROGRAM: &str = "/proc/self/exe";
+
+/// The file to start another process of the same build with.
+pub(crate) fn again() -> io::Result<PathBuf> {
+    #[cfg(target_os = "linux")]
+    if PROGRAM.get().is_none() && Path::new(THIS_PROGRAM).exists() {
+        return Ok(THIS_PROGRAM.into());
+    }
+    start()
 }
 
 /// The file with the code of this program, which distinguishes builds.

@@ -1,6 +1,7 @@
 //! Picture file formats and encoder options.
 
 use crate::base::color::Gamma;
+use serde::{Deserialize, Serialize};
 
 /// A picture file format. Each encoder in [`crate::output`] defines the properties and the constant of its format; that
 /// module lists all formats.
@@ -42,7 +43,7 @@ impl std::fmt::Debug for Format {
 }
 
 /// Encoder options. A format ignores what it does not support.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EncodeOptions {
     /// The file format.
     pub format: Format,
@@ -66,7 +67,7 @@ pub struct EncodeOptions {
 }
 
 /// The level that a value between two of them is rounded to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Rounding {
     /// The nearer one in the file's encoding, as POV-Ray 3.7 does.
     #[default]
@@ -76,7 +77,7 @@ pub enum Rounding {
 }
 
 /// The time spent on compression without loss.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Effort {
     /// As little as possible.
     #[default]

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
@@ -60,7 +60,7 @@ pub enum Input {
 }
 
 /// Options of reading a scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadOptions {
     /// Folders searched for included and other files after the current folder, in this order.
     pub library_paths: Vec<PathBuf>,
@@ -103,11 +103,12 @@ pub struct ReadOptions {
     /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
     /// Cancels reading.
+    #[serde(skip)]
     pub stop: CancelToken,
 }
 
 /// The destination of the files that a scene writes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Writes {
     /// To disk.
     #[default]
@@ -152,7 +153,7 @@ impl PartialEq for CancelToken {
 const MAX_REPEATED_TOKENS: u64 = 5_000_000_000;
 
 /// Options of rendering.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RenderOptions {
     /// Pixels in a row of the whole picture.
     pub width: u32,
@@ -184,12 +185,13 @@ pub struct RenderOptions {
     /// ignored in favour of the scene's.
     pub target_format: Option<EncodeOptions>,
     /// Cancels rendering.
+    #[serde(skip)]
     pub stop: CancelToken,
 }
 
 /// A checkpoint, from which a later run can resume. Adaptive sampling with a time limit writes none, because its result
 /// depends on the speed of the machine.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CheckpointOptions {
     /// The file. It is never deleted automatically.
     pub file: PathBuf,
@@ -201,7 +203,7 @@ pub struct CheckpointOptions {
 }
 
 /// Methods of pixel sampling.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Sampling {
     /// One ray through the centre of each pixel.
     #[default]
@@ -213,7 +215,7 @@ pub enum Sampling {
 }
 
 /// Adaptive sampling until the estimated error of every pixel is small (`+AM4`).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Adaptive {
     /// Limit of the estimated error of each channel of a pixel, in steps of 1/255 in the working space of the scene.
     pub error: f64,
@@ -245,7 +247,7 @@ pub struct AdaptiveOutcome {
 }
 
 /// Options of POV-Ray's antialiasing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Antialias {
     /// The method.
     pub method: Method,
@@ -261,7 +263,7 @@ pub struct Antialias {
 }
 
 /// POV-Ray's methods of antialiasing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// A sample grid in pixels that differ from a neighbour (`+AM1`).
     One,
@@ -283,7 +285,7 @@ impl Default for Antialias {
 }
 
 /// The rule for the smallest hit distance of rays that leave a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TMinRule {
     /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length.
     #[default]
@@ -295,7 +297,7 @@ pub enum TMinRule {
 
 /// The order in which pixels draw the random numbers of lights, grain and media. It never depends on the number of
 /// threads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum RandomOrder {
     /// As [`RandomOrder::PovRay`] in pictures of up to [`MAX_SEQUENTIAL_PIXELS`] pixels, which take little time. In
     /// larger ones each pixel has a random sequence of its own, so that all threads can render.

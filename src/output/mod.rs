@@ -20,6 +20,9 @@ use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use serde::de::{Deserialize, Deserializer, Error};
+use serde::{Serialize, Serializer};
+
 use crate::base::file::folder_of;
 use crate::base::film::{Film, quantize};
 
@@ -83,6 +86,21 @@ static FORMATS: &[(Format, Encode)] = &[
 /// All formats.
 pub fn formats() -> impl Iterator<Item = Format> {
     FORMATS.iter().map(|(format, _)| *format)
+}
+
+/// A format is its name.
+impl Serialize for Format {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}
+
+impl<'de> Deserialize<'de> for Format {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let format = formats().find(|format| format.name == name);
+        format.ok_or_else(|| D::Error::custom("no such picture format"))
+    }
 }
 
 fn encoder(format: Format) -> Encode {

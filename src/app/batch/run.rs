@@ -1,24 +1,22 @@
 //! A run: renders the pictures that are not up to date, several in parallel.
 //!
-//! Workers read one scene each; all of them render with the threads of one pool. Scenes that need the machine to
-//! themselves are rendered alone at the end: scenes that write files, that ran out of memory, and very large pictures.
+//! Worker processes draw one scene each at a time, so that a scene ends no other. Each has as many threads as the machine
+//! cores: the last scenes of a run use all of them. Scenes that need the machine to themselves are rendered alone at the
+//! end: scenes that write files, that ran out of memory, and very large pictures.
 
 use super::fingerprint::{Fingerprints, now};
 use super::journal::Journal;
 use super::picture::Picture;
 use super::watchdog::Watchdog;
 use super::{BatchError, Shard};
+use crate::app::worker::{Draw, Limit, Lost, Worker};
 use crate::base::file::Folders;
-use crate::base::options::{CancelToken, Event, Failure, Input};
+use crate::base::options::Event;
 use crate::base::source::{Code, Dependency, Message, Severity};
-use crate::output::EncodeOptions;
-use crate::{RenderSession, output};
 use rayon::prelude::*;
-use std::any::Any;
 use std::collections::VecDeque;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -36,6 +34,10 @@ pub struct Batch {
     pub threads: Option<usize>,
     /// Time limit for a picture.
     pub timeout: Option<Duration>,
+    /// Memory limit for the process that draws a picture, in bytes.
+    pub memory: Option<u64>,
+    /// True to draw each picture in a sandbox of the kernel, which admits the files of that picture.
+    pub is_sandboxed: bool,
     /// The part of the pictures to render; `None` renders all.
     pub shard: Option<Shard>,
     /// True to render pictures that are up to date as well.
@@ -80,6 +82,8 @@ pub enum News<'a> {
     Drawn(u64),
     /// A picture is finished.
     Done(&'a Outcome),
+    /// The kernel does not enforce this part of the sandbox.
+    Weaker(&'a str),
 }
 
 /// Renders the pictures that are not up to date. Failed pictures are reported, and the others are rendered.
@@ -95,24 +99,19 @@ pub fn run(
     let threads = batch
         .threads
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(crate::useful_threads(threads))
-        .build();
-    let pool =
-        pool.map_err(|error| BatchError::new(format!("no threads to draw with: {error}")))?;
     let run = Run {
         pictures,
+        batch,
         journal,
-        pool: Arc::new(pool),
+        threads,
         fingerprints: Fingerprints::new(),
         watchdog: Watchdog::new(batch.timeout),
         is_part: batch.shard.is_some_and(|shard| shard.of > 1),
-        timeout: batch.timeout,
         listener,
         state: Mutex::default(),
         changed: Condvar::new(),
     };
-    let left = run.left(batch);
+    let left = run.left();
     let pixels = left.iter().map(|&index| pixels(&pictures[index])).sum();
     listener(News::Left {
         pictures: left.len(),
@@ -127,13 +126,14 @@ pub fn run(
 /// A run in progress.
 struct Run<'a> {
     pictures: &'a [Picture],
+    batch: &'a Batch,
     journal: Journal,
-    pool: Arc<rayon::ThreadPool>,
+    /// Render threads of each worker.
+    threads: usize,
     fingerprints: Fingerprints,
     watchdog: Watchdog,
     /// True if other pictures of the list are rendered elsewhere.
     is_part: bool,
-    timeout: Option<Duration>,
     listener: &'a (dyn Fn(News<'_>) + Sync),
     state: Mutex<State>,
     changed: Condvar,
@@ -153,7 +153,8 @@ struct State {
 #[derive(Debug)]
 struct Task {
     pictures: VecDeque<usize>,
-    series: Arc<RenderSession>,
+    /// The series, if there are several.
+    series: Option<usize>,
     /// True if earlier frames were rendered on the assumption that the scene writes no files.
     follows: bool,
 }
@@ -174,7 +175,8 @@ enum Ended {
 
 impl Run<'_> {
     /// The pictures of this part that are not up to date; the others are reported.
-    fn left(&self, batch: &Batch) -> Vec<usize> {
+    fn left(&self) -> Vec<usize> {
+        let batch = self.batch;
         let records = self.journal.records();
         let is_done = |index: &usize| {
             let picture = &self.pictures[*index];
@@ -185,7 +187,7 @@ impl Run<'_> {
         };
         let is_mine = |index: &usize| batch.shard.is_none_or(|shard| shard.has(*index));
         let mine: Vec<usize> = (0..self.pictures.len()).filter(is_mine).collect();
-        let done: Vec<bool> = self.pool.install(|| mine.par_iter().map(is_done).collect());
+        let done: Vec<bool> = mine.par_iter().map(is_done).collect();
         let (done, left): (Vec<_>, Vec<_>) = mine.into_iter().zip(done).partition(|one| one.1);
         for (picture, _) in done {
             self.report(Outcome {
@@ -202,13 +204,9 @@ impl Run<'_> {
         {
             let mut state = self.lock();
             for frames in left.chunk_by(|&a, &b| self.series_of(a) == self.series_of(b)) {
-                let pool = Some(Arc::clone(&self.pool));
                 let task = Task {
                     pictures: frames.iter().copied().collect(),
-                    series: Arc::new(match frames {
-                        [_] => RenderSession::of_one(pool),
-                        _ => RenderSession::new(pool),
-                    }),
+                    series: (frames.len() > 1).then(|| self.series_of(frames[0])),
                     follows: false,
                 };
                 if pixels(&self.pictures[frames[0]]) > LARGE {
@@ -224,14 +222,16 @@ impl Run<'_> {
                 .map(|_| scope.spawn(|| self.work()))
                 .collect();
             for worker in workers {
-                // A worker cannot panic: panics while rendering are caught.
+                // Its thread does not panic: pictures are rendered in another process.
                 let _ = worker.join();
             }
             let mut alone = std::mem::take(&mut self.lock().alone);
             alone.sort_by_key(|task| task.pictures.front().copied());
+            let mut worker = None;
             for task in alone {
                 for &index in &task.pictures {
-                    if let Ended::Done(outcome) = self.attempt(index, &task, OtherWork::Nothing) {
+                    let ended = self.attempt(index, &task, OtherWork::Nothing, &mut worker);
+                    if let Ended::Done(outcome) = ended {
                         self.report(outcome);
                     }
                 }
@@ -242,19 +242,20 @@ impl Run<'_> {
 
     /// Works on tasks until none are left.
     fn work(&self) {
+        let mut worker = None;
         while let Some(mut task) = self.next_task() {
             let Some(&index) = task.pictures.front() else {
                 self.finished(Vec::new(), None);
                 continue;
             };
-            match self.attempt(index, &task, OtherWork::Others) {
+            match self.attempt(index, &task, OtherWork::Others, &mut worker) {
                 Ended::Later => self.finished(Vec::new(), Some(task)),
                 Ended::Done(outcome) => {
                     self.report(outcome);
                     task.pictures.pop_front();
                     let rest = task.pictures.into_iter().map(|index| Task {
                         pictures: [index].into(),
-                        series: Arc::clone(&task.series),
+                        series: task.series,
                         follows: true,
                     });
                     self.finished(rest.collect(), None);
@@ -284,42 +285,45 @@ impl Run<'_> {
     }
 
     /// Renders a picture and writes it to its file.
-    fn attempt(&self, index: usize, task: &Task, other_work: OtherWork) -> Ended {
+    fn attempt(
+        &self,
+        index: usize,
+        task: &Task,
+        other_work: OtherWork,
+        worker: &mut Option<Worker>,
+    ) -> Ended {
         let started = Instant::now();
-        let stop = CancelToken::default();
-        self.watchdog.watch(&stop);
         let events = Mutex::new(SceneEvents::default());
-        let drawn = catch_unwind(AssertUnwindSafe(|| {
-            self.draw(&self.pictures[index], task, other_work, &stop, &events)
-        }));
+        let drawn = self.draw(&self.pictures[index], task, other_work, worker, &events);
         let messages = events
             .into_inner()
             .unwrap_or_else(PoisonError::into_inner)
             .messages;
         let has = |code: Code| messages.iter().any(|message| message.code == Some(code));
         let status = match drawn {
-            Ok(Ok(())) => Status::Drawn,
-            _ if stop.is_cancelled() => Status::Failed(Some(format!(
-                "it took longer than {:?}, which `--timeout` allows",
-                self.timeout.unwrap_or_default()
-            ))),
-            Ok(Err(_)) if has(Code::WritesFiles) && task.follows => Status::Failed(Some(
+            Ok(()) => Status::Drawn,
+            Err(Lost::Limit(limit)) => Status::Failed(Some(self.excess(limit))),
+            Err(Lost::Failed(_)) if has(Code::WritesFiles) && task.follows => Status::Failed(Some(
                 "this animation writes files, but not in its first frame: draw it without `povr batch`"
                     .to_owned(),
             )),
-            Ok(Err(_)) if has(Code::WritesFiles) && self.is_part && self.is_frame(index) => {
+            Err(Lost::Failed(_)) if has(Code::WritesFiles) && self.is_part && self.is_frame(index) => {
                 Status::Failed(Some(
                     "the frames of this animation write files: draw them without `--shard`"
                         .to_owned(),
                 ))
             }
-            Ok(Err(_))
+            Err(Lost::Failed(_))
                 if other_work == OtherWork::Others && (has(Code::WritesFiles) || has(Code::Memory)) =>
             {
                 return Ended::Later;
             }
-            Ok(Err(why)) => Status::Failed(why),
-            Err(panic) => Status::Failed(Some(format!("povr broke down: {}", words(&*panic)))),
+            // Linux kills a process when the machine has no memory left; alone, the scene may have enough.
+            Err(Lost::Ended { is_killed: true, .. }) if other_work == OtherWork::Others => {
+                return Ended::Later;
+            }
+            Err(Lost::Ended { reason, .. }) => Status::Failed(Some(reason)),
+            Err(Lost::Failed(why)) => Status::Failed(why),
         };
         Ended::Done(Outcome {
             picture: index,
@@ -329,45 +333,67 @@ impl Run<'_> {
         })
     }
 
-    /// Renders a picture; the error is `None` if the messages give the reason.
+    /// The message for a limit of a picture.
+    fn excess(&self, limit: Limit) -> String {
+        match limit {
+            Limit::Time => format!(
+                "it took longer than {:?}, which `--timeout` allows",
+                self.batch.timeout.unwrap_or_default()
+            ),
+            Limit::Memory => format!(
+                "it took more memory than the {} MB that `--max-memory` allows",
+                self.batch.memory.unwrap_or_default() >> 20
+            ),
+        }
+    }
+
+    /// Renders a picture in a worker, which is started if there is none, and stores it.
     fn draw(
         &self,
         picture: &Picture,
         task: &Task,
         other_work: OtherWork,
-        stop: &CancelToken,
+        worker: &mut Option<Worker>,
         events: &Mutex<SceneEvents>,
-    ) -> Result<(), Option<String>> {
+    ) -> Result<(), Lost> {
         let since = now();
-        let mut read = picture.read.clone();
-        read.stop = stop.clone();
+        let mut draw = Draw {
+            scene: picture.scene.clone(),
+            series: task.series,
+            read: picture.read.clone(),
+            render: picture.render.clone(),
+            files: vec![picture.encode.clone()],
+            tells_output: false,
+            timeout: self.batch.timeout,
+            max_memory: self.batch.memory,
+            is_sandboxed: self.batch.is_sandboxed,
+        };
         if other_work == OtherWork::Others {
-            read.writable = Folders::Only(Vec::new());
+            draw.read.writable = Folders::Only(Vec::new());
         }
-        let mut render = picture.render.clone();
-        render.stop = stop.clone();
-        render.target_format = Some(picture.encode.clone());
-        let input = Input::File(picture.scene.clone());
-        let drawn = task
-            .series
-            .draw(&input, &read, &render, &|event| match event {
+        draw.render.threads = Some(self.threads);
+        draw.render.target_format = Some(picture.encode.clone());
+        let failed = |why: &dyn std::fmt::Display| Lost::Failed(Some(why.to_string()));
+        let usable = worker.take().filter(|worker| !worker.is_spent());
+        let worker = worker.insert(match usable {
+            Some(worker) => worker,
+            None => Worker::start()
+                .map_err(|error| failed(&format!("no process to draw it in: {error}")))?,
+        });
+        let watched = self.watchdog.watch(worker.stopper());
+        let drawn = worker.draw(
+            draw,
+            &|event| match event {
                 Event::Drawn(pixels) => (self.listener)(News::Drawn(pixels)),
                 event => lock(events).record(event),
-            });
-        let drawn = drawn.map_err(|Failure { .. }| None)?;
-        let options = EncodeOptions {
-            working: drawn.working,
-            rounding: drawn.rounding,
-            ..picture.encode.clone()
-        };
-        let reason = |refused: &dyn std::fmt::Display| Some(refused.to_string());
-        let bytes = output::encode(&drawn.film, &options).map_err(|refused| reason(&refused))?;
-        if stop.is_cancelled() {
-            return Err(None);
-        }
+            },
+            &|lack| (self.listener)(News::Weaker(lack)),
+        );
+        drop(watched);
+        let bytes = drawn?.into_iter().next().unwrap_or_default();
         self.journal
             .put(&picture.output, &bytes)
-            .map_err(|refused| reason(&refused))?;
+            .map_err(|refused| failed(&refused))?;
         let events = lock(events);
         let record = self
             .fingerprints
@@ -427,13 +453,6 @@ impl SceneEvents {
 
 fn pixels(picture: &Picture) -> u64 {
     picture.render.columns.len() as u64 * picture.render.rows.len() as u64
-}
-
-/// The message of a panic.
-fn words(panic: &(dyn Any + Send)) -> &str {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("nobody knows why")
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

@@ -1,11 +1,13 @@
-//! Cancels renders that exceed a time limit.
+//! Kills workers that exceed their time limit and do not end by themselves.
 
+use crate::app::worker::Stopper;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use crate::base::options::CancelToken;
+/// Time after the limit in which a worker cancels its picture and ends by itself.
+const GRACE: Duration = Duration::from_secs(3);
 
-/// Watches renders in progress, if there is a limit.
+/// Watches workers, if there is a limit.
 #[derive(Debug)]
 pub(super) struct Watchdog {
     limit: Option<Duration>,
@@ -15,27 +17,43 @@ pub(super) struct Watchdog {
 
 #[derive(Debug, Default)]
 struct State {
-    watched: Vec<(Instant, CancelToken)>,
+    watched: Vec<(u64, Instant, Stopper)>,
+    /// The number of the next entry.
+    next: u64,
     is_over: bool,
+}
+
+/// A watch over one picture, until this is dropped.
+#[derive(Debug)]
+pub(super) struct Watched<'a> {
+    watchdog: &'a Watchdog,
+    number: u64,
 }
 
 impl Watchdog {
     pub(super) fn new(limit: Option<Duration>) -> Self {
         Watchdog {
-            limit,
+            limit: limit.map(|limit| limit.saturating_add(GRACE)),
             state: Mutex::default(),
             changed: Condvar::new(),
         }
     }
 
-    /// Watches `stop` from now on; cancels it at the time limit unless it is dropped before.
-    pub(super) fn watch(&self, stop: &CancelToken) {
+    /// Watches a worker from now on.
+    pub(super) fn watch(&self, stopper: Stopper) -> Watched<'_> {
+        let mut state = self.lock();
+        let number = state.next;
+        state.next += 1;
         let deadline = self
             .limit
             .and_then(|limit| Instant::now().checked_add(limit));
         if let Some(deadline) = deadline {
-            self.lock().watched.push((deadline, stop.clone()));
+            state.watched.push((number, deadline, stopper));
             self.changed.notify_all();
+        }
+        Watched {
+            watchdog: self,
+            number,
         }
     }
 
@@ -50,13 +68,13 @@ impl Watchdog {
         let mut state = self.lock();
         while !state.is_over {
             let now = Instant::now();
-            state.watched.retain(|(deadline, stop)| {
+            state.watched.retain(|(_, deadline, stopper)| {
                 if *deadline <= now {
-                    stop.cancel();
+                    stopper.kill();
                 }
                 *deadline > now
             });
-            let next = state.watched.iter().map(|(deadline, _)| *deadline).min();
+            let next = state.watched.iter().map(|(_, deadline, _)| *deadline).min();
             state = match next {
                 Some(next) => {
                     let waited = self.changed.wait_timeout(state, next - now);
@@ -75,30 +93,9 @@ impl Watchdog {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_slow_tasks_are_stopped() {
-        const LIMIT: Duration = Duration::from_millis(40);
-        let watchdog = Watchdog::new(Some(LIMIT));
-        // On a busy machine anything may take longer than the limit, and a panic before `end` would wait for ever.
-        let (mut stopped_after, mut second) = (Duration::ZERO, (true, LIMIT));
-        std::thread::scope(|scope| {
-            scope.spawn(|| watchdog.run());
-            let (begin, stop) = (Instant::now(), CancelToken::default());
-            watchdog.watch(&stop);
-            while !stop.is_cancelled() {
-                std::thread::yield_now();
-            }
-            stopped_after = begin.elapsed();
-            let (begin, stop) = (Instant::now(), CancelToken::default());
-            watchdog.watch(&stop);
-            watchdog.end();
-            second = (stop.is_cancelled(), begin.elapsed());
-        });
-        assert!(stopped_after >= LIMIT);
-        assert!(!second.0 || second.1 >= LIMIT);
+impl Drop for Watched<'_> {
+    fn drop(&mut self) {
+        let mut state = self.watchdog.lock();
+        state.watched.retain(|(number, ..)| *number != self.number);
     }
 }

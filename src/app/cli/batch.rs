@@ -17,7 +17,6 @@ use self::list::List;
 use self::tell::BatchReporter;
 use super::Command;
 use super::draw::report::say;
-use super::kernel;
 use super::options::arg_words;
 use super::options::environment::Environment;
 use super::options::error::CliError;
@@ -70,7 +69,7 @@ struct CommandOptions {
     /// A picture that takes longer has failed: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
-    /// The most memory that reading a scene may take: 500M, 4G [default: what the machine has]
+    /// The most memory that a scene may take: 500M, 4G [default: what the machine has]
     #[arg(long, visible_alias = "max-memory", value_name = "SIZE", value_parser = |text: &str| bytes(text, "--memory"))]
     memory: Option<u64>,
     #[command(flatten)]
@@ -134,15 +133,9 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         let limits = limits.of_sandbox();
         (wanted.batch.timeout, wanted.memory) = (limits.timeout, limits.max_memory);
     }
+    wanted.batch.memory = wanted.memory;
+    wanted.batch.is_sandboxed = wanted.safety.sandbox;
     let List { pictures, refused } = list::list(&wanted, environment)?;
-    if wanted.safety.sandbox {
-        // The sandbox allows no new folder outside of this one.
-        let _ = std::fs::create_dir_all(&wanted.batch.out);
-        let scenes = pictures
-            .iter()
-            .map(|picture| (picture.scene.as_path(), &picture.read));
-        kernel::enter_to_draw_all(scenes, &wanted.batch.out);
-    }
     let teller = BatchReporter::new(&wanted, &pictures, environment);
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);

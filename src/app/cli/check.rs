@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use super::Command;
-use super::draw::limits::Watch;
+use super::draw::limits::{Limits, Watch};
 use super::draw::report::{Line, Reporter, Stream, counted, say};
 use super::kernel;
 use super::options::arg_words;
@@ -97,7 +97,8 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     if raw_args.safety.sandbox {
         kernel::enter_to_read(&scenes, &options_of);
     }
-    Watch::ending_at_once(limits.timeout, limits.max_memory);
+    let limits = Limits::new(limits.timeout, limits.max_memory);
+    let _watch = Watch::over_command(limits, None);
     let are_right = check(&scenes, &options_of, &reporter, is_quiet);
     Ok(if are_right {
         ExitCode::SUCCESS

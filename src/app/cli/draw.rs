@@ -26,6 +26,7 @@ use std::time::Instant;
 use clap::error::ErrorKind::DisplayVersion;
 
 use super::draw::console::Console;
+use super::draw::limits::{Limits, Watch};
 use super::kernel;
 use super::options::arg_words;
 
@@ -82,7 +83,10 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
             if settings.is_sandboxed {
                 kernel::enter_to_draw(&settings);
             }
-            let watch = limits::Watch::start(&settings, settings.render.stop.clone());
+            let watch = Watch::over_command(
+                Limits::new(settings.timeout, settings.max_memory),
+                Some(settings.render.stop.clone()),
+            );
             let done = match &settings.frames {
                 Some(frames) => animate::run(&settings, frames),
                 None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),

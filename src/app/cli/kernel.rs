@@ -7,7 +7,6 @@
 
 use super::draw::report::say;
 use super::options::settings::{Scene, Settings};
-use crate::app::program;
 use crate::base::file::{Folders, folder_of};
 use crate::base::options::ReadOptions;
 use crate::output::Target;
@@ -40,7 +39,7 @@ pub(super) fn enter_to_draw(settings: &Settings) {
     sandbox
         .writable
         .extend(streams.map(|(_, file)| folder_of(file)));
-    sandbox.enter();
+    warn(&sandbox.enter());
 }
 
 /// Enters the sandbox of a command that only reads scenes.
@@ -51,24 +50,23 @@ pub(super) fn enter_to_read(scenes: &[Scene], options: &dyn Fn(&Scene) -> ReadOp
         options.writable = Folders::Only(Vec::new());
         sandbox.admit(scene.path(), &options);
     }
-    sandbox.enter();
+    warn(&sandbox.enter());
 }
 
-/// Enters the sandbox of a command that reads some scenes and writes to a folder.
-pub(super) fn enter_to_draw_all<'a>(
-    scenes: impl Iterator<Item = (&'a Path, &'a ReadOptions)>,
-    out: &Path,
-) {
-    let mut sandbox = Sandbox {
-        writable: vec![out.to_owned()],
-        ..Sandbox::default()
-    };
-    // A picture is drawn again with another program, which is read to tell.
-    sandbox.readable.extend(program::code());
-    for (scene, options) in scenes {
-        sandbox.admit(Some(scene), options);
+/// Reports the parts of a sandbox that the kernel lacks.
+pub(super) fn warn(lacks: &[String]) {
+    for lack in lacks {
+        say(format_args!(
+            "povr: warning: this sandbox is weaker: {lack}"
+        ));
     }
-    sandbox.enter();
+}
+
+/// Enters the sandbox of a process that draws one scene for another process; returns the parts that the kernel lacks.
+pub(super) fn enter_to_draw_one(scene: &Path, options: &ReadOptions) -> Vec<String> {
+    let mut sandbox = Sandbox::default();
+    sandbox.admit(Some(scene), options);
+    sandbox.enter()
 }
 
 /// The files and folders that the process may use.
@@ -92,18 +90,14 @@ impl Sandbox {
         }
     }
 
-    /// Limits this thread, and all threads that it starts, for good.
-    fn enter(mut self) {
+    /// Limits this thread, and all threads that it starts, for good; returns the parts that the kernel lacks.
+    fn enter(mut self) -> Vec<String> {
         self.readable.extend(SYSTEM_FILES.map(PathBuf::from));
         for paths in [&mut self.readable, &mut self.writable] {
             paths.sort();
             paths.dedup();
         }
-        for lack in limited(&self) {
-            say(format_args!(
-                "povr: warning: this sandbox is weaker: {lack}"
-            ));
-        }
+        limited(&self)
     }
 }
 

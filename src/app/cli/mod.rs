@@ -18,6 +18,7 @@ mod man;
 mod options;
 mod sheet;
 mod watch;
+mod worker;
 
 pub use curve::report as curve_report;
 pub use draw::frames::Frames;
@@ -71,6 +72,9 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     let mut arguments = arguments.into_iter();
     let program = arguments.next().unwrap_or_default();
     let arguments: Vec<String> = arguments.collect();
+    if arguments == [crate::app::worker::COMMAND] {
+        return worker::run();
+    }
     let surroundings = match arguments.iter().any(|argument| argument == "--sandbox") {
         true => Environment::outside_of_this_folder(),
         false => Environment::of_this_process(),

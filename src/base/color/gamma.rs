@@ -1,7 +1,9 @@
 //! Transfer functions between linear light and encoded values.
 
+use serde::{Deserialize, Serialize};
+
 /// A transfer function.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Gamma {
     /// The sRGB curve (IEC 61966-2-1).
     Srgb,

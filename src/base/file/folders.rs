@@ -1,5 +1,6 @@
 //! Folders to which a scene is limited.
 
+use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::fmt;
 use std::fs::{self, File};
@@ -7,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Folders, with their subfolders, that hold all files a scene may access. An entry may also be a single file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Folders {
     /// No limit but the permissions of the system.
     #[default]

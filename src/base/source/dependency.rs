@@ -1,10 +1,11 @@
 //! Dependencies of a picture: the files that were read, and the paths where the search found no file.
 
 use rustc_hash::FxHashSet;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 /// A file whose content or existence affects the picture.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Dependency {
     /// The path at which the file was searched.
     pub path: PathBuf,

@@ -1,11 +1,11 @@
 //! Errors and warnings about a scene, with spans, related spans and hints.
 
 use super::Span;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Severity of a diagnostic.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// The scene is rendered, on an assumption.
@@ -24,7 +24,7 @@ impl fmt::Display for Severity {
 }
 
 /// Categories of diagnostics that programs distinguish.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Code {
     /// The scene uses a feature that is not supported yet; the scene is not at fault.

@@ -3,12 +3,12 @@
 use super::diagnostic::sentence;
 use super::print::{Styling, annotated, pov_line};
 use super::{Code, Diagnostic, Label, Severity, Sources, Span};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A diagnostic with file, line and column instead of spans, so that it outlives the texts of its run.
 ///
 /// Its serialised form is the object of `--message-format json`; fields may be added there, never renamed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Message {
     /// Severity of the diagnostic.
     pub severity: Severity,
@@ -38,7 +38,7 @@ pub struct Message {
 }
 
 /// A range of a text as an editor shows it. Lines and columns count from 1, columns in characters.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Location {
     /// The name of the text: the path of the file, or "standard input".
     pub file: String,
@@ -51,7 +51,7 @@ pub struct Location {
 }
 
 /// A position between two characters of a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Position {
     /// The line, from 1.
     pub line: usize,
@@ -60,7 +60,7 @@ pub struct Position {
 }
 
 /// A note on a related location.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Note {
     /// The note.
     pub text: String,

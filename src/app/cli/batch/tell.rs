@@ -1,6 +1,6 @@
 //! Reports on a batch: a progress bar, the failures at the end, a log for programs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::Wanted;
 use crate::app::batch::{News, Outcome, Picture, Status};
 use crate::app::cli::draw::report::{Reporter, Stream, counted, say};
+use crate::app::cli::kernel;
 use crate::app::cli::options::environment::Environment;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::output_kinds::MessageFormat;
@@ -37,6 +38,8 @@ struct Tally {
     up_to_date: usize,
     failed: BTreeMap<usize, Outcome>,
     refused: usize,
+    /// Reported parts of a sandbox that the kernel lacks.
+    lacks: BTreeSet<String>,
 }
 
 /// A line of `--json`.
@@ -118,6 +121,11 @@ impl<'a> BatchReporter<'a> {
             }
             News::Drawn(pixels) => self.bar.inc(pixels),
             News::Done(outcome) => self.done(outcome),
+            News::Weaker(lack) => {
+                if self.lock().lacks.insert(lack.to_owned()) {
+                    kernel::warn(&[lack.to_owned()]);
+                }
+            }
         }
     }
 

@@ -4,12 +4,13 @@
 //! temporary files. A rendering that does not end soon after, in a system call for example, is ended with the process.
 
 use super::report::say;
-use crate::app::cli::options::settings::Settings;
+use crate::app::worker::Limit;
 use crate::base::memory::Taken;
 use crate::base::options::CancelToken;
 use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -32,56 +33,108 @@ pub(crate) fn outlive_file_limit() {
     }
 }
 
-/// A watch over the limits of the process.
+/// Limits of a process.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Limits {
+    timeout: Option<Duration>,
+    max_memory: Option<u64>,
+}
+
+/// A watch over the limits of the process. It ends when this is dropped.
 #[derive(Debug)]
 pub(crate) struct Watch {
     is_over: Arc<AtomicBool>,
+    _running: Sender<()>,
+}
+
+impl Limits {
+    pub(crate) fn new(timeout: Option<Duration>, max_memory: Option<u64>) -> Self {
+        Limits {
+            timeout,
+            max_memory,
+        }
+    }
+
+    /// The message for a limit of this command.
+    fn message(self, limit: Limit) -> String {
+        match limit {
+            Limit::Time => format!(
+                "stopped: this took longer than {:?}, which `--timeout` allows",
+                self.timeout.unwrap_or_default()
+            ),
+            Limit::Memory => format!(
+                "stopped: this took more memory than the {} MB that `--max-memory` allows",
+                self.max_memory.unwrap_or_default() >> 20
+            ),
+        }
+    }
+
+    /// Waits for the first of the limits; `None` if the watch is over before.
+    fn wait(self, watch: &Receiver<()>) -> Option<Limit> {
+        let started = Instant::now();
+        loop {
+            let left = self
+                .timeout
+                .map(|timeout| timeout.saturating_sub(started.elapsed()));
+            if left.is_some_and(|left| left.is_zero()) {
+                return Some(Limit::Time);
+            }
+            let is_full = self
+                .max_memory
+                .is_some_and(|most| Taken::now().is_some_and(|taken| taken.resident > most));
+            if is_full {
+                return Some(Limit::Memory);
+            }
+            let look = self.max_memory.map(|_| LOOK);
+            let pause = left.into_iter().chain(look).min().unwrap_or(Duration::MAX);
+            if watch.recv_timeout(pause) == Err(RecvTimeoutError::Disconnected) {
+                return None;
+            }
+        }
+    }
 }
 
 impl Watch {
-    /// Watches a rendering that `stop` cancels, from now on.
-    pub(crate) fn start(settings: &Settings, stop: CancelToken) -> Self {
-        Watch::of(settings.timeout, settings.max_memory, Some(stop))
+    /// Watches a command, from now on. At a limit `stop` cancels its rendering; without `stop` it holds nothing to
+    /// remove, and ends at once.
+    pub(crate) fn over_command(limits: Limits, stop: Option<CancelToken>) -> Self {
+        Watch::start(limits, stop, move |limit| {
+            say(format_args!("povr: {}", limits.message(limit)));
+        })
     }
 
-    /// Watches a process that holds nothing to remove: it ends at the limit.
-    pub(crate) fn ending_at_once(timeout: Option<Duration>, max_memory: Option<u64>) {
-        Watch::of(timeout, max_memory, None);
-    }
-
-    fn of(timeout: Option<Duration>, max_memory: Option<u64>, stop: Option<CancelToken>) -> Self {
+    /// Watches a rendering from now on, and calls `tell` at a limit.
+    pub(crate) fn start(
+        limits: Limits,
+        stop: Option<CancelToken>,
+        tell: impl FnOnce(Limit) + Send + 'static,
+    ) -> Self {
         let is_over = Arc::new(AtomicBool::new(false));
+        let (running, ended) = mpsc::channel();
         let watch = Watch {
             is_over: Arc::clone(&is_over),
+            _running: running,
         };
-        let started = Instant::now();
+        let Limits {
+            timeout,
+            max_memory,
+        } = limits;
         if timeout.is_none() && max_memory.is_none() {
             return watch;
         }
         let work = move || {
-            let limits = Limits {
-                deadline: timeout.and_then(|timeout| started.checked_add(timeout)),
-                max_memory,
+            let Some(limit) = limits.wait(&ended) else {
+                return;
             };
-            limits.wait();
             is_over.store(true, Ordering::Relaxed);
-            match (timeout, max_memory) {
-                (Some(timeout), _) if started.elapsed() >= timeout => say(format_args!(
-                    "povr: stopped: this took longer than {timeout:?}, which `--timeout` allows"
-                )),
-                _ => say(format_args!(
-                    "povr: stopped: this took more memory than the {} MB that `--max-memory` allows",
-                    max_memory.unwrap_or_default() >> 20
-                )),
-            }
+            tell(limit);
             if let Some(stop) = stop {
                 stop.cancel();
-                let grace = Limits {
-                    deadline: Instant::now().checked_add(GRACE),
-                    // The last reads may take more, but not for long.
-                    max_memory: max_memory.map(|most| most.saturating_add(most / 4)),
-                };
-                grace.wait();
+                // The last reads may take more memory, but not for long.
+                let max_memory = max_memory.map(|most| most.saturating_add(most / 4));
+                if Limits::new(Some(GRACE), max_memory).wait(&ended).is_none() {
+                    return;
+                }
             }
             process::exit(FAILED);
         };
@@ -100,32 +153,5 @@ impl Watch {
     /// True if a limit was reached.
     pub(crate) fn is_over(&self) -> bool {
         self.is_over.load(Ordering::Relaxed)
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Limits {
-    deadline: Option<Instant>,
-    max_memory: Option<u64>,
-}
-
-impl Limits {
-    /// Waits for the first of the limits.
-    fn wait(self) {
-        loop {
-            let left = self.deadline.map_or(Duration::MAX, |deadline| {
-                deadline.saturating_duration_since(Instant::now())
-            });
-            let is_full = self
-                .max_memory
-                .is_some_and(|most| Taken::now().is_some_and(|taken| taken.resident > most));
-            if left.is_zero() || is_full {
-                return;
-            }
-            thread::sleep(match self.max_memory {
-                Some(_) => left.min(LOOK),
-                None => left,
-            });
-        }
     }
 }

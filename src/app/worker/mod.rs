@@ -1,0 +1,16 @@
+//! Worker processes, which draw scenes for a command: a scene that brings its process down, by an abort, a limit or a
+//! fault, does not end the command.
+//!
+//! A worker is this program again, called with the argument [`COMMAND`]. It reads requests from standard input, draws
+//! one picture after the other, and writes replies to standard output, the encoded pictures among them, so that it needs
+//! no permission to write files. When its standard input ends, which means that the
+//! command has ended, it ends too.
+
+mod client;
+mod wire;
+
+pub(crate) use client::{Lost, Stopper, Worker};
+pub(crate) use wire::{Draw, Limit, Reply, Request, read_message, write_message};
+
+/// The first argument of a worker process.
+pub(crate) const COMMAND: &str = "draw-for-parent";

@@ -1,0 +1,133 @@
+//! Messages between a command and a worker: MessagePack, each behind its length in four bytes.
+
+use crate::base::options::{Event, ReadOptions, RenderOptions};
+use crate::base::source::{Dependency, Message};
+use crate::output::EncodeOptions;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::io::{self, Read, Write};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Maximum length of a message in bytes. A worker that a scene has taken over cannot exhaust the memory of the command.
+const LONGEST: u32 = 1 << 28;
+
+/// A request to a worker.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) enum Request {
+    /// Draw a picture.
+    Draw(Box<Draw>),
+    /// Cancel the current picture.
+    Stop,
+}
+
+/// A picture for a worker to draw.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Draw {
+    /// The scene.
+    pub(crate) scene: PathBuf,
+    /// Successive pictures with the same number are of one scene, whose tokens the worker caches.
+    pub(crate) series: Option<usize>,
+    /// Options for reading the scene.
+    pub(crate) read: ReadOptions,
+    /// Options for rendering.
+    pub(crate) render: RenderOptions,
+    /// The files to encode of the picture.
+    pub(crate) files: Vec<EncodeOptions>,
+    /// True if the worker sends the scene's `#debug` output.
+    pub(crate) tells_output: bool,
+    /// Time limit for the picture.
+    pub(crate) timeout: Option<Duration>,
+    /// Memory limit for the process, in bytes.
+    pub(crate) max_memory: Option<u64>,
+    /// True if the worker enters a sandbox first. It draws no other picture then.
+    pub(crate) is_sandboxed: bool,
+}
+
+/// A reply of a worker.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) enum Reply {
+    /// The kernel does not enforce a part of the sandbox.
+    Weaker(String),
+    /// As [`Event::SceneOutput`].
+    Output(String),
+    /// As [`Event::Finding`], with the texts that a serialised message does not have.
+    Finding(Box<Message>, [String; 3]),
+    /// As [`Event::Read`].
+    Read {
+        dependencies: Vec<Dependency>,
+        wrote_files: bool,
+    },
+    /// As [`Event::Drawn`].
+    Drawn(u64),
+    /// A limit is reached. The worker cancels the picture, and ends soon.
+    Limit(Limit),
+    /// The picture is finished; its files follow, with these lengths in bytes.
+    Done(Vec<u64>),
+    /// There is no picture; the reason, unless the findings give it.
+    Failed(Option<String>),
+}
+
+/// A limit of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Limit {
+    Time,
+    Memory,
+}
+
+impl Reply {
+    /// The reply that stands for an event; `None` for events that a worker's pictures do not have.
+    pub(crate) fn of(event: Event<'_>) -> Option<Self> {
+        Some(match event {
+            Event::SceneOutput(text) => Reply::Output(text.to_owned()),
+            Event::Finding(message) => {
+                let texts = [&message.pov_line, &message.excerpt, &message.colored];
+                Reply::Finding(Box::new(message.clone()), texts.map(String::clone))
+            }
+            Event::Read {
+                dependencies,
+                wrote_files,
+            } => Reply::Read {
+                dependencies: dependencies.to_vec(),
+                wrote_files,
+            },
+            Event::Drawn(pixels) => Reply::Drawn(pixels),
+            _ => return None,
+        })
+    }
+}
+
+/// Writes a message.
+///
+/// # Errors
+/// When the other process has ended.
+pub(crate) fn write_message(to: &mut impl Write, message: &impl Serialize) -> io::Result<()> {
+    let bytes = rmp_serde::to_vec_named(message).map_err(io::Error::other)?;
+    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
+    to.write_all(&length.to_le_bytes())?;
+    to.write_all(&bytes)
+}
+
+/// Reads a message.
+///
+/// # Errors
+/// When the other process has ended, or writes anything else.
+pub(crate) fn read_message<M: DeserializeOwned>(from: &mut impl Read) -> io::Result<M> {
+    let mut length = [0; 4];
+    from.read_exact(&mut length)?;
+    let length = u32::from_le_bytes(length);
+    if length > LONGEST {
+        return Err(io::ErrorKind::InvalidData.into());
+    }
+    rmp_serde::from_slice(&read_bytes(from, length.into())?).map_err(io::Error::other)
+}
+
+/// Reads this number of bytes; no more memory is taken than bytes come.
+pub(super) fn read_bytes(from: &mut impl Read, length: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(length).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 == length {
+        true => Ok(bytes),
+        false => Err(io::ErrorKind::UnexpectedEof.into()),
+    }
+}
