@@ -68,7 +68,7 @@ const LAYERS: &[&[&str]] = &[
     &["render::antialias", "render::adaptive", "render::pretrace"],
     &["render::radiosity_pass"],
     &["render", "render::statistics"],
-    &["app::worker"],
+    &["app::worker", "app::server"],
     &["app::curve", "app::batch"],
     &["app::cli"],
     // A package of its own, which uses the library by its name.

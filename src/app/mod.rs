@@ -6,4 +6,5 @@ pub mod compare;
 pub mod curve;
 pub mod picture_file;
 pub mod program;
+pub(crate) mod server;
 pub(crate) mod worker;

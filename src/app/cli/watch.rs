@@ -190,7 +190,7 @@ fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliErro
     let listener = TcpListener::bind(("127.0.0.1", port)).map_err(cannot)?;
     let address = listener.local_addr().map_err(cannot)?;
     say(format_args!("povr: http://{address}/"));
-    page::serve(listener, Arc::clone(shown), title.to_owned()).map_err(cannot)
+    page::serve(listener, shown, title).map_err(cannot)
 }
 
 /// A watched scene.

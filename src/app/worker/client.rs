@@ -2,15 +2,14 @@
 
 use super::COMMAND;
 use super::wire::{Draw, Limit, Reply, Request, read_bytes, read_message, write_message};
+use crate::app::program;
 use crate::base::options::Event;
 use std::io::{self, BufReader, Read};
-use std::path::PathBuf;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
-
 
 /// Time for a process to exit after it has closed its pipes: it may have much memory to free.
 const EXIT: Duration = Duration::from_secs(2);
@@ -227,7 +226,6 @@ fn is_kill(status: ExitStatus) -> bool {
         false
     }
 }
-
 
 /// The end of what a process writes.
 fn end_of(mut errors: ChildStderr) -> Vec<u8> {

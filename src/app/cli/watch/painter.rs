@@ -133,7 +133,7 @@ impl Painter {
             terminal::show(&png, is_preview);
         }
         self.shown.put(Picture {
-            png: Arc::new(png),
+            png: png.into(),
             is_preview,
             seconds,
             size: (self.settings.render.width, self.settings.render.height),

@@ -1,13 +1,14 @@
 //! The current display: the last good picture, and errors since.
 
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use hyper::body::Bytes;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tokio::sync::watch;
 
 /// A picture on display.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
     /// A PNG file.
-    pub(super) png: Arc<Vec<u8>>,
+    pub(super) png: Bytes,
     /// True if a better one is in progress.
     pub(super) is_preview: bool,
     /// The render time in seconds.
@@ -17,20 +18,30 @@ pub(super) struct Picture {
 }
 
 /// The display for any number of pages.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Shown {
     state: Mutex<State>,
-    changed: Condvar,
+    events: watch::Sender<String>,
 }
 
 /// The display at one moment.
-#[derive(Clone, Debug, Default)]
-pub(super) struct State {
+#[derive(Debug, Default)]
+struct State {
     /// Incremented by every change.
-    pub(super) number: u64,
-    pub(super) picture: Option<Picture>,
+    number: u64,
+    picture: Option<Picture>,
     /// The errors of the scene; empty if none.
-    pub(super) errors: String,
+    errors: String,
+}
+
+impl Default for Shown {
+    fn default() -> Self {
+        let state = State::default();
+        Shown {
+            events: watch::Sender::new(state.json()),
+            state: Mutex::new(state),
+        }
+    }
 }
 
 impl Shown {
@@ -39,31 +50,48 @@ impl Shown {
         let mut state = self.lock();
         state.picture = Some(picture);
         state.errors.clear();
-        state.number += 1;
-        self.changed.notify_all();
+        self.changed(&mut state);
     }
 
     /// Shows errors beside the last picture.
     pub(super) fn fail(&self, errors: String) {
         let mut state = self.lock();
         state.errors = errors;
+        self.changed(&mut state);
+    }
+
+    /// The picture, as a PNG file.
+    pub(super) fn png(&self) -> Option<Bytes> {
+        let state = self.lock();
+        state.picture.as_ref().map(|picture| picture.png.clone())
+    }
+
+    /// The descriptions of the display, current and to come, for the page.
+    pub(super) fn events(&self) -> watch::Receiver<String> {
+        self.events.subscribe()
+    }
+
+    fn changed(&self, state: &mut State) {
         state.number += 1;
-        self.changed.notify_all();
-    }
-
-    /// The current state.
-    pub(super) fn now(&self) -> State {
-        self.lock().clone()
-    }
-
-    /// The first state whose number differs, or the current one after some time.
-    pub(super) fn after(&self, number: u64, patience: Duration) -> State {
-        let same = |state: &mut State| state.number == number;
-        let waited = self.changed.wait_timeout_while(self.lock(), patience, same);
-        waited.unwrap_or_else(PoisonError::into_inner).0.clone()
+        self.events.send_replace(state.json());
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl State {
+    fn json(&self) -> String {
+        let picture = self.picture.as_ref();
+        serde_json::json!({
+            "number": self.number,
+            "errors": self.errors,
+            "is_preview": picture.is_some_and(|picture| picture.is_preview),
+            "seconds": picture.map(|picture| picture.seconds),
+            "width": picture.map(|picture| picture.size.0),
+            "height": picture.map(|picture| picture.size.1),
+        })
+        .to_string()
     }
 }

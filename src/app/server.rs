@@ -1,0 +1,571 @@
+//! A server for pages that only this machine sees.
+//!
+//! It listens on the loopback address, and answers requests only if their `Host` names this machine, so that a page
+//! elsewhere cannot reach it by a name of its own (DNS rebinding). The port in `Host` is free: it differs behind a
+//! tunnel. Each connection carries one request, and must be done with it in a limited time; streams of events last, as
+//! long as their readers read.
+//!
+//! HTTP itself is hyper's, on one thread.
+
+use http_body_util::{BodyExt, Either, Full, Limited};
+use hyper::body::{Body, Bytes, Frame, Incoming};
+use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
+use hyper::{Method, Request, Response, StatusCode};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use std::convert::Infallible;
+use std::io;
+use std::net::TcpListener;
+use std::pin::Pin;
+use std::sync::Arc;
+use std::task::{Context, Poll};
+use std::thread;
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio::sync::{Semaphore, mpsc, oneshot, watch};
+use tokio::time::{sleep, timeout};
+
+/// Names of this machine in `Host`.
+const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
+/// Headers of every response.
+const HEADERS: [(HeaderName, &str); 4] = [
+    (header::CACHE_CONTROL, "no-store"),
+    (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    (header::CONTENT_SECURITY_POLICY, "frame-ancestors 'none'"),
+    (
+        HeaderName::from_static("cross-origin-resource-policy"),
+        "same-origin",
+    ),
+];
+
+/// Limits of a server.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Connections at once; more wait for one of them to end.
+    pub(crate) connections: usize,
+    /// Streams of events at once, of the connections.
+    pub(crate) streams: usize,
+    /// Time for the head of a request to arrive.
+    pub(crate) head: Duration,
+    /// Time for a request and its response, or for one event, to be transferred.
+    pub(crate) transfer: Duration,
+    /// Interval of messages in a stream without events, which reveal that its reader has gone.
+    pub(crate) still_here: Duration,
+    /// Length of the head of a request in bytes.
+    pub(crate) head_bytes: usize,
+    /// Length of the body of a request in bytes.
+    pub(crate) body_bytes: usize,
+}
+
+impl Default for Limits {
+    /// A browser takes a few connections for each page, and a request of this machine milliseconds.
+    fn default() -> Self {
+        Limits {
+            connections: 128,
+            streams: 64,
+            head: Duration::from_secs(3),
+            transfer: Duration::from_secs(10),
+            still_here: Duration::from_secs(5),
+            head_bytes: 16 << 10,
+            body_bytes: 64 << 10,
+        }
+    }
+}
+
+/// A request to a route.
+#[derive(Debug)]
+#[allow(
+    dead_code,
+    reason = "the pages that take a query and a body are those of the tests"
+)]
+pub(crate) struct Query {
+    /// The part of the address after `?`.
+    pub(crate) query: String,
+    pub(crate) body: Bytes,
+}
+
+/// The answer of a route.
+pub(crate) enum Answer {
+    /// Contents of a media type.
+    Content(&'static str, Bytes),
+    /// A stream of server-sent events: the current text, which has no line breaks, and each later one.
+    Events(watch::Receiver<String>),
+    /// Nothing, for a reason.
+    Refusal(StatusCode, &'static str),
+}
+
+/// A path with its method and handler. Handlers run on the thread of the server, so they return at once.
+pub(crate) struct Route {
+    pub(crate) method: Method,
+    pub(crate) path: &'static str,
+    pub(crate) handler: Handler,
+}
+
+/// Answers a request.
+pub(crate) type Handler = Box<dyn Fn(&Query) -> Answer + Send + Sync>;
+
+impl Route {
+    /// A route for `GET`, and so for `HEAD`.
+    pub(crate) fn get(
+        path: &'static str,
+        handler: impl Fn(&Query) -> Answer + Send + Sync + 'static,
+    ) -> Self {
+        Route {
+            method: Method::GET,
+            path,
+            handler: Box::new(handler),
+        }
+    }
+}
+
+/// Serves the routes for as long as the process lives.
+///
+/// # Errors
+/// When the system has no more threads or events.
+pub(crate) fn serve(listener: TcpListener, routes: Vec<Route>, limits: Limits) -> io::Result<()> {
+    listener.set_nonblocking(true)?;
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_io()
+        .enable_time()
+        .build()?;
+    let server = Arc::new(Server {
+        routes,
+        streams: Arc::new(Semaphore::new(limits.streams)),
+        limits,
+    });
+    let work = move || runtime.block_on(server.accept(listener));
+    thread::Builder::new()
+        .name("server".to_owned())
+        .spawn(work)
+        .map(drop)
+}
+
+struct Server {
+    routes: Vec<Route>,
+    limits: Limits,
+    streams: Arc<Semaphore>,
+}
+
+/// Events for one reader.
+struct Events(mpsc::Receiver<Bytes>);
+
+impl Body for Events {
+    type Data = Bytes;
+    type Error = Infallible;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
+        let event = self.0.poll_recv(context);
+        event.map(|event| event.map(|event| Ok(Frame::data(event))))
+    }
+}
+
+type Reply = Response<Either<Full<Bytes>, Events>>;
+
+/// The state of a connection.
+struct Connection {
+    server: Arc<Server>,
+    /// Receives the channel on which a stream of events reports that its reader does not read.
+    streams: mpsc::Sender<oneshot::Receiver<()>>,
+}
+
+impl Server {
+    async fn accept(self: Arc<Self>, listener: TcpListener) {
+        // It is a listening socket, and within the runtime.
+        let Ok(listener) = tokio::net::TcpListener::from_std(listener) else {
+            return;
+        };
+        let connections = Arc::new(Semaphore::new(self.limits.connections));
+        loop {
+            let Ok(permit) = Arc::clone(&connections).acquire_owned().await else {
+                return;
+            };
+            let Ok((stream, _)) = listener.accept().await else {
+                // Too many files are open: wait for some to be closed.
+                sleep(Duration::from_millis(50)).await;
+                continue;
+            };
+            let server = Arc::clone(&self);
+            tokio::spawn(async move {
+                server.connection(stream).await;
+                drop(permit);
+            });
+        }
+    }
+
+    /// Serves a connection until its end or its deadline.
+    async fn connection(self: Arc<Self>, stream: TcpStream) {
+        let limits = self.limits;
+        let (streams, mut stream_begun) = mpsc::channel(1);
+        let connection = Connection {
+            server: self,
+            streams,
+        };
+        let mut http = hyper::server::conn::http1::Builder::new();
+        http.keep_alive(false)
+            .timer(TokioTimer::new())
+            .header_read_timeout(limits.head)
+            .max_buf_size(limits.head_bytes);
+        let service = hyper::service::service_fn(|request| connection.reply(request));
+        let serving = http.serve_connection(TokioIo::new(stream), service);
+        let deadline = async {
+            let begun = timeout(limits.head + limits.transfer, stream_begun.recv());
+            if let Ok(Some(stalled)) = begun.await {
+                // An error means that the stream has ended.
+                let _ = stalled.await;
+            }
+        };
+        // A closed connection gets no answer.
+        tokio::select! {
+            _ = serving => {}
+            () = deadline => {}
+        }
+    }
+}
+
+impl Connection {
+    async fn reply(&self, request: Request<Incoming>) -> Result<Reply, Infallible> {
+        let mut reply = self.reply_without_headers(request).await;
+        for (name, value) in HEADERS {
+            let value = HeaderValue::from_static(value);
+            reply.headers_mut().insert(name, value);
+        }
+        Ok(reply)
+    }
+
+    async fn reply_without_headers(&self, request: Request<Incoming>) -> Reply {
+        if !is_for_this_machine(request.headers()) {
+            return refusal(StatusCode::FORBIDDEN, "not this host");
+        }
+        let path = request.uri().path();
+        let mut routes = self.server.routes.iter().filter(|route| route.path == path);
+        let method = match *request.method() {
+            Method::HEAD => &Method::GET,
+            ref method => method,
+        };
+        let Some(route) = routes.clone().find(|route| route.method == method) else {
+            return match routes.next() {
+                Some(_) => refusal(StatusCode::METHOD_NOT_ALLOWED, "not this method"),
+                None => refusal(StatusCode::NOT_FOUND, "nothing here"),
+            };
+        };
+        let is_head = request.method() == Method::HEAD;
+        let query = request.uri().query().unwrap_or_default().to_owned();
+        let limits = self.server.limits;
+        let body = Limited::new(request.into_body(), limits.body_bytes).collect();
+        let body = match timeout(limits.transfer, body).await {
+            Ok(Ok(body)) => body.to_bytes(),
+            Ok(Err(_)) => return refusal(StatusCode::PAYLOAD_TOO_LARGE, "too long"),
+            Err(_) => return refusal(StatusCode::REQUEST_TIMEOUT, "too slow"),
+        };
+        match (route.handler)(&Query { query, body }) {
+            Answer::Content(kind, bytes) => {
+                response(StatusCode::OK, kind, Either::Left(bytes.into()))
+            }
+            Answer::Refusal(status, reason) => refusal(status, reason),
+            Answer::Events(_) if is_head => {
+                response(StatusCode::OK, EVENTS, Either::Left(Full::default()))
+            }
+            Answer::Events(events) => self.stream(events),
+        }
+    }
+
+    /// A stream of events; a reader that does not take one in time ends the connection.
+    fn stream(&self, mut events: watch::Receiver<String>) -> Reply {
+        let limits = self.server.limits;
+        let Ok(permit) = Arc::clone(&self.server.streams).try_acquire_owned() else {
+            return refusal(StatusCode::SERVICE_UNAVAILABLE, "too many pages");
+        };
+        let (stall, stalled) = oneshot::channel();
+        let (sender, frames) = mpsc::channel(1);
+        // A connection has one request.
+        let _ = self.streams.try_send(stalled);
+        tokio::spawn(async move {
+            let _permit = permit;
+            loop {
+                let event = format!("data: {}\n\n", *events.borrow_and_update());
+                let sent = timeout(limits.transfer, sender.send(event.into())).await;
+                match sent {
+                    Ok(Ok(())) => {}
+                    Ok(Err(_)) => return,
+                    Err(_) => break,
+                }
+                tokio::select! {
+                    () = sender.closed() => return,
+                    changed = timeout(limits.still_here, events.changed()) => {
+                        if let Ok(Err(_)) = changed {
+                            return;
+                        }
+                    }
+                }
+            }
+            let _ = stall.send(());
+        });
+        response(StatusCode::OK, EVENTS, Either::Right(Events(frames)))
+    }
+}
+
+/// The media type of a stream of events.
+const EVENTS: &str = "text/event-stream";
+
+/// True if the request is for this machine by one of its own names.
+fn is_for_this_machine(headers: &HeaderMap) -> bool {
+    let mut hosts = headers.get_all(header::HOST).iter();
+    let (Some(host), None) = (hosts.next(), hosts.next()) else {
+        return false;
+    };
+    let host = host.to_str().unwrap_or_default().to_ascii_lowercase();
+    HOSTS.iter().any(|name| {
+        let port = host.strip_prefix(name).map(|rest| rest.strip_prefix(':'));
+        host == *name
+            || port
+                .flatten()
+                .is_some_and(|port| port.parse::<u16>().is_ok())
+    })
+}
+
+fn refusal(status: StatusCode, reason: &'static str) -> Reply {
+    response(status, "text/plain", Either::Left(Full::from(reason)))
+}
+
+fn response(status: StatusCode, kind: &'static str, body: Either<Full<Bytes>, Events>) -> Reply {
+    let mut response = Response::new(body);
+    *response.status_mut() = status;
+    let kind = HeaderValue::from_static(kind);
+    response.headers_mut().insert(header::CONTENT_TYPE, kind);
+    response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Read, Write};
+    use std::net::{SocketAddr, TcpStream};
+    use std::time::Instant;
+
+    /// Limits that a test can wait for.
+    const SHORT: Limits = Limits {
+        connections: 64,
+        streams: 8,
+        head: Duration::from_millis(700),
+        transfer: Duration::from_millis(700),
+        still_here: Duration::from_millis(50),
+        head_bytes: 16 << 10,
+        body_bytes: 16,
+    };
+    /// More than the buffers of a connection hold.
+    const LARGE: usize = 64 << 20;
+
+    /// A server, and the events that it sends.
+    fn server(limits: Limits) -> (SocketAddr, watch::Sender<String>) {
+        let (sender, events) = watch::channel("first".to_owned());
+        let large = Bytes::from(vec![b'x'; LARGE]);
+        let routes = vec![
+            Route::get("/", |query| {
+                Answer::Content("text/html", Bytes::from(format!("page {}", query.query)))
+            }),
+            Route::get("/large", move |_| {
+                Answer::Content("text/plain", large.clone())
+            }),
+            Route::get("/events", move |_| Answer::Events(events.clone())),
+            Route {
+                method: Method::POST,
+                path: "/",
+                handler: Box::new(|query| Answer::Content("text/plain", query.body.clone())),
+            },
+        ];
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap();
+        serve(listener, routes, limits).unwrap();
+        (address, sender)
+    }
+
+    fn sent(address: SocketAddr, request: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(address).unwrap();
+        let limit = Some(Duration::from_secs(20));
+        stream.set_read_timeout(limit).unwrap();
+        stream.write_all(request.as_bytes()).unwrap();
+        stream
+    }
+
+    /// The response to a request.
+    fn answered(address: SocketAddr, request: &str) -> String {
+        let mut text = String::new();
+        sent(address, request).read_to_string(&mut text).unwrap();
+        text
+    }
+
+    fn get(path: &str, host: &str) -> String {
+        format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n")
+    }
+
+    #[test]
+    fn requests_have_their_answers() {
+        let (address, _events) = server(SHORT);
+        let page = answered(address, &get("/?a=1", "localhost"));
+        assert!(page.starts_with("HTTP/1.1 200 OK\r\n"), "{page}");
+        assert!(page.ends_with("\r\n\r\npage a=1"), "{page}");
+        for (name, value) in [
+            ("cross-origin-resource-policy", "same-origin"),
+            ("x-content-type-options", "nosniff"),
+            ("cache-control", "no-store"),
+            ("content-length", "8"),
+            ("content-type", "text/html"),
+        ] {
+            assert!(page.contains(&format!("\r\n{name}: {value}\r\n")), "{page}");
+        }
+        let head = answered(address, "HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        assert!(head.contains("content-length: 5\r\n"), "{head}");
+        assert!(head.ends_with("\r\n\r\n"), "{head}");
+        let head = answered(address, "HEAD /events HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        assert!(head.ends_with("\r\n\r\n"), "{head}");
+        for (request, status) in [
+            (
+                "POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2\r\n\r\nab",
+                "200",
+            ),
+            (
+                "POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 17\r\n\r\n12345678901234567",
+                "413",
+            ),
+            (
+                "POST /large HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n",
+                "405",
+            ),
+            ("GET /../a HTTP/1.1\r\nHost: localhost\r\n\r\n", "404"),
+            ("nonsense\r\n\r\n", "400"),
+        ] {
+            let answer = answered(address, request);
+            assert!(
+                answer.starts_with(&format!("HTTP/1.1 {status} ")),
+                "{request}: {answer}"
+            );
+        }
+    }
+
+    #[test]
+    fn only_the_names_of_this_machine_are_answered() {
+        let (address, _events) = server(SHORT);
+        let port = address.port();
+        for (host, status) in [
+            (format!("127.0.0.1:{port}"), "200"),
+            ("LocalHost:9".to_owned(), "200"),
+            ("[::1]".to_owned(), "200"),
+            (format!("evil.example:{port}"), "403"),
+            ("localhost.evil.example".to_owned(), "403"),
+            ("localhost:80@evil.example".to_owned(), "403"),
+            ("127.0.0.1\r\nHost: evil.example".to_owned(), "403"),
+            (String::new(), "403"),
+        ] {
+            let answer = answered(address, &get("/", &host));
+            assert!(
+                answer.starts_with(&format!("HTTP/1.1 {status} ")),
+                "{host}: {answer}"
+            );
+        }
+        let answer = answered(address, "GET / HTTP/1.0\r\n\r\n");
+        assert!(answer.starts_with("HTTP/1.0 403 "), "{answer}");
+    }
+
+    /// The time until the server closes a connection.
+    fn time_to_end(mut stream: TcpStream) -> Duration {
+        let start = Instant::now();
+        // An error is an end as well.
+        let _ = stream.read_to_end(&mut Vec::new());
+        start.elapsed()
+    }
+
+    #[test]
+    fn slow_clients_are_dropped() {
+        let (address, events) = server(SHORT);
+        let limit = SHORT.head + SHORT.transfer + Duration::from_secs(5);
+        // A byte now and then, each well within the time.
+        let mut slow = sent(address, "");
+        let start = Instant::now();
+        while slow.write_all(b"G").is_ok() {
+            assert!(start.elapsed() < limit, "a slow head is read to its end");
+            thread::sleep(Duration::from_millis(50));
+        }
+        assert!(time_to_end(sent(address, "GET /")) < limit);
+        let body = "POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\na";
+        assert!(time_to_end(sent(address, body)) < limit);
+        // A reader of a large response that pauses.
+        let mut slow = sent(address, &get("/large", "localhost"));
+        let start = Instant::now();
+        let mut piece = [0; 1024];
+        let mut read = 0;
+        while let Ok(length @ 1..) = slow.read(&mut piece) {
+            read += length;
+            if start.elapsed() < limit {
+                thread::sleep(Duration::from_millis(20));
+            }
+        }
+        assert!(read < LARGE);
+        // A stream of events that nobody reads.
+        let stream = sent(address, &get("/events", "localhost"));
+        let start = Instant::now();
+        while events.receiver_count() > 1 {
+            assert!(
+                start.elapsed() < 2 * limit,
+                "a stream is sent that nobody reads"
+            );
+            events.send_replace("x".repeat(1 << 20));
+            thread::sleep(Duration::from_millis(2));
+        }
+        drop(stream);
+    }
+
+    #[test]
+    fn idle_connections_do_not_keep_others_out() {
+        let (address, _events) = server(SHORT);
+        let idle: Vec<TcpStream> = (0..SHORT.connections).map(|_| sent(address, "")).collect();
+        let start = Instant::now();
+        let page = answered(address, &get("/", "localhost"));
+        assert!(page.starts_with("HTTP/1.1 200 OK\r\n"), "{page}");
+        assert!(start.elapsed() < SHORT.head + Duration::from_secs(5));
+        drop(idle);
+    }
+
+    #[test]
+    fn every_viewer_receives_all_events() {
+        let (address, events) = server(SHORT);
+        let mut viewers: Vec<TcpStream> = (0..SHORT.streams)
+            .map(|_| sent(address, &get("/events", "localhost")))
+            .collect();
+        let until = |viewer: &mut TcpStream, text: &str| {
+            let mut seen = String::new();
+            let mut piece = [0; 512];
+            while !seen.contains(text) {
+                let length = viewer.read(&mut piece).unwrap();
+                assert_ne!(length, 0, "{seen}");
+                seen.push_str(&String::from_utf8_lossy(&piece[..length]));
+            }
+        };
+        for viewer in &mut viewers {
+            until(viewer, "data: first\n\n");
+        }
+        let refused = answered(address, &get("/events", "localhost"));
+        assert!(refused.starts_with("HTTP/1.1 503 "), "{refused}");
+        events.send_replace("second".to_owned());
+        for viewer in &mut viewers {
+            until(viewer, "data: second\n\n");
+        }
+        // They last, and their number counts only the open ones.
+        thread::sleep(SHORT.head + SHORT.transfer);
+        events.send_replace("third".to_owned());
+        for viewer in &mut viewers {
+            until(viewer, "data: third\n\n");
+        }
+        drop(viewers);
+        let start = Instant::now();
+        while events.receiver_count() > 1 {
+            assert!(start.elapsed() < Duration::from_secs(5));
+            thread::sleep(Duration::from_millis(10));
+        }
+        until(
+            &mut sent(address, &get("/events", "localhost")),
+            "data: third\n\n",
+        );
+    }
+}
