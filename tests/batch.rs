@@ -449,16 +449,6 @@ object { U }\n")),
     assert_eq!((again.code, again.drawn().len()), (Some(1), 0));
 }
 
-/// The processes that another has started.
-#[cfg(target_os = "linux")]
-fn children(process: u32) -> Vec<String> {
-    let threads = fs::read_dir(format!("/proc/{process}/task"));
-    let threads = threads.into_iter().flatten().flatten();
-    let children = threads.map(|thread| fs::read_to_string(thread.path().join("children")));
-    let children = children.map(Result::unwrap_or_default).collect::<String>();
-    children.split_whitespace().map(str::to_owned).collect()
-}
-
 /// A scene that takes minutes.
 #[cfg(target_os = "linux")]
 const SLOW: &str = "sphere { 0, 3 hollow pigment { rgbt 1 }
@@ -488,10 +478,10 @@ fn a_scene_that_brings_its_process_down_fails_alone() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("povr starts");
-    wait_until(|| !children(run.id()).is_empty());
+    wait_until(|| !support::children(run.id()).is_empty());
     // Not while it is started.
     std::thread::sleep(Duration::from_millis(300));
-    for child in children(run.id()) {
+    for child in support::children(run.id()) {
         let killed = Command::new("kill").args(["-ABRT", &child]).status();
         assert!(killed.expect("there is `kill`").success());
     }
@@ -515,8 +505,8 @@ fn no_process_outlives_a_run_that_is_killed() {
         .stderr(Stdio::null())
         .spawn()
         .expect("povr starts");
-    wait_until(|| children(run.id()).len() == 2);
-    let processes = children(run.id());
+    wait_until(|| support::children(run.id()).len() == 2);
+    let processes = support::children(run.id());
     let _ = (run.kill(), run.wait());
     // A zombie waits for another parent, and has no memory.
     let is_running = |process: &String| {

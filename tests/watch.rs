@@ -2,6 +2,8 @@
 
 #![cfg(unix)]
 
+mod support;
+
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -237,4 +239,29 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
         "{error}"
     );
     assert_eq!(fetched(&address, "/picture.png", &address).1, png);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_that_brings_its_process_down_does_not_end_the_watch() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, "s.pov", SCENE);
+    write(here, "look.inc", &look("<1, 0, 0>"));
+    let watching = Watching::start(here, &["+A0.0", "+R9"]);
+    watching.drawn(here);
+    let slow = "media { scattering { 1, 1 } intervals 1000 samples 1000 }";
+    let slow = format!("#declare Look = pigment {{ rgb 1 }} {slow}");
+    write(here, "look.inc", &slow);
+    watching.until("has changed");
+    std::thread::sleep(Duration::from_millis(500));
+    for worker in support::children(watching.child.id()) {
+        let killed = Command::new("kill").args(["-ABRT", &worker]).status();
+        assert!(killed.expect("there is `kill`").success());
+    }
+    watching.until("povr: its process ended (signal: 6 (SIGABRT)");
+    watching.until("keeping the last picture");
+    write(here, "look.inc", &look("<0, 1, 0>"));
+    let [r, g, _] = watching.drawn(here);
+    assert!(r == 0 && g > 100);
 }

@@ -39,6 +39,53 @@ fn a_timeout_ends_a_check() {
 }
 
 #[test]
+fn a_limit_is_a_finding_for_programs() {
+    let sandbox = Sandbox::with(ENDLESS[0]);
+    for command in [
+        "$POVR s.pov -F -D --timeout 100ms --message-format json",
+        "$POVR check s.pov --timeout 100ms --message-format json >&2",
+    ] {
+        let ended = sandbox.ends(command, 1);
+        let is_limit = |line: &str| {
+            let line: Result<serde_json::Value, _> = serde_json::from_str(line);
+            line.is_ok_and(|line| line["type"] == "finding" && line["code"] == "limit")
+        };
+        assert!(ended.said.lines().any(is_limit), "{}", ended.said);
+    }
+}
+
+#[test]
+fn a_timeout_ends_drawings_of_watch_and_a_curve() {
+    let says = "took longer than 300ms, which `--timeout` allows";
+    for (command, code) in [
+        ("$POVR watch s.pov --times 1 -o s.png", 0),
+        ("$POVR curve s.pov --settings +A0.3", 1),
+    ] {
+        for scene in ENDLESS {
+            let sandbox = Sandbox::with(scene);
+            let command = format!("{command} +W64 +H48 --timeout 300ms --max-memory 1G");
+            let ended = sandbox.ends(&command, code);
+            assert!(ended.said.contains(says), "{command}: {}", ended.said);
+            assert!(!sandbox.path("here/s.png").exists());
+        }
+    }
+}
+
+#[test]
+fn the_memory_of_drawings_of_watch_and_a_curve_is_limited() {
+    let sandbox = Sandbox::with("");
+    for (command, code) in [
+        ("$POVR watch s.pov --times 1 -o s.png", 0),
+        ("$POVR curve s.pov --settings +A0.3", 1),
+    ] {
+        let command = format!("{command} +W8000 +H8000 --max-memory 100M");
+        let ended = sandbox.ends(&command, code);
+        let says = "took more memory than the 100 MB that `--max-memory` allows";
+        assert!(ended.said.contains(says), "{command}: {}", ended.said);
+    }
+}
+
+#[test]
 fn a_wait_for_the_scene_itself_ends() {
     let sandbox = Sandbox::with("");
     sandbox.pipe("here/ff");

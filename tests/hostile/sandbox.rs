@@ -69,14 +69,24 @@ fn ini_files_beside_scenes_do_not_count_in_a_sandbox() {
     }
 }
 
+/// Drawings of `watch`, and all of `curve`.
 #[test]
-fn commands_without_a_sandbox_refuse_it() {
-    let sandbox = Sandbox::with("");
-    for option in ["--sandbox", "--timeout 5s", "--max-memory 1G"] {
-        let ended = sandbox.shell(&format!("$POVR watch s.pov {option}"));
-        assert_eq!(ended.code, Some(2), "{option}: {}", ended.said);
-        assert!(ended.said.contains("`povr watch` has no"), "{}", ended.said);
+fn watch_and_curve_have_a_sandbox() {
+    let scene = "#if (file_exists(\"../other/secret\")) #error \"seen\" #end";
+    let sandbox = Sandbox::with(scene);
+    sandbox.write("other/secret", "secret");
+    let curve = "$POVR curve s.pov +W8 +H6 --runs 1 --settings +A0.3 --out ../tmp/curve";
+    for command in ["$POVR watch s.pov +W8 +H6 --times 1 -o s.png", curve] {
+        let ended = sandbox.shell(command);
+        assert!(ended.said.contains("seen"), "{command}: {}", ended.said);
+        let command = format!("{command} --sandbox");
+        let ended = sandbox.ends(&command, 0);
+        assert!(!ended.said.contains("rror:"), "{command}: {}", ended.said);
     }
+    assert!(sandbox.path("here/s.png").is_file());
+    assert!(sandbox.path("tmp/curve/index.html").is_file());
+    let ended = sandbox.ends(&format!("{curve} --sandbox --povray"), 2);
+    assert!(ended.said.contains("Leave `--povray`"), "{}", ended.said);
 }
 
 #[test]

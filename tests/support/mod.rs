@@ -61,3 +61,13 @@ pub(crate) fn scenes(folder: &Path) -> io::Result<Vec<PathBuf>> {
     paths.sort();
     Ok(paths)
 }
+
+/// The processes that another has started.
+#[cfg(target_os = "linux")]
+pub(crate) fn children(process: u32) -> Vec<String> {
+    let threads = fs::read_dir(format!("/proc/{process}/task"));
+    let threads = threads.into_iter().flatten().flatten();
+    let children = threads.map(|thread| fs::read_to_string(thread.path().join("children")));
+    let children = children.map(Result::unwrap_or_default).collect::<String>();
+    children.split_whitespace().map(str::to_owned).collect()
+}

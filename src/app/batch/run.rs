@@ -9,7 +9,7 @@ use super::journal::Journal;
 use super::picture::Picture;
 use super::watchdog::Watchdog;
 use super::{BatchError, Shard};
-use crate::app::worker::{Draw, Limit, Lost, Worker};
+use crate::app::worker::{Draw, Lost, Worker};
 use crate::base::file::Folders;
 use crate::base::options::Event;
 use crate::base::source::{Code, Dependency, Message, Severity};
@@ -302,7 +302,10 @@ impl Run<'_> {
         let has = |code: Code| messages.iter().any(|message| message.code == Some(code));
         let status = match drawn {
             Ok(()) => Status::Drawn,
-            Err(Lost::Limit(limit)) => Status::Failed(Some(self.excess(limit))),
+            Err(Lost::Limit(limit)) => {
+                let excess = limit.excess(self.batch.timeout, self.batch.memory);
+                Status::Failed(Some(format!("it {excess}")))
+            }
             Err(Lost::Failed(_)) if has(Code::WritesFiles) && task.follows => Status::Failed(Some(
                 "this animation writes files, but not in its first frame: draw it without `povr batch`"
                     .to_owned(),
@@ -331,20 +334,6 @@ impl Run<'_> {
             seconds: started.elapsed().as_secs_f64(),
             messages,
         })
-    }
-
-    /// The message for a limit of a picture.
-    fn excess(&self, limit: Limit) -> String {
-        match limit {
-            Limit::Time => format!(
-                "it took longer than {:?}, which `--timeout` allows",
-                self.batch.timeout.unwrap_or_default()
-            ),
-            Limit::Memory => format!(
-                "it took more memory than the {} MB that `--max-memory` allows",
-                self.batch.memory.unwrap_or_default() >> 20
-            ),
-        }
     }
 
     /// Renders a picture in a worker, which is started if there is none, and stores it.

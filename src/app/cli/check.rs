@@ -98,7 +98,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         kernel::enter_to_read(&scenes, &options_of);
     }
     let limits = Limits::new(limits.timeout, limits.max_memory);
-    let _watch = Watch::over_command(limits, None);
+    let _watch = Watch::over_command(limits, None, (reporter.format, reporter.stream));
     let are_right = check(&scenes, &options_of, &reporter, is_quiet);
     Ok(if are_right {
         ExitCode::SUCCESS

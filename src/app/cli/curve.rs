@@ -10,8 +10,10 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Command;
+use super::draw::limits::{Limits, Watch};
 use super::draw::report::{Reporter, Stream, say};
 use super::draw::{Request, request, request_of};
+use super::kernel;
 use super::options::environment::Environment;
 use super::options::error::CliError;
 use super::options::long_options;
@@ -34,7 +36,8 @@ pub(super) const COMMAND: Command = Command {
     after_help = "\
 POV-Ray's switches and ini files are accepted, except antialiasing switches: +W320 +H240, +LFOLDER, Declare=Name=1, ...
 Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, the pictures, and the \
-reference image that they are measured against. Run again, it measures only what is missing."
+reference image that they are measured against. Run again, it measures only what is missing. --timeout, --max-memory \
+and --sandbox are limits of the whole run."
 )]
 struct CommandOptions {
     /// Folder for all files [default: SCENE-curve]
@@ -123,7 +126,19 @@ fn report_of(
             "`povr curve` needs a scene file, not standard input",
         ));
     };
+    if settings.is_sandboxed && wanted.has_povray {
+        return Err(CliError::new("POV-Ray does not run in a sandbox")
+            .with_hint("Leave `--povray` or `--sandbox` out."));
+    }
     let sweep = sweep(wanted, settings, file, environment)?;
+    if settings.is_sandboxed {
+        // The sandbox allows no new folder outside of this one; without it, writing fails with a message.
+        let _ = std::fs::create_dir_all(&sweep.folder);
+        kernel::enter_to_draw(settings, Some(&sweep.folder));
+    }
+    let limits = Limits::new(settings.timeout, settings.max_memory);
+    let messages = (settings.verbosity.format, Stream::Err);
+    let _watch = Watch::over_command(limits, None, messages);
     if wanted.is_fresh && sweep.folder.is_dir() {
         // Missing files need not be removed.
         let _ = std::fs::remove_file(sweep.folder.join("curve.json"));

@@ -81,11 +81,12 @@ pub(super) fn run(arguments: &[String], environment: &Environment) -> Result<Exi
                 create_ini(path, text)?;
             }
             if settings.is_sandboxed {
-                kernel::enter_to_draw(&settings);
+                kernel::enter_to_draw(&settings, None);
             }
             let watch = Watch::over_command(
                 Limits::new(settings.timeout, settings.max_memory),
                 Some(settings.render.stop.clone()),
+                (settings.verbosity.format, Stream::Err),
             );
             let done = match &settings.frames {
                 Some(frames) => animate::run(&settings, frames),
@@ -172,12 +173,6 @@ pub(super) fn request_of(
         None => None,
     };
     let settings = settings::settle(raw_args, &standard_folders, environment, command)?;
-    let is_limited = settings.timeout.is_some() || settings.max_memory.is_some();
-    if command != PROGRAM && (settings.is_sandboxed || is_limited) {
-        let message = format!("`{command}` has no `--sandbox`, `--timeout` and `--max-memory`");
-        return Err(CliError::new(message)
-            .with_hint("Scenes of strangers are for `povr` and `povr batch`."));
-    }
     Ok(Request::Draw(Box::new(Settings {
         created_ini,
         ..settings

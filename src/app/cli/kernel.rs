@@ -22,9 +22,10 @@ const SYSTEM_FILES: [&str; 6] = [
     "/sys/fs/cgroup",
 ];
 
-/// Enters the sandbox of a drawing.
-pub(super) fn enter_to_draw(settings: &Settings) {
+/// Enters the sandbox of a drawing; the program writes to `folder` and to the picture.
+pub(super) fn enter_to_draw(settings: &Settings, folder: Option<&Path>) {
     let mut sandbox = Sandbox::default();
+    sandbox.writable.extend(folder.map(Path::to_owned));
     sandbox.admit(settings.scene.path(), &settings.read);
     if let Some((Target::File(picture), _)) = &settings.output {
         // The picture, or what a link leads to, is written beside its destination and renamed.

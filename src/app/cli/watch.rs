@@ -2,7 +2,7 @@
 //!
 //! A preview of a quarter of the side comes first, then the whole picture, which is written as in a normal rendering. A
 //! change in the middle cancels the rendering and starts the next. Errors are printed as in a normal rendering, and the
-//! last good picture stays.
+//! last good picture stays. `--timeout`, `--max-memory` and `--sandbox` hold for each rendering.
 
 mod files;
 mod page;
@@ -13,15 +13,16 @@ mod terminal;
 use crate::app::cli::options::command_line;
 use std::net::TcpListener;
 use std::process::ExitCode;
+use std::sync::atomic::AtomicUsize;
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use clap::Parser;
 
 use self::files::{Known, Watched};
-use self::painter::Painter;
+use self::painter::{Drawing, Painter};
 use self::shown::Shown;
 use super::Command;
 use super::draw::report::say;
@@ -30,7 +31,6 @@ use super::options::environment::Environment;
 use super::options::error::CliError;
 use super::options::long_options;
 use super::options::settings::Scene;
-use crate::base::options::{CancelToken, Input};
 
 pub(super) const COMMAND: Command = Command {
     name: "watch",
@@ -117,11 +117,13 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     }
     let (sender, receiver) = mpsc::channel();
     let painter = Painter {
-        input: Input::File(file.clone()),
+        scene: file.clone(),
         reporter: reporter(&settings),
         settings,
         shown,
         is_silent: wanted.is_silent,
+        worker: Mutex::default(),
+        drawings: AtomicUsize::new(0),
     };
     let mut watch = Watch {
         painter,
@@ -245,29 +247,28 @@ impl Watch {
     /// Renders once. `false` if files changed before it was done.
     fn render_once(&mut self) -> bool {
         let began = SystemTime::now();
-        let stop = CancelToken::default();
-        let read: Mutex<Option<Known>> = Mutex::new(None);
-        let take = || read.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let drawing = Drawing::default();
         let mut is_changed = false;
         // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
         let (painter, sender, receiver) = (&self.painter, self.sender.clone(), &self.receiver);
         thread::scope(|scope| {
-            let (stop, read) = (&stop, &read);
+            let drawing = &drawing;
             scope.spawn(move || {
-                painter.draw(stop, began, read);
+                painter.draw(drawing, began);
                 // The loop runs as long as this thread.
                 let _ = sender.send(WatchEvent::End);
             });
             loop {
                 let happened = receiver.recv_timeout(LOOK);
-                if let Some(now) = take() {
+                if let Some(now) = drawing.take_read() {
                     known = now;
                 }
-                if !is_changed && known.changed().is_some() {
-                    is_changed = true;
-                    stop.cancel();
+                is_changed |= known.changed().is_some();
+                if is_changed {
+                    drawing.cancel();
                 }
+                drawing.kill_overdue(painter.settings.timeout);
                 if matches!(happened, Ok(WatchEvent::End)) {
                     break;
                 }

@@ -129,10 +129,13 @@ impl Worker {
         warn: &dyn Fn(&str),
         limit: &mut Option<Limit>,
     ) -> io::Result<Result<Vec<Vec<u8>>, Option<String>>> {
+        // A worker that a scene has taken over sends no more than one that is within its limit.
+        let longest = draw.max_memory.unwrap_or(u64::MAX);
+        let mut replies = self.replies.by_ref().take(longest);
         let request = Request::Draw(Box::new(draw));
         write_message(&mut *lock(&self.stopper.requests), &request)?;
         loop {
-            match read_message(&mut self.replies)? {
+            match read_message(&mut replies)? {
                 Reply::Weaker(lack) => warn(&lack),
                 Reply::Output(text) => listen(Event::SceneOutput(&text)),
                 Reply::Finding(mut message, texts) => {
@@ -150,7 +153,7 @@ impl Worker {
                 Reply::Limit(reached) => *limit = Some(reached),
                 Reply::Failed(reason) => return Ok(Err(reason)),
                 Reply::Done(lengths) => {
-                    let mut read = |length| read_bytes(&mut self.replies, length);
+                    let mut read = |length| read_bytes(&mut replies, length);
                     return lengths
                         .into_iter()
                         .map(&mut read)
@@ -192,6 +195,12 @@ impl Drop for Worker {
 }
 
 impl Stopper {
+    /// Cancels the current picture, which the worker then reports as failed.
+    pub(crate) fn stop(&self) {
+        // A process that has ended draws nothing.
+        let _ = write_message(&mut *lock(&self.requests), &Request::Stop);
+    }
+
     /// Kills the worker, which has not reported in time that its picture is cancelled.
     pub(crate) fn kill(&self) {
         self.has_killed.store(true, Ordering::Relaxed);

@@ -75,6 +75,22 @@ pub(crate) enum Limit {
     Memory,
 }
 
+impl Limit {
+    /// The excess as a message without its subject, for these limits.
+    pub(crate) fn excess(self, timeout: Option<Duration>, max_memory: Option<u64>) -> String {
+        match self {
+            Limit::Time => format!(
+                "took longer than {:?}, which `--timeout` allows",
+                timeout.unwrap_or_default()
+            ),
+            Limit::Memory => format!(
+                "took more memory than the {} MB that `--max-memory` allows",
+                max_memory.unwrap_or_default() >> 20
+            ),
+        }
+    }
+}
+
 impl Reply {
     /// The reply that stands for an event; `None` for events that a worker's pictures do not have.
     pub(crate) fn of(event: Event<'_>) -> Option<Self> {

@@ -3,10 +3,12 @@
 //! A thread watches the time and the memory of the process. At a limit it cancels the rendering, which then removes its
 //! temporary files. A rendering that does not end soon after, in a system call for example, is ended with the process.
 
-use super::report::say;
+use super::report::{Reporter, Stream, say};
+use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::worker::Limit;
 use crate::base::memory::Taken;
-use crate::base::options::CancelToken;
+use crate::base::options::{CancelToken, Event};
+use crate::base::source::{Code, Diagnostic, Message, Sources};
 use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -55,20 +57,6 @@ impl Limits {
         }
     }
 
-    /// The message for a limit of this command.
-    fn message(self, limit: Limit) -> String {
-        match limit {
-            Limit::Time => format!(
-                "stopped: this took longer than {:?}, which `--timeout` allows",
-                self.timeout.unwrap_or_default()
-            ),
-            Limit::Memory => format!(
-                "stopped: this took more memory than the {} MB that `--max-memory` allows",
-                self.max_memory.unwrap_or_default() >> 20
-            ),
-        }
-    }
-
     /// Waits for the first of the limits; `None` if the watch is over before.
     fn wait(self, watch: &Receiver<()>) -> Option<Limit> {
         let started = Instant::now();
@@ -97,9 +85,22 @@ impl Limits {
 impl Watch {
     /// Watches a command, from now on. At a limit `stop` cancels its rendering; without `stop` it holds nothing to
     /// remove, and ends at once.
-    pub(crate) fn over_command(limits: Limits, stop: Option<CancelToken>) -> Self {
+    pub(crate) fn over_command(
+        limits: Limits,
+        stop: Option<CancelToken>,
+        (format, stream): (MessageFormat, Stream),
+    ) -> Self {
         Watch::start(limits, stop, move |limit| {
-            say(format_args!("povr: {}", limits.message(limit)));
+            let message = format!(
+                "stopped: this {}",
+                limit.excess(limits.timeout, limits.max_memory)
+            );
+            if format != MessageFormat::Json {
+                return say(format_args!("povr: {message}"));
+            }
+            let error = Diagnostic::error(None, message).with_code(Code::Limit);
+            let error = Message::new(&error, &Sources::default());
+            Reporter::new(format, stream).report(Event::Finding(&error));
         })
     }
 

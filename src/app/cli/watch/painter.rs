@@ -1,18 +1,19 @@
 //! One rendering for `povr watch`: a preview first, then the whole picture; both are shown.
 
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Instant, SystemTime};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant, SystemTime};
 
 use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
-use crate::RenderSession;
 use crate::app::cli::draw::report::{Reporter, say};
+use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
-use crate::base::color::Gamma;
-use crate::base::film::Film;
-use crate::base::options::{CancelToken, Event, Input, RenderOptions, Sampling};
+use crate::app::worker::{Draw, Lost, Stopper, Worker};
+use crate::base::options::{Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::output::{self, EncodeOptions, Format};
 
@@ -20,76 +21,97 @@ use crate::output::{self, EncodeOptions, Format};
 const PREVIEW: u32 = 4;
 /// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
+/// Time for a worker to cancel a picture before it is killed.
+const GRACE: Duration = Duration::from_secs(1);
+/// Time beyond `--timeout` for a worker to end by itself.
+const BEYOND: Duration = Duration::from_secs(3);
 
 /// Renders and shows pictures.
 pub(super) struct Painter {
-    pub(super) input: Input,
+    pub(super) scene: PathBuf,
     pub(super) settings: Settings,
     pub(super) reporter: Reporter,
     pub(super) shown: Arc<Shown>,
     /// True to show nothing in the terminal.
     pub(super) is_silent: bool,
+    pub(super) worker: Mutex<Option<Worker>>,
+    pub(super) drawings: AtomicUsize,
 }
 
 impl Painter {
-    /// Renders the preview and the picture.
-    pub(super) fn draw(&self, stop: &CancelToken, began: SystemTime, read: &Mutex<Option<Known>>) {
+    /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
+    pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime) {
         let verbosity = self.settings.verbosity;
-        let pool = self.settings.render.threads.map(|threads| {
-            crate::pool(threads, &|event| self.reporter.report(event)).map(Arc::new)
-        });
-        let pool = match pool.transpose() {
-            Ok(pool) => pool,
-            Err(_) => return,
-        };
-        let series = RenderSession::new(pool);
+        let series = self.drawings.fetch_add(1, Ordering::Relaxed);
         let errors = Mutex::new(String::new());
-        let mut options = self.settings.read.clone();
-        options.stop = stop.clone();
-        for (pass, render) in self.passes(stop).into_iter().enumerate() {
+        let png = EncodeOptions {
+            alpha: self.settings.render.alpha,
+            ..EncodeOptions::new(Format::PNG)
+        };
+        for (pass, render) in self.passes().into_iter().enumerate() {
             let is_preview = render.width < self.settings.render.width;
             let listen = |event: Event<'_>| {
                 if let Event::Read { dependencies, .. } = event {
                     let paths = dependencies.iter().map(|one| one.path.clone());
-                    let scene = match &self.input {
-                        Input::File(path) => Some(path.clone()),
-                        Input::Text { .. } => None,
-                    };
-                    let known = Known::of(paths.chain(scene), began);
-                    *read.lock().unwrap_or_else(PoisonError::into_inner) = Some(known);
+                    let known = Known::of(paths.chain([self.scene.clone()]), began);
+                    *lock(&drawing.read) = Some(known);
                 }
                 if let Event::Finding(message) = event
                     && message.severity == Severity::Error
-                    && !stop.is_cancelled()
+                    && !drawing.is_cancelled()
                 {
-                    let mut errors = errors.lock().unwrap_or_else(PoisonError::into_inner);
-                    errors.push_str(&format!("{}\n", message.excerpt));
+                    lock(&errors).push_str(&format!("{}\n", message.excerpt));
                 }
                 // The second pass repeats the messages of the first.
                 if (pass == 0 || !matches!(event, Event::SceneOutput(_) | Event::Finding(_)))
-                    && !stop.is_cancelled()
+                    && !drawing.is_cancelled()
                 {
                     self.reporter.report(event);
                 }
             };
+            let output = self.settings.output.as_ref().filter(|_| !is_preview);
+            let draw = Draw {
+                scene: self.scene.clone(),
+                series: Some(series),
+                read: self.settings.read.clone(),
+                render,
+                files: [&png]
+                    .into_iter()
+                    .chain(output.map(|(_, options)| options))
+                    .cloned()
+                    .collect(),
+                tells_output: true,
+                timeout: self.settings.timeout,
+                max_memory: self.settings.max_memory,
+                is_sandboxed: self.settings.is_sandboxed,
+            };
             let start = Instant::now();
-            let Ok(picture) = series.draw(&self.input, &options, &render, &listen) else {
-                self.reporter.take_counts();
-                if !stop.is_cancelled() {
-                    let errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
+            let drawn = self.drawn(draw, drawing, &listen);
+            self.reporter.take_counts();
+            let files = match drawn {
+                Ok(files) => files,
+                Err(_) if drawing.is_cancelled() => return,
+                Err(lost) => {
+                    let mut errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
+                    if let Some(reason) = self.reason(lost) {
+                        say(format_args!("povr: {reason}"));
+                        errors.push_str(&reason);
+                    }
                     self.shown.fail(errors);
                     say("povr: render failed; keeping the last picture");
+                    return;
                 }
-                return;
             };
-            self.reporter.take_counts();
             let seconds = start.elapsed().as_secs_f64();
-            self.show(&picture.film, picture.working, is_preview, seconds);
+            let mut files = files.into_iter();
+            self.show(files.next().unwrap_or_default(), is_preview, seconds);
             if is_preview {
                 continue;
             }
-            if let Err(error) = self.write(&picture) {
-                say(format_args!("povr: {error}"));
+            if let (Some((target, _)), Some(bytes)) = (output, files.next())
+                && let Err(error) = output::put(&bytes, target)
+            {
+                say(format_args!("povr: {}", CliError::from(error)));
             }
             if !verbosity.quiet {
                 say(format_args!("povr: drawn in {seconds:.2} s"));
@@ -97,12 +119,39 @@ impl Painter {
         }
     }
 
+    /// The files of a picture, from the worker of the last picture or a new one.
+    fn drawn(
+        &self,
+        draw: Draw,
+        drawing: &Drawing,
+        listen: &dyn Fn(Event<'_>),
+    ) -> Result<Vec<Vec<u8>>, Lost> {
+        let mut worker = lock(&self.worker);
+        let usable = worker.take().filter(|worker| !worker.is_spent());
+        let worker = worker.insert(match usable {
+            Some(worker) => worker,
+            None => Worker::start()
+                .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?,
+        });
+        drawing.begin(worker.stopper())?;
+        worker.draw(draw, listen, &|lack| kernel::warn(&[lack.to_owned()]))
+    }
+
+    /// The reason that there is no picture, unless the messages of the scene give it.
+    fn reason(&self, lost: Lost) -> Option<String> {
+        match lost {
+            Lost::Failed(reason) => reason,
+            Lost::Limit(limit) => {
+                let excess = limit.excess(self.settings.timeout, self.settings.max_memory);
+                Some(format!("it {excess}"))
+            }
+            Lost::Ended { reason, .. } => Some(reason),
+        }
+    }
+
     /// The passes: a small picture without antialiasing first, unless the picture is small itself.
-    fn passes(&self, stop: &CancelToken) -> Vec<RenderOptions> {
-        let whole = RenderOptions {
-            stop: stop.clone(),
-            ..self.settings.render.clone()
-        };
+    fn passes(&self) -> Vec<RenderOptions> {
+        let whole = self.settings.render.clone();
         let (width, height) = (whole.width, whole.height);
         let is_whole = (whole.columns.len(), whole.rows.len()) == (width as usize, height as usize);
         if !is_whole || u64::from(width) * u64::from(height) < SMALL {
@@ -120,15 +169,7 @@ impl Painter {
         vec![preview, whole]
     }
 
-    fn show(&self, film: &Film, working: Option<Gamma>, is_preview: bool, seconds: f64) {
-        let options = EncodeOptions {
-            working,
-            alpha: self.settings.render.alpha,
-            ..EncodeOptions::new(Format::PNG)
-        };
-        let Ok(png) = output::encode(film, &options) else {
-            return;
-        };
+    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
         if !self.is_silent {
             terminal::show(&png, is_preview);
         }
@@ -139,16 +180,68 @@ impl Painter {
             size: (self.settings.render.width, self.settings.render.height),
         });
     }
+}
 
-    fn write(&self, picture: &crate::base::options::Picture) -> Result<(), CliError> {
-        let Some((target, options)) = &self.settings.output else {
-            return Ok(());
-        };
-        let options = EncodeOptions {
-            working: picture.working,
-            rounding: picture.rounding,
-            ..options.clone()
-        };
-        Ok(output::write(&picture.film, target, &options)?)
+/// One rendering of the current files.
+#[derive(Debug, Default)]
+pub(super) struct Drawing {
+    /// The files that the scene has read, once it has.
+    read: Mutex<Option<Known>>,
+    progress: Mutex<Progress>,
+}
+
+#[derive(Debug, Default)]
+struct Progress {
+    /// The worker of the current pass, and the begin of the pass.
+    pass: Option<(Stopper, Instant)>,
+    cancelled: Option<Instant>,
+}
+
+impl Drawing {
+    /// Begins a pass; an error if the drawing is cancelled.
+    fn begin(&self, stopper: Stopper) -> Result<(), Lost> {
+        let mut progress = lock(&self.progress);
+        progress.pass = Some((stopper, Instant::now()));
+        match progress.cancelled {
+            None => Ok(()),
+            Some(_) => Err(Lost::Failed(None)),
+        }
     }
+
+    /// Returns the files that the scene has read, once.
+    pub(super) fn take_read(&self) -> Option<Known> {
+        lock(&self.read).take()
+    }
+
+    /// Cancels the drawing.
+    pub(super) fn cancel(&self) {
+        let mut progress = lock(&self.progress);
+        if progress.cancelled.is_none() {
+            progress.cancelled = Some(Instant::now());
+            if let Some((stopper, _)) = &progress.pass {
+                stopper.stop();
+            }
+        }
+    }
+
+    /// Kills a worker that has not ended its picture long after it was cancelled, or after its time limit.
+    pub(super) fn kill_overdue(&self, timeout: Option<Duration>) {
+        let progress = lock(&self.progress);
+        let Some((stopper, begun)) = &progress.pass else {
+            return;
+        };
+        let is_ignored = |cancelled: Instant| cancelled.elapsed() > GRACE;
+        let is_late = |limit: Duration| begun.elapsed() > limit.saturating_add(BEYOND);
+        if progress.cancelled.is_some_and(is_ignored) || timeout.is_some_and(is_late) {
+            stopper.kill();
+        }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        lock(&self.progress).cancelled.is_some()
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
