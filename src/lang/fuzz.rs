@@ -1,5 +1,5 @@
 //! Reads every kind of broken scene of the whole-program tests: reading ends, with or without findings, and never
-//! panics. `tools/fuzz.rs` reads many more.
+//! panics. `tools/fuzz_all` reads many more.
 
 #[path = "../../tests/malformed/broken.rs"]
 mod broken;
