@@ -1,7 +1,7 @@
 //! A run: renders the pictures that are not up to date, several in parallel.
 //!
-//! Worker processes draw one scene each at a time, so that a scene ends no other. Each has as many threads as the machine
-//! cores: the last scenes of a run use all of them. Scenes that need the machine to themselves are rendered alone at the
+//! Worker processes draw one scene each at a time, so that a scene ends no other. Each begins a scene with its share of
+//! the threads, and gets more when no others wait. Scenes that need the machine to themselves are rendered alone at the
 //! end: scenes that write files, that ran out of memory, and very large pictures.
 
 use super::fingerprint::{Fingerprints, now};
@@ -20,6 +20,8 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+/// Interval in which a thread without a task lets the others use its share.
+const LOOK: Duration = Duration::from_millis(100);
 /// Larger pictures are rendered alone: their films take a GiB and more.
 const LARGE: u64 = 1 << 26;
 
@@ -104,6 +106,7 @@ pub fn run(
         batch,
         journal,
         threads,
+        jobs: batch.jobs.unwrap_or(threads).max(1),
         fingerprints: Fingerprints::new(),
         watchdog: Watchdog::new(batch.timeout),
         is_part: batch.shard.is_some_and(|shard| shard.of > 1),
@@ -118,7 +121,7 @@ pub fn run(
         pixels,
     });
     if !left.is_empty() {
-        run.all(&left, batch.jobs.unwrap_or(threads).max(1));
+        run.all(&left);
     }
     run.journal.close()
 }
@@ -128,8 +131,10 @@ struct Run<'a> {
     pictures: &'a [Picture],
     batch: &'a Batch,
     journal: Journal,
-    /// Render threads of each worker.
+    /// Render threads, of which each worker has as many.
     threads: usize,
+    /// Scenes drawn in parallel.
+    jobs: usize,
     fingerprints: Fingerprints,
     watchdog: Watchdog,
     /// True if other pictures of the list are rendered elsewhere.
@@ -200,7 +205,7 @@ impl Run<'_> {
         left.into_iter().map(|(index, _)| index).collect()
     }
 
-    fn all(&self, left: &[usize], jobs: usize) {
+    fn all(&self, left: &[usize]) {
         {
             let mut state = self.lock();
             for frames in left.chunk_by(|&a, &b| self.series_of(a) == self.series_of(b)) {
@@ -218,7 +223,7 @@ impl Run<'_> {
         }
         thread::scope(|scope| {
             scope.spawn(|| self.watchdog.run());
-            let workers: Vec<_> = (0..jobs.min(left.len()))
+            let workers: Vec<_> = (0..self.jobs.min(left.len()))
                 .map(|_| scope.spawn(|| self.work()))
                 .collect();
             for worker in workers {
@@ -266,11 +271,24 @@ impl Run<'_> {
 
     fn next_task(&self) -> Option<Task> {
         let waits = |state: &mut State| state.waiting.is_empty() && state.in_progress > 0;
-        let waited = self.changed.wait_while(self.lock(), waits);
-        let mut state = waited.unwrap_or_else(PoisonError::into_inner);
+        let mut state = self.lock();
+        while waits(&mut state) {
+            drop(state);
+            // Repeated, as it may come too early for pictures that have just been begun.
+            self.watchdog.share(self.threads);
+            let waited = self.changed.wait_timeout_while(self.lock(), LOOK, waits);
+            state = waited.unwrap_or_else(PoisonError::into_inner).0;
+        }
         let task = state.waiting.pop_front()?;
         state.in_progress += 1;
         Some(task)
+    }
+
+    /// The share of the threads of a picture that is begun now.
+    fn share(&self) -> usize {
+        let state = self.lock();
+        let pictures = (state.in_progress + state.waiting.len()).clamp(1, self.jobs);
+        self.threads.div_ceil(pictures)
     }
 
     fn finished(&self, rest: Vec<Task>, alone: Option<Task>) {
@@ -351,6 +369,7 @@ impl Run<'_> {
             series: task.series,
             read: picture.read.clone(),
             render: picture.render.clone(),
+            threads: None,
             files: vec![picture.encode.clone()],
             tells_output: false,
             timeout: self.batch.timeout,
@@ -361,6 +380,7 @@ impl Run<'_> {
             draw.read.writable = Folders::Only(Vec::new());
         }
         draw.render.threads = Some(self.threads);
+        draw.threads = Some(self.share());
         draw.render.target_format = Some(picture.encode.clone());
         let failed = |why: &dyn std::fmt::Display| Lost::Failed(Some(why.to_string()));
         let usable = worker.take().filter(|worker| !worker.is_spent());
@@ -369,7 +389,7 @@ impl Run<'_> {
             None => Worker::start()
                 .map_err(|error| failed(&format!("no process to draw it in: {error}")))?,
         });
-        let watched = self.watchdog.watch(worker.stopper());
+        let watched = self.watchdog.watch(worker.control());
         let drawn = worker.draw(
             draw,
             &|event| match event {

@@ -1,13 +1,13 @@
-//! Kills workers that exceed their time limit and do not end by themselves.
+//! Controls workers: kills those that exceed their time limit and do not end by themselves, and shares threads among them.
 
-use crate::app::worker::Stopper;
+use crate::app::worker::Control;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Time after the limit in which a worker cancels its picture and ends by itself.
 const GRACE: Duration = Duration::from_secs(3);
 
-/// Watches workers, if there is a limit.
+/// Watches workers.
 #[derive(Debug)]
 pub(super) struct Watchdog {
     limit: Option<Duration>,
@@ -17,7 +17,8 @@ pub(super) struct Watchdog {
 
 #[derive(Debug, Default)]
 struct State {
-    watched: Vec<(u64, Instant, Stopper)>,
+    /// Number, deadline and worker of each picture in progress.
+    watched: Vec<(u64, Option<Instant>, Control)>,
     /// The number of the next entry.
     next: u64,
     is_over: bool,
@@ -40,20 +41,26 @@ impl Watchdog {
     }
 
     /// Watches a worker from now on.
-    pub(super) fn watch(&self, stopper: Stopper) -> Watched<'_> {
+    pub(super) fn watch(&self, control: Control) -> Watched<'_> {
         let mut state = self.lock();
         let number = state.next;
         state.next += 1;
         let deadline = self
             .limit
             .and_then(|limit| Instant::now().checked_add(limit));
-        if let Some(deadline) = deadline {
-            state.watched.push((number, deadline, stopper));
-            self.changed.notify_all();
-        }
+        state.watched.push((number, deadline, control));
+        self.changed.notify_all();
         Watched {
             watchdog: self,
             number,
+        }
+    }
+
+    /// Shares threads among the workers, which may have begun with fewer.
+    pub(super) fn share(&self, threads: usize) {
+        let state = self.lock();
+        for (.., control) in &state.watched {
+            control.use_threads(threads.div_ceil(state.watched.len()));
         }
     }
 
@@ -68,13 +75,14 @@ impl Watchdog {
         let mut state = self.lock();
         while !state.is_over {
             let now = Instant::now();
-            state.watched.retain(|(_, deadline, stopper)| {
-                if *deadline <= now {
-                    stopper.kill();
+            state.watched.retain(|(_, deadline, control)| {
+                let is_over = deadline.is_some_and(|deadline| deadline <= now);
+                if is_over {
+                    control.kill();
                 }
-                *deadline > now
+                !is_over
             });
-            let next = state.watched.iter().map(|(_, deadline, _)| *deadline).min();
+            let next = state.watched.iter().filter_map(|one| one.1).min();
             state = match next {
                 Some(next) => {
                     let waited = self.changed.wait_timeout(state, next - now);

@@ -60,7 +60,7 @@ struct CommandOptions {
     /// Size of the pictures in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT")]
     size: Option<Size>,
-    /// Scenes read side by side [default: the number of threads]
+    /// Scenes drawn side by side, on a thread each or more [default: the number of threads]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
     /// Number of threads, for all scenes together [default: one per core]

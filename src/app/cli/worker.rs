@@ -11,7 +11,7 @@ use std::io::{self, Stdout, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{self, ExitCode};
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -33,11 +33,11 @@ pub(super) fn run() -> ExitCode {
         }
     }
     let (sender, waiting) = mpsc::channel();
-    let stop = CancelToken::default();
-    let _ = sender.send((first, stop.clone()));
+    let control = Control::default();
+    let _ = sender.send((first, control.clone()));
     let receiving = thread::Builder::new()
         .name("requests".to_owned())
-        .spawn(move || receive(&sender, stop));
+        .spawn(move || receive(&sender, control));
     if receiving.is_err() {
         return ExitCode::FAILURE;
     }
@@ -46,29 +46,94 @@ pub(super) fn run() -> ExitCode {
         pool: None,
         session: None,
     };
-    for (draw, stop) in waiting {
-        worker.draw(*draw, stop);
+    for (draw, control) in waiting {
+        worker.draw(*draw, &control);
     }
     ExitCode::SUCCESS
 }
 
 /// Passes requests on; ends the process when there are no more.
-fn receive(sender: &Sender<(Box<Draw>, CancelToken)>, mut stop: CancelToken) {
+fn receive(sender: &Sender<(Box<Draw>, Control)>, mut control: Control) {
     while let Ok(request) = read_message(&mut io::stdin()) {
         match request {
-            Request::Stop => stop.cancel(),
+            Request::Stop => control.stop.cancel(),
+            Request::Threads(count) => control.gate.admit(count),
             Request::Draw(draw) => {
-                stop = CancelToken::default();
-                if sender.send((draw, stop.clone())).is_err() {
+                control = Control::default();
+                if sender.send((draw, control.clone())).is_err() {
                     break;
                 }
             }
         }
     }
     // The command has ended. A cancelled picture removes its temporary files.
-    stop.cancel();
+    control.stop.cancel();
+    control.gate.admit(usize::MAX);
     thread::sleep(GRACE);
     process::exit(1);
+}
+
+/// The control of one picture by the command.
+#[derive(Clone, Debug, Default)]
+struct Control {
+    stop: CancelToken,
+    gate: Arc<Gate>,
+}
+
+/// A gate at which some threads of a pool wait.
+#[derive(Debug, Default)]
+struct Gate {
+    state: Mutex<GateState>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct GateState {
+    /// Threads of the pool.
+    all: usize,
+    /// Threads that may work.
+    admitted: usize,
+    /// Tasks of waiting that have been started.
+    started: usize,
+    waiting: usize,
+}
+
+impl Gate {
+    /// Makes all threads of an idle pool wait but `admitted`. Returns when all tasks of waiting are started, so that no
+    /// thread that draws takes one.
+    fn hold(self: &Arc<Self>, pool: &rayon::ThreadPool, admitted: usize) {
+        let all = pool.current_num_threads();
+        let held = all.saturating_sub(admitted.max(1));
+        self.state().all = all;
+        self.admit(admitted.max(1));
+        for _ in 0..held {
+            let gate = Arc::clone(self);
+            pool.spawn(move || gate.wait());
+        }
+        let starts = |state: &mut GateState| state.started < held;
+        drop(self.changed.wait_while(self.state(), starts));
+    }
+
+    fn wait(&self) {
+        let mut state = self.state();
+        state.started += 1;
+        state.waiting += 1;
+        self.changed.notify_all();
+        let is_held = |state: &mut GateState| state.all - state.waiting >= state.admitted;
+        let waited = self.changed.wait_while(state, is_held);
+        waited.unwrap_or_else(PoisonError::into_inner).waiting -= 1;
+    }
+
+    /// Lets this number of threads work, if it is more than before.
+    fn admit(&self, count: usize) {
+        let mut state = self.state();
+        state.admitted = state.admitted.max(count);
+        self.changed.notify_all();
+    }
+
+    fn state(&self) -> MutexGuard<'_, GateState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// The state between pictures.
@@ -80,13 +145,14 @@ struct Worker {
 }
 
 impl Worker {
-    fn draw(&mut self, draw: Draw, stop: CancelToken) {
+    fn draw(&mut self, draw: Draw, control: &Control) {
         let replies = Arc::clone(&self.replies);
         let limits = Limits::new(draw.timeout, draw.max_memory);
-        let watch = Watch::start(limits, Some(stop.clone()), move |limit| {
+        let watch = Watch::start(limits, Some(control.stop.clone()), move |limit| {
             replies.send(&Reply::Limit(limit));
         });
-        let drawn = catch_unwind(AssertUnwindSafe(|| self.files(draw, &stop)));
+        let drawn = catch_unwind(AssertUnwindSafe(|| self.files(draw, control)));
+        control.gate.admit(usize::MAX);
         drop(watch);
         match drawn {
             Ok(Ok(files)) => self.replies.finish(&files),
@@ -99,14 +165,14 @@ impl Worker {
     }
 
     /// Draws a picture and encodes its files; the error is `None` if the findings give the reason.
-    fn files(&mut self, draw: Draw, stop: &CancelToken) -> Result<Vec<Vec<u8>>, Option<String>> {
+    fn files(&mut self, draw: Draw, control: &Control) -> Result<Vec<Vec<u8>>, Option<String>> {
         let Draw {
             mut read,
             mut render,
             files,
             ..
         } = draw;
-        (read.stop, render.stop) = (stop.clone(), stop.clone());
+        (read.stop, render.stop) = (control.stop.clone(), control.stop.clone());
         let replies = Arc::clone(&self.replies);
         let listen = |event: Event<'_>| match event {
             Event::SceneOutput(_) if !draw.tells_output => {}
@@ -119,6 +185,9 @@ impl Worker {
             }
             (pool, _) => pool.clone(),
         };
+        if let (Some(pool), Some(threads)) = (&pool, draw.threads) {
+            control.gate.hold(pool, threads);
+        }
         let single;
         let session = match (draw.series, &mut self.session) {
             (None, session) => {

@@ -20,15 +20,15 @@ const LAST_WORDS: usize = 1 << 10;
 /// A running worker; it ends when this is dropped.
 #[derive(Debug)]
 pub(crate) struct Worker {
-    stopper: Stopper,
+    control: Control,
     replies: BufReader<ChildStdout>,
     last_words: Option<JoinHandle<Vec<u8>>>,
     is_spent: bool,
 }
 
-/// Ends the picture that a worker draws; from any thread.
+/// Controls the picture that a worker draws; from any thread.
 #[derive(Clone, Debug)]
-pub(crate) struct Stopper {
+pub(crate) struct Control {
     child: Arc<Mutex<Child>>,
     requests: Arc<Mutex<ChildStdin>>,
     has_killed: Arc<AtomicBool>,
@@ -72,7 +72,7 @@ impl Worker {
         };
         let reader = thread::Builder::new().name("last words".to_owned());
         Ok(Worker {
-            stopper: Stopper {
+            control: Control {
                 child: Arc::new(Mutex::new(child)),
                 requests: Arc::new(Mutex::new(requests)),
                 has_killed: Arc::default(),
@@ -83,9 +83,9 @@ impl Worker {
         })
     }
 
-    /// Ends the current picture.
-    pub(crate) fn stopper(&self) -> Stopper {
-        self.stopper.clone()
+    /// Controls the current picture.
+    pub(crate) fn control(&self) -> Control {
+        self.control.clone()
     }
 
     /// True if this worker draws nothing more.
@@ -112,7 +112,7 @@ impl Worker {
         self.is_spent |= limit.is_some() || drawn.is_err();
         match (drawn, limit) {
             (_, Some(limit)) => Err(Lost::Limit(limit)),
-            (Err(_), None) if self.stopper.has_killed.load(Ordering::Relaxed) => {
+            (Err(_), None) if self.control.has_killed.load(Ordering::Relaxed) => {
                 Err(Lost::Limit(Limit::Time))
             }
             (Ok(Ok(all)), None) if all.len() == files => Ok(all),
@@ -133,7 +133,7 @@ impl Worker {
         let longest = draw.max_memory.unwrap_or(u64::MAX);
         let mut replies = self.replies.by_ref().take(longest);
         let request = Request::Draw(Box::new(draw));
-        write_message(&mut *lock(&self.stopper.requests), &request)?;
+        write_message(&mut *lock(&self.control.requests), &request)?;
         loop {
             match read_message(&mut replies)? {
                 Reply::Weaker(lack) => warn(&lack),
@@ -166,7 +166,7 @@ impl Worker {
 
     /// Ends the process, unless it has ended, and returns the reason that it had.
     fn end(&mut self) -> Lost {
-        let status = self.stopper.status();
+        let status = self.control.status();
         let words = self.last_words.take().and_then(|words| words.join().ok());
         let words = String::from_utf8_lossy(&words.unwrap_or_default()).into_owned();
         let mut lines = words.lines().rev();
@@ -189,16 +189,21 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.stopper.kill();
-        let _ = lock(&self.stopper.child).wait();
+        self.control.kill();
+        let _ = lock(&self.control.child).wait();
     }
 }
 
-impl Stopper {
+impl Control {
     /// Cancels the current picture, which the worker then reports as failed.
     pub(crate) fn stop(&self) {
         // A process that has ended draws nothing.
         let _ = write_message(&mut *lock(&self.requests), &Request::Stop);
+    }
+
+    /// Lets the current picture use more threads of its worker.
+    pub(crate) fn use_threads(&self, count: usize) {
+        let _ = write_message(&mut *lock(&self.requests), &Request::Threads(count));
     }
 
     /// Kills the worker, which has not reported in time that its picture is cancelled.

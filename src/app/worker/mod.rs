@@ -9,7 +9,7 @@
 mod client;
 mod wire;
 
-pub(crate) use client::{Lost, Stopper, Worker};
+pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{Draw, Limit, Reply, Request, read_message, write_message};
 
 /// The first argument of a worker process.

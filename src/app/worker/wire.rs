@@ -19,6 +19,8 @@ pub(crate) enum Request {
     Draw(Box<Draw>),
     /// Cancel the current picture.
     Stop,
+    /// Use this number of threads for the current picture, if it is more than before.
+    Threads(usize),
 }
 
 /// A picture for a worker to draw.
@@ -32,6 +34,8 @@ pub(crate) struct Draw {
     pub(crate) read: ReadOptions,
     /// Options for rendering.
     pub(crate) render: RenderOptions,
+    /// The number of threads to begin with; the others wait for [`Request::Threads`]. `None` begins with all.
+    pub(crate) threads: Option<usize>,
     /// The files to encode of the picture.
     pub(crate) files: Vec<EncodeOptions>,
     /// True if the worker sends the scene's `#debug` output.

@@ -12,7 +12,7 @@ use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
-use crate::app::worker::{Draw, Lost, Stopper, Worker};
+use crate::app::worker::{Control, Draw, Lost, Worker};
 use crate::base::options::{Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::output::{self, EncodeOptions, Format};
@@ -80,6 +80,7 @@ impl Painter {
                     .chain(output.map(|(_, options)| options))
                     .cloned()
                     .collect(),
+                threads: None,
                 tells_output: true,
                 timeout: self.settings.timeout,
                 max_memory: self.settings.max_memory,
@@ -133,7 +134,7 @@ impl Painter {
             None => Worker::start()
                 .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?,
         });
-        drawing.begin(worker.stopper())?;
+        drawing.begin(worker.control())?;
         worker.draw(draw, listen, &|lack| kernel::warn(&[lack.to_owned()]))
     }
 
@@ -193,15 +194,15 @@ pub(super) struct Drawing {
 #[derive(Debug, Default)]
 struct Progress {
     /// The worker of the current pass, and the begin of the pass.
-    pass: Option<(Stopper, Instant)>,
+    pass: Option<(Control, Instant)>,
     cancelled: Option<Instant>,
 }
 
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
-    fn begin(&self, stopper: Stopper) -> Result<(), Lost> {
+    fn begin(&self, control: Control) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
-        progress.pass = Some((stopper, Instant::now()));
+        progress.pass = Some((control, Instant::now()));
         match progress.cancelled {
             None => Ok(()),
             Some(_) => Err(Lost::Failed(None)),
@@ -218,8 +219,8 @@ impl Drawing {
         let mut progress = lock(&self.progress);
         if progress.cancelled.is_none() {
             progress.cancelled = Some(Instant::now());
-            if let Some((stopper, _)) = &progress.pass {
-                stopper.stop();
+            if let Some((control, _)) = &progress.pass {
+                control.stop();
             }
         }
     }
@@ -227,13 +228,13 @@ impl Drawing {
     /// Kills a worker that has not ended its picture long after it was cancelled, or after its time limit.
     pub(super) fn kill_overdue(&self, timeout: Option<Duration>) {
         let progress = lock(&self.progress);
-        let Some((stopper, begun)) = &progress.pass else {
+        let Some((control, begun)) = &progress.pass else {
             return;
         };
         let is_ignored = |cancelled: Instant| cancelled.elapsed() > GRACE;
         let is_late = |limit: Duration| begun.elapsed() > limit.saturating_add(BEYOND);
         if progress.cancelled.is_some_and(is_ignored) || timeout.is_some_and(is_late) {
-            stopper.kill();
+            control.kill();
         }
     }
 
