@@ -35,7 +35,7 @@ pub struct Object {
     pub is_inverse: bool,
     /// Properties that few objects have, boxed because a scene may have a million objects without them.
     rare: Option<Box<Rare>>,
-    size: Size,
+    pub(super) size: Size,
 }
 
 /// Properties that few objects have.
@@ -64,8 +64,8 @@ pub struct Size {
     pub uses_uv: bool,
     /// True if the object or some object in the tree has `cutaway_textures`.
     pub has_cutaways: bool,
-    /// True if the inside of some shape extends beyond the bounding box of its surface.
-    pub extends_beyond_bounds: bool,
+    /// True if some object in the tree may have a box outside which it is invisible.
+    pub may_have_visibility_box: bool,
     /// Depth of nested CSG objects, without those that merge into their parents: differences as the first part of a
     /// difference, unions in unions.
     pub csg_depth: u32,
@@ -195,7 +195,7 @@ impl Object {
             has_lights: matches!(kind, Kind::Light { .. }),
             uses_uv: matches!(&kind, Kind::Shape(shape) if shape.face_textures().iter().any(FaceTexture::uses_uv)),
             has_cutaways: false,
-            extends_beyond_bounds: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
+            may_have_visibility_box: matches!(&kind, Kind::Shape(shape) if shape.extends_beyond_bounds()),
             csg_depth: 0,
         };
         let size = match &kind {
@@ -560,7 +560,7 @@ impl Size {
             has_lights: self.has_lights || inner.has_lights,
             uses_uv: self.uses_uv || inner.uses_uv,
             has_cutaways: self.has_cutaways || inner.has_cutaways,
-            extends_beyond_bounds: self.extends_beyond_bounds || inner.extends_beyond_bounds,
+            may_have_visibility_box: self.may_have_visibility_box || inner.may_have_visibility_box,
         }
     }
 }
@@ -597,7 +597,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
-            extends_beyond_bounds: false,
+            may_have_visibility_box: false,
             csg_depth: 0,
         };
         assert_eq!(doubled.size(), size);
@@ -618,7 +618,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
-            extends_beyond_bounds: false,
+            may_have_visibility_box: false,
             csg_depth: 1,
         };
         assert_eq!(object.size(), size);

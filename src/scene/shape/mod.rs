@@ -271,6 +271,16 @@ pub trait Geometry {
         false
     }
 
+    /// True if `bounded_by` does not change its box.
+    fn keeps_its_box(&self) -> bool {
+        false
+    }
+
+    /// True if `clipped_by` gives it a smaller box but cuts nothing away.
+    fn is_never_clipped(&self) -> bool {
+        false
+    }
+
     /// True if a search finds the roots, which may miss some, so that CSG tests the points of other surfaces for being
     /// inside, as POV-Ray does for all shapes.
     fn may_miss_roots(&self) -> bool {
@@ -472,6 +482,12 @@ macro_rules! shapes {
             }
             fn excludes_spawn_surface(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.excludes_spawn_surface()),+ }
+            }
+            fn keeps_its_box(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.keeps_its_box()),+ }
+            }
+            fn is_never_clipped(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_never_clipped()),+ }
             }
             fn may_miss_roots(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.may_miss_roots()),+ }

@@ -99,6 +99,8 @@ pub(crate) struct BoundGate {
     pub(crate) operands: Range<u32>,
     /// The bounding object.
     pub(crate) bound: CsgProgram,
+    /// True if shadow rays hit the operands all the same.
+    pub(crate) spares_shadows: bool,
 }
 
 impl CsgProgram {

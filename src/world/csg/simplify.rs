@@ -242,7 +242,7 @@ fn index(len: usize) -> u32 {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::super::program::Operand;
-    use super::super::sweep::{RayInterval, Sweep};
+    use super::super::sweep::{RayInterval, Sweep, SweepContext};
     use super::*;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::{Ray, Step};
@@ -342,7 +342,12 @@ pub(crate) mod tests {
                 let mut find = |program: &CsgProgram| {
                     let interval = RayInterval { from: 0.0, to };
                     program
-                        .nearest(&leaves, &ray, interval, None, &mut sweep, |_| true)
+                        .nearest(
+                            SweepContext::free(&leaves, &ray),
+                            interval,
+                            &mut sweep,
+                            |_| true,
+                        )
                         .map(|hit| (hit.root, hit.leaf))
                 };
                 let expected = find(&plain);

@@ -19,10 +19,25 @@ use std::ops::Range;
 
 /// A ray in a sweep through a program.
 #[derive(Clone, Copy)]
-struct SweepContext<'a> {
-    leaves: &'a [Leaf],
-    ray: &'a Ray,
-    departure: Option<&'a SpawnSurface>,
+pub(crate) struct SweepContext<'a> {
+    pub(crate) leaves: &'a [Leaf],
+    pub(crate) ray: &'a Ray,
+    /// The surface that the ray leaves.
+    pub(crate) departure: Option<&'a SpawnSurface>,
+    /// True for a shadow ray, see [`BoundGate::spares_shadows`].
+    pub(crate) is_shadow: bool,
+}
+
+impl<'a> SweepContext<'a> {
+    /// A ray that leaves no surface.
+    pub(crate) fn free(leaves: &'a [Leaf], ray: &'a Ray) -> Self {
+        SweepContext {
+            leaves,
+            ray,
+            departure: None,
+            is_shadow: false,
+        }
+    }
 }
 
 /// An interval of a ray, `from < t <= to`.
@@ -85,18 +100,12 @@ impl CsgProgram {
     /// The first surface shown at `from < t <= to` that `wanted` accepts.
     pub(crate) fn nearest(
         &self,
-        leaves: &[Leaf],
-        ray: &Ray,
+        context: SweepContext,
         interval: RayInterval,
-        departure: Option<&SpawnSurface>,
         sweep: &mut Sweep,
         mut wanted: impl FnMut(&RawHit) -> bool,
     ) -> Option<RawHit> {
-        let context = SweepContext {
-            leaves,
-            ray,
-            departure,
-        };
+        let leaves = context.leaves;
         let to = self.collect(context, interval, sweep)?;
         sort(&mut sweep.events);
         let mut at = 0;
@@ -155,7 +164,7 @@ impl CsgProgram {
     ) -> Option<f64> {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
-        if !self.try_gates(context.leaves, context.ray, sweep) {
+        if !self.try_gates(context, sweep) {
             return None;
         }
         let around = self.widening;
@@ -241,14 +250,14 @@ impl CsgProgram {
 
     /// Marks the operands that do not show because the ray misses their bounding objects; they still cut the others
     /// (measured with POV-Ray). Returns true if any other operands are left.
-    fn try_gates(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
+    fn try_gates(&self, context: SweepContext, sweep: &mut Sweep) -> bool {
         sweep.unseen.clear();
         if self.gates.is_empty() {
             return true;
         }
         let mut inner = sweep.inner.take().unwrap_or_default();
         for gate in &self.gates {
-            if !gate.is_hit(leaves, ray, &mut inner) {
+            if !gate.lets_through(context, &mut inner) {
                 self.mark(&gate.operands, &mut sweep.unseen);
             }
         }
@@ -282,15 +291,9 @@ impl CsgProgram {
 
     /// Returns true if the surface of an operand is shown: the ray hits all its bounding objects.
     #[inline(always)]
-    pub(crate) fn shows(
-        &self,
-        operand: u32,
-        leaves: &[Leaf],
-        ray: &Ray,
-        sweep: &mut Sweep,
-    ) -> bool {
+    pub(crate) fn shows(&self, operand: u32, context: SweepContext, sweep: &mut Sweep) -> bool {
         let mut gates = self.gates.iter();
-        gates.all(|gate| !gate.operands.contains(&operand) || gate.is_hit(leaves, ray, sweep))
+        gates.all(|gate| !gate.operands.contains(&operand) || gate.lets_through(context, sweep))
     }
 
     fn mark(&self, operands: &Range<u32>, marked: &mut Vec<bool>) {
@@ -390,10 +393,15 @@ fn sort(events: &mut [Event]) {
 }
 
 impl BoundGate {
-    /// Returns true if a ray hits the bounding object or starts inside it.
-    fn is_hit(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
+    /// Returns true if a ray hits the bounding object or starts inside it, or is a shadow ray that is spared.
+    fn lets_through(&self, context: SweepContext, sweep: &mut Sweep) -> bool {
+        let SweepContext { leaves, ray, .. } = context;
+        if self.spares_shadows && context.is_shadow {
+            return true;
+        }
         let all = RayInterval::FORWARD;
-        let hit = self.bound.nearest(leaves, ray, all, None, sweep, |_| true);
+        let free = SweepContext::free(leaves, ray);
+        let hit = self.bound.nearest(free, all, sweep, |_| true);
         hit.is_some() || self.bound.contains(leaves, ray.origin)
     }
 }

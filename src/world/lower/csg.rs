@@ -4,15 +4,16 @@ use super::flatten::MOST_TYING;
 use super::lowering::Lowering;
 use super::parts::inherited::{CsgRole, Inherited, joined};
 use super::parts::model::PendingItem;
-use super::visibility_box::{holds, seen_in};
+use super::visibility_box::{holds, seen_in, spares_shadows};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
-use crate::scene::{Kind, Object, Operation};
+use crate::scene::{Attached, Kind, Object, Operation};
 use crate::world::csg::bounds::{Factors, clip_to_planes};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
 use crate::world::index::index;
 use crate::world::primitive::{Extent, Leaf};
 use smallvec::{SmallVec, smallvec};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Most operands of an intersection whose nested intersections are searched for bounding primitives.
@@ -41,6 +42,16 @@ impl PartBounds {
     };
 }
 
+/// A bounding object of a CSG program.
+#[derive(Debug)]
+pub(crate) struct PendingGate {
+    /// The operands that it bounds.
+    operands: Range<u32>,
+    object: Arc<Object>,
+    /// What it inherits.
+    above: Inherited,
+}
+
 /// Position of an object in the tree of a CSG program.
 #[derive(Clone, Copy)]
 struct Slot {
@@ -58,7 +69,7 @@ impl Lowering {
         if let Some(seen_in) = seen_in(object, above)
             && !holds(&seen_in, &around.shown)
         {
-            let gate = self.gate(&program, seen_in);
+            let gate = self.gate(&program, seen_in, spares_shadows(object));
             program.gates.push(gate);
         }
         // POV-Ray runs inside tests only on objects whose box contains the camera; probes test all.
@@ -115,9 +126,13 @@ impl Lowering {
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
         program.prepare_as(&mut self.memo, &self.parts.leaves, &of_operands, boxed);
-        for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
-            let (bound, _) = self.program(&object, &around);
-            program.gates.push(BoundGate { operands, bound });
+        for gate in std::mem::replace(&mut self.gates, outer_gates) {
+            let (bound, _) = self.program(&gate.object, &gate.above);
+            program.gates.push(BoundGate {
+                operands: gate.operands,
+                bound,
+                spares_shadows: false,
+            });
         }
         (program, around)
     }
@@ -143,12 +158,14 @@ impl Lowering {
         if is_part || is_gated(object) {
             let operands = first..index(program.operands.len());
             for bound in object.bounded_by() {
-                let around = Inherited {
-                    steps: joined(&object.steps[bound.after..], &above.steps),
-                    ..(*below).clone()
-                };
-                self.gates
-                    .push((operands.clone(), Arc::clone(&bound.what), around));
+                self.gates.push(PendingGate {
+                    operands: operands.clone(),
+                    object: Arc::clone(&bound.what),
+                    above: Inherited {
+                        steps: joined(&object.steps[bound.after..], &above.steps),
+                        ..(*below).clone()
+                    },
+                });
             }
         }
         bounds
@@ -163,7 +180,7 @@ impl Lowering {
         program: &mut CsgProgram,
         slot: Slot,
     ) -> PartBounds {
-        if object.clipped_by().is_empty() {
+        if clips(object).is_empty() {
             return self.add_bare(object, below, program, slot);
         }
         let first = program.operands.len();
@@ -174,7 +191,7 @@ impl Lowering {
         };
         let mut starts: Starts = smallvec![first];
         let mut bounds = self.add_bare(object, below, program, inner);
-        for clip in object.clipped_by() {
+        for clip in clips(object) {
             starts.push(program.operands.len());
             let around = Inherited {
                 steps: joined(&object.steps[clip.after..], &above.steps),
@@ -362,10 +379,18 @@ impl Lowering {
     }
 }
 
-/// Returns true if `bounded_by` has an effect: POV-Ray drops it from finite primitives, which have their own bounds.
+/// Returns true if the bounding objects themselves are tested: of shapes that are no part of a CSG object only their box
+/// is, see [`seen_in`].
 pub(crate) fn is_gated(object: &Object) -> bool {
-    let needs_none = matches!(&object.kind, Kind::Shape(shape) if shape.bounds().is_finite());
-    !object.bounded_by().is_empty() && !needs_none
+    !object.bounded_by().is_empty() && !matches!(object.kind, Kind::Shape(_))
+}
+
+/// The objects that clip an object.
+pub(crate) fn clips(object: &Object) -> &[Attached<Arc<Object>>] {
+    match &object.kind {
+        Kind::Shape(shape) if shape.is_never_clipped() => &[],
+        _ => object.clipped_by(),
+    }
 }
 
 /// The primitives whose intersection a node is: those of nested intersections too unless there are many operands, which

@@ -1,11 +1,12 @@
 //! Lowering of the objects of a scene to leaves, CSG programs and lights: transforms are folded, unions split up, and
 //! texture and interior handed down to children without their own.
 
-use super::csg::is_gated;
+use super::csg::{clips, is_gated};
 use super::lowering::{Holds, Lowering};
 use super::parts::inherited::Inherited;
 use super::parts::model::PendingItem;
 use super::parts::targets::Targets;
+use super::visibility_box::is_seen_whole;
 use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
@@ -90,14 +91,16 @@ impl Lowering {
             }
             return;
         }
-        let is_bare = object.clipped_by().is_empty() && !is_gated(object) && !object.is_inverse;
+        let is_bare = clips(object).is_empty() && !is_gated(object) && !object.is_inverse;
         match &object.kind {
             Kind::Light { .. } => {
                 let look = self.add_light(&object.kind, above, below);
                 let held = look.map(|(object, around)| (Holds::Look, object, around));
                 self.held.extend(held);
             }
-            Kind::Shape(shape) if is_bare => self.add_shape(shape, &below),
+            Kind::Shape(shape) if is_bare && is_seen_whole(object, shape, above, &below) => {
+                self.add_shape(shape, &below);
+            }
             _ => {
                 // The program hands everything down once more.
                 if let Some(known) = &mut self.targets {

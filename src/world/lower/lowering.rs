@@ -1,5 +1,6 @@
 //! The state of lowering: what it has gathered of the world so far.
 
+use super::csg::PendingGate;
 use super::parts::inherited::Inherited;
 use super::parts::model::ModelBuilder;
 use super::parts::slots::{SharedModel, SlotTable};
@@ -55,8 +56,8 @@ pub(crate) struct Lowering {
     pub(crate) last_attributes: Option<(u32, Inherited)>,
     /// Memo of the last CSG preparation.
     pub(crate) memo: Option<Box<CsgMemo>>,
-    /// Bounding objects of the current CSG program, with the operands they bound and the inherited state.
-    pub(crate) gates: Vec<(Range<u32>, Arc<Object>, Inherited)>,
+    /// Bounding objects of the current CSG program.
+    pub(crate) gates: Vec<PendingGate>,
     /// Parts of it with boxes of their own: their operands, and boxes around their insides and visible surfaces.
     pub(crate) boxed: Vec<(Range<u32>, Bounds)>,
     /// Bounds of the operands of the current CSG program.

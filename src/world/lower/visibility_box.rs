@@ -3,7 +3,7 @@
 use super::lowering::Lowering;
 use super::parts::inherited::Inherited;
 use crate::base::math::{Bounds, Step, Transform};
-use crate::scene::shape::{Cuboid, Shape, Sphere};
+use crate::scene::shape::{Cuboid, Geometry, Shape, Sphere};
 use crate::scene::{Kind, Object};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
 use crate::world::index::index;
@@ -35,9 +35,40 @@ pub(crate) fn holds(seen_in: &Bounds, shown: &Bounds) -> bool {
     is_held.all()
 }
 
+/// Returns true if no ray that hits a shape misses the box outside which it is invisible.
+pub(crate) fn is_seen_whole(
+    object: &Object,
+    shape: &Shape,
+    above: &Inherited,
+    below: &Inherited,
+) -> bool {
+    seen_in(object, above).is_none_or(|seen_in| {
+        let to_world = Transform::from_steps(&below.steps).world_from_object;
+        holds(&seen_in, &shape.bounds().transformed(&to_world))
+    })
+}
+
+/// Returns true if an object casts its whole shadow, whatever its box hides. In POV-Ray that depends on what blocked the
+/// light before; of these kinds most of the shadow is whole.
+pub(crate) fn spares_shadows(object: &Object) -> bool {
+    matches!(&object.kind, Kind::Shape(shape) if matches!(
+        **shape,
+        Shape::Sphere(_)
+            | Shape::Cuboid(_)
+            | Shape::Text(_)
+            | Shape::Triangle(_)
+            | Shape::SmoothTriangle(_)
+    ))
+}
+
 impl Lowering {
     /// A gate that shows a program only to the rays that hit a box.
-    pub(crate) fn gate(&mut self, program: &CsgProgram, seen_in: Bounds) -> BoundGate {
+    pub(crate) fn gate(
+        &mut self,
+        program: &CsgProgram,
+        seen_in: Bounds,
+        spares_shadows: bool,
+    ) -> BoundGate {
         // No ray hits a box with a negative side, or a sphere of radius zero.
         let shape = if seen_in.is_empty() {
             Shape::Sphere(Sphere {
@@ -72,6 +103,7 @@ impl Lowering {
         BoundGate {
             operands: 0..program.len(),
             bound,
+            spares_shadows,
         }
     }
 }

@@ -5,7 +5,7 @@ use super::packet::hits::NO_LEAF;
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
 use crate::scene::shape::{Geometry, Root};
-use crate::world::csg::sweep::{RawHit, RayInterval, hide_departure};
+use crate::world::csg::sweep::{RawHit, RayInterval, SweepContext, hide_departure};
 use crate::world::model::{Item, Model};
 use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;
@@ -82,24 +82,23 @@ impl Model {
                     from: search.t_min,
                     to: far,
                 };
+                let context = SweepContext {
+                    leaves: &self.leaves,
+                    ray: search.ray,
+                    departure: search.origin_surface,
+                    is_shadow: W::ANY,
+                };
                 let mut first = None;
-                program.nearest(
-                    &self.leaves,
-                    search.ray,
-                    interval,
-                    search.origin_surface,
-                    sweep,
-                    |hit| {
-                        let hit = RawHit {
-                            leaf: start.leaf + hit.leaf,
-                            surface: start.surface + hit.surface,
-                            ..*hit
-                        };
-                        let is_wanted = policy.accepts(&hit);
-                        first = is_wanted.then_some(hit);
-                        is_wanted
-                    },
-                )?;
+                program.nearest(context, interval, sweep, |hit| {
+                    let hit = RawHit {
+                        leaf: start.leaf + hit.leaf,
+                        surface: start.surface + hit.surface,
+                        ..*hit
+                    };
+                    let is_wanted = policy.accepts(&hit);
+                    first = is_wanted.then_some(hit);
+                    is_wanted
+                })?;
                 first
             }
             Item::Leaf(number) if number == search.exited_leaf => None,

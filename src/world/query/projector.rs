@@ -1,7 +1,7 @@
 //! Shadow rays to lights that are projected through an object (`projected_through`).
 
 use super::QueryScratch;
-use crate::world::csg::sweep::{RawHit, RayInterval};
+use crate::world::csg::sweep::{RawHit, RayInterval, SweepContext};
 use crate::world::lights::Lights;
 use crate::world::primitive::Leaf;
 use crate::world::ray::Query;
@@ -25,9 +25,14 @@ impl Lights {
             from: least,
             to: query.t_max,
         };
-        let (from, sweep) = (query.origin_surface.as_ref(), &mut scratch.sweep);
+        let context = SweepContext {
+            leaves,
+            ray: &query.ray,
+            departure: query.origin_surface.as_ref(),
+            is_shadow: true,
+        };
         program
-            .nearest(leaves, &query.ray, interval, from, sweep, wanted)
+            .nearest(context, interval, &mut scratch.sweep, wanted)
             .map(|hit| hit.root.t)
     }
 }

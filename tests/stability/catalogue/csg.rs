@@ -277,12 +277,17 @@ fn bounds(all: &mut Vec<Case>) {
         camera { orthographic location <0.01, 0.02, -4> direction z right 3*x up 2.25*y }\n";
     let everything = "box { -3, 3 }";
     for (name, body, bound, like) in [
-        ("sphere", "sphere { 0, 1", "sphere { 0, 0.5 }", everything),
+        (
+            "sphere",
+            "sphere { 0, 1",
+            "sphere { 0, 0.5 }",
+            "box { <-0.5, -0.5, -3>, <0.5, 0.5, 3> }",
+        ),
         (
             "box",
             "box { -1, 1",
             "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
-            everything,
+            "box { <-0.3, -0.6, -3>, <0.6, 0.4, 3> }",
         ),
         (
             "torus",

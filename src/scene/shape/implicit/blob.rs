@@ -414,6 +414,10 @@ impl Geometry for Blob {
         SurfaceSide::Inside
     }
 
+    fn keeps_its_box(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         self.0.bounds
     }

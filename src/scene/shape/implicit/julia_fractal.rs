@@ -484,6 +484,10 @@ impl Geometry for JuliaFractal {
         SurfaceSide::Inside
     }
 
+    fn keeps_its_box(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         let radius = DVec3::splat(self.0.radius);
         Bounds {

@@ -397,6 +397,10 @@ impl Geometry for HeightField {
         self.field.contains(self.point_to_field(point))
     }
 
+    fn keeps_its_box(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         let field = &self.field;
         if field.is_empty() || field.low > field.high {

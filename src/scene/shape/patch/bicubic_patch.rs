@@ -329,6 +329,10 @@ impl Geometry for BicubicPatch {
         false
     }
 
+    fn is_never_clipped(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         let points = self.net.points.iter().flatten();
         points.fold(Bounds::EMPTY, |bounds, point| bounds.with_point(*point))

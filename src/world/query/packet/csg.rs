@@ -17,7 +17,7 @@ use crate::scene::shape::{Crossing, Root};
 use crate::world::compiled::World;
 use crate::world::csg::packet_strategy::{Numbers, PacketStrategy};
 use crate::world::csg::program::CsgProgram;
-use crate::world::csg::sweep::{RawHit, hide_departure};
+use crate::world::csg::sweep::{RawHit, SweepContext, hide_departure};
 use crate::world::primitive::Leaf;
 use crate::world::query::QueryScratch;
 use crate::world::ray::Query;
@@ -95,7 +95,11 @@ impl World {
             let operand = hits.operand[lane] as u32;
             let leaf = program.first + operand;
             let ray = query(start + lane).ray;
-            if !program.shows(operand, &self.model.leaves, &ray, &mut scratch.sweep) {
+            let context = SweepContext {
+                is_shadow: !NEEDS_FACE,
+                ..SweepContext::free(&self.model.leaves, &ray)
+            };
+            if !program.shows(operand, context, &mut scratch.sweep) {
                 hits.unknown |= 1 << lane;
                 continue;
             }
@@ -210,10 +214,8 @@ mod tests {
                 let interval = RayInterval::FORWARD;
                 let alone = program
                     .nearest(
-                        &leaves,
-                        &stream.ray(lane),
+                        SweepContext::free(&leaves, &stream.ray(lane)),
                         interval,
-                        None,
                         &mut sweep,
                         |_| true,
                     )
