@@ -70,8 +70,7 @@ fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
 
 /// The lines that callers look for. Times and counts of POV-Ray's own kind are left out.
 fn signs(output: &Output) -> Vec<String> {
-    const LINES: [&str; 22] = [
-        "= ",
+    const LINES: [&str; 21] = [
         "==== [",
         "  Input file: ",
         "  Image resolution.",
@@ -102,9 +101,10 @@ fn signs(output: &Output) -> Vec<String> {
         .filter(is_sign)
         .map(|l| (*l).to_owned())
         .collect();
-    // Another thread of POV-Ray writes progress, before or after the title of its stage.
-    let done = lines.iter().filter(|line| line.ends_with("pixels (100%)"));
-    signs.extend(done.map(|line| (*line).to_owned()));
+    // Other threads of POV-Ray write progress and what the scene says, before or after the title of the stage.
+    let is_free = |line: &&&str| line.starts_with("= ") || line.ends_with("pixels (100%)");
+    let free = lines.iter().filter(is_free);
+    signs.extend(free.map(|line| (*line).to_owned()));
     // POV-Ray announces the first frame twice.
     signs.dedup();
     signs
