@@ -148,9 +148,9 @@ impl PartialEq for CancelToken {
     }
 }
 
-/// Some minutes of reading, which real scenes that grow hair or leaves take. A loop of ten tokens can run 270 million
+/// Some minutes of reading, which real scenes that grow hair or leaves take. A loop of ten tokens can run 160 million
 /// times.
-const MAX_REPEATED_TOKENS: u64 = 5_000_000_000;
+const MAX_REPEATED_TOKENS: u64 = 3_000_000_000;
 
 /// Options of rendering.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -18,7 +18,7 @@ pub(super) const HEIGHT: usize = 120_000;
 pub(super) const TURNS: usize = 2_000;
 /// Scenes with many objects need long loops: each object adds the token limit divided by this, 2,000 tokens with the
 /// usual limit.
-pub(super) const PATIENCE_FOR_OBJECT: u64 = 2_500_000;
+pub(super) const PATIENCE_FOR_OBJECT: u64 = 1_500_000;
 /// Tokens that may be read again for each byte written to files: scenes that generate meshes write much.
 pub(super) const TOKENS_FOR_BYTE: u64 = 8;
 /// Items of one array.
