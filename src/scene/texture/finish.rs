@@ -113,8 +113,10 @@ impl Finish {
             None => base.clone(),
         };
         let mut albedo = Albedo::default();
+        let mut has_fresnel = false;
         while !args.accept_close()? {
             let word = args.word()?;
+            has_fresnel |= word == Some(Word::Fresnel);
             let is_known = match word {
                 Some(word) => {
                     finish.read_light(word, args, &mut albedo)?
@@ -127,8 +129,8 @@ impl Finish {
                 return Err(args.expected("a parameter of `finish` or `}`"));
             }
         }
-        if finish.reflection.is_fresnel && finish.reflection.has_one_color {
-            finish.reflection.min = Rgb::BLACK;
+        if has_fresnel {
+            finish.reflection.end_fresnel();
         }
         finish.scale_albedos(&albedo);
         finish.clamp_negative_strengths();

@@ -76,7 +76,16 @@ impl Reflection {
                 }
             }
         }
+        self.end_fresnel();
         Ok(())
+    }
+
+    /// Makes Fresnel reflection of one colour 0 at normal incidence, as POV-Ray does at the end of a block that may
+    /// have `fresnel`: a later `reflection` without braces keeps the law but not this.
+    pub(super) fn end_fresnel(&mut self) {
+        if self.is_fresnel && self.has_one_color {
+            self.min = Rgb::BLACK;
+        }
     }
 }
 
