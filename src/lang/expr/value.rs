@@ -146,6 +146,8 @@ pub(crate) struct Array {
     pub(crate) holds: Option<&'static str>,
     /// True if elements may be of several kinds.
     pub(crate) is_mixed: bool,
+    /// True once an element was an array for which [`Value::is_mixed`] holds.
+    holds_mixed: bool,
     /// Access to items beyond the size.
     pub(crate) extent: Extent,
 }
@@ -169,6 +171,7 @@ impl Array {
             sizes,
             holds: None,
             is_mixed: false,
+            holds_mixed: false,
             extent: Extent::Fixed,
         }
     }
@@ -226,6 +229,7 @@ impl Array {
             }
             self.holds = self.holds.or(sort);
         }
+        self.holds_mixed |= value.is_mixed();
         *self.items.get_mut(at)? = Some(value);
         None
     }
@@ -275,7 +279,10 @@ impl Value {
         };
         let array = Rc::make_mut(array);
         if !rest.is_empty() {
-            return array.items.get_mut(first)?.as_mut()?.put(rest, value);
+            let inner = array.items.get_mut(first)?.as_mut()?;
+            let others = inner.put(rest, value);
+            array.holds_mixed |= inner.is_mixed();
+            return others;
         }
         array.set(first, value)
     }
@@ -292,20 +299,9 @@ impl Value {
         }
     }
 
-    /// True for an array whose items, or those of arrays in it, may be of several kinds.
+    /// True for an array whose items, or those of arrays that are or were in it, may be of several kinds.
     pub(crate) fn is_mixed(&self) -> bool {
-        match self {
-            Value::Array(array) => {
-                array.is_mixed
-                    || array
-                        .items
-                        .iter()
-                        .flatten()
-                        .next()
-                        .is_some_and(Value::is_mixed)
-            }
-            _ => false,
-        }
+        matches!(self, Value::Array(array) if array.is_mixed || array.holds_mixed)
     }
 
     /// Number of items that [`Value::item_mut`] copies.
@@ -355,5 +351,28 @@ impl Value {
             Value::File(_) => "an open file".to_owned(),
             Value::Poison(_) => "a value that could not be read".to_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn array(items: usize) -> Array {
+        Array::new(vec![items])
+    }
+
+    #[test]
+    fn an_array_is_mixed_once_one_in_it_is() {
+        let mut mixed = array(1);
+        mixed.is_mixed = true;
+        let mut inner = array(2);
+        inner.set(0, Value::Array(Rc::new(array(1))));
+        let mut outer = array(1);
+        outer.set(0, Value::Array(Rc::new(inner)));
+        let mut outer = Value::Array(Rc::new(outer));
+        assert!(!outer.is_mixed());
+        assert_eq!(outer.put(&[0, 1], Value::Array(Rc::new(mixed))), None);
+        assert!(outer.is_mixed());
     }
 }
