@@ -12,4 +12,5 @@ pub mod math;
 pub mod memory;
 pub mod options;
 pub mod source;
+pub mod version;
 pub mod word;

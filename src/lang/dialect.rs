@@ -5,18 +5,8 @@
 
 use super::syntax::{Kind, Names, Symbol, Token};
 use crate::base::args::Word;
+use crate::base::version::has_syntax_of_3_8;
 use crate::base::word::FREE_SINCE_3_8;
-use crate::lang::limits::EQUAL;
-
-/// The first version with the words of POV-Ray 3.8: that of its early releases.
-const FIRST_WITH_WORDS: f64 = 3.71;
-/// The first version with the defaults and rules of POV-Ray 3.8.
-pub(crate) const FIRST_OF_3_8: f64 = 3.8;
-
-/// True if a version has the defaults and rules of POV-Ray 3.8.
-pub(crate) fn is_3_8(version: f64) -> bool {
-    version >= FIRST_OF_3_8 - EQUAL
-}
 
 /// The reserved words in force.
 #[derive(Debug)]
@@ -32,7 +22,7 @@ impl Dialect {
     /// The dialect of a version. `names` holds the symbols of the words that 3.8 added.
     pub(crate) fn new(version: f64, names: &Names) -> Dialect {
         Dialect {
-            has_words: version >= FIRST_WITH_WORDS - EQUAL,
+            has_words: has_syntax_of_3_8(version),
             words: Word::since_3_8().map(Word::usual).collect(),
             freed: names
                 .symbol(FREE_SINCE_3_8.spelling())
@@ -42,7 +32,7 @@ impl Dialect {
 
     /// Follows a `#version`; true if the reserved words have changed.
     pub(crate) fn set_version(&mut self, version: f64) -> bool {
-        let has_words = version >= FIRST_WITH_WORDS - EQUAL;
+        let has_words = has_syntax_of_3_8(version);
         std::mem::replace(&mut self.has_words, has_words) != has_words
     }
 

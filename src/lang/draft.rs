@@ -3,7 +3,7 @@
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
-use crate::lang::dialect::is_3_8;
+use crate::base::version::is_3_8;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::texture::{Layer, Texture};

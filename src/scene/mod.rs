@@ -29,13 +29,11 @@ pub(crate) use objects::{Colored, Entry, OwnedObject};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
+use crate::base::version::is_3_8;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::pattern::Settings;
 use glam::DVec3;
-
-/// The last language version whose pictures are rounded in their encoding.
-const LAST_ROUNDED_AS_ENCODED: f64 = 3.799;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -165,7 +163,7 @@ impl Scene {
     /// The rule by which pixels are rounded to the levels of a file.
     #[must_use]
     pub fn rounding(&self) -> Rounding {
-        match self.version > LAST_ROUNDED_AS_ENCODED {
+        match is_3_8(self.version) {
             true => Rounding::Light,
             false => Rounding::Encoded,
         }

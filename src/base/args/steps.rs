@@ -3,6 +3,7 @@
 use super::{Args, Parse, Word, declared};
 use crate::base::math::{Step, Transform};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 
@@ -55,9 +56,6 @@ fn scale_vector(args: &mut dyn Args) -> Parse<DVec3> {
     Ok(by)
 }
 
-/// The last language version without a comma behind the last number of a `matrix`.
-const LAST_WITHOUT_COMMA: f64 = 3.7;
-
 /// `< 12 numbers >`: three rows of the linear part, then the translation, in POV-Ray's row-vector convention.
 fn matrix(args: &mut dyn Args) -> Parse<Transform> {
     let at = args.span();
@@ -79,7 +77,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         }
         *entry = args.float()?;
     }
-    if args.version() > LAST_WITHOUT_COMMA {
+    if has_syntax_of_3_8(args.version()) {
         args.comma()?;
     }
     if !args.accept_mark('>')? {

@@ -4,6 +4,7 @@ use super::Bitmap;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -80,10 +81,17 @@ impl Mapping {
                 (5.0, MapType::Toroidal),
                 (7.0, MapType::Angular),
             ];
-            let matching_entry = entries.into_iter().find(|entry| entry.0 == number);
+            let has_angular = has_syntax_of_3_8(args.version());
+            let matching_entry = entries
+                .into_iter()
+                .find(|entry| entry.0 == number && (has_angular || entry.1 != MapType::Angular));
             self.map_type = matching_entry.map_or(MapType::Planar, |entry| entry.1);
             let is_known = matching_entry.is_some() || purpose != Purpose::Colors;
-            (is_known, "0, 1, 2 or 5")
+            let valid_numbers = match has_angular {
+                true => "0, 1, 2, 5 or 7",
+                false => "0, 1, 2 or 5",
+            };
+            (is_known, valid_numbers)
         } else {
             let entries = [
                 (0.0, Interpolation::None),

@@ -10,7 +10,7 @@ use super::data_file::DataFile;
 use super::open_file::{OpenFile, Output};
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::dialect::is_3_8;
+use crate::base::version::is_3_8;
 use crate::lang::expr::strings::general;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;

@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::lang::dialect::is_3_8;
+use crate::base::version::is_3_8;
 use crate::lang::expr::FIRST_WITH_OPERATORS;
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;

@@ -3,9 +3,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::powers::exact_power;
-
-/// The last language version in which a `fade_distance` of 0 switches attenuation off.
-const LAST_WITHOUT_INVERSE: f64 = 3.799;
+use crate::base::version::is_3_8;
 
 /// Attenuation with distance; the default has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,7 +29,7 @@ impl Fade {
         };
         args.accept(word)?;
         *slot = args.float()?;
-        self.is_inverse_at_0 = args.version() > LAST_WITHOUT_INVERSE;
+        self.is_inverse_at_0 = is_3_8(args.version());
         Ok(true)
     }
 

@@ -7,14 +7,13 @@ use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::bitmap::read_gamma;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use crate::base::word::Class;
 use std::sync::Arc;
 
 /// Largest number of entries of a map, as in POV-Ray 3.7.
 pub const MAX_ENTRIES: usize = 256;
-/// The last language version with that limit.
-const LAST_LIMITED: f64 = 3.7;
-/// Largest number of entries after it, a bound on memory.
+/// Largest number of entries with the syntax of 3.8, a bound on memory.
 const MOST_ENTRIES: usize = 1_000_000;
 
 /// Maps of at most this many entries are searched linearly.
@@ -223,7 +222,7 @@ impl<T> Map<T> {
             args.close()?;
             return Ok(Map::clone(&known));
         }
-        let most = match args.version() > LAST_LIMITED {
+        let most = match has_syntax_of_3_8(args.version()) {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };

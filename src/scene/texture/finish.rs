@@ -5,9 +5,7 @@ use super::{Irid, Reflection, Subsurface};
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::Rgb;
 use crate::base::source::Diagnostic;
-
-/// The last language version without `fresnel` and `use_alpha` in `finish`.
-const LAST_WITHOUT_FRESNEL: f64 = 3.7;
+use crate::base::version::has_syntax_of_3_8;
 
 /// The reflection properties of a surface, in single precision as in POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -320,7 +318,7 @@ impl Finish {
 
 /// An error for a word that `finish` takes since version 3.8 only.
 fn since_3_8(word: Word, args: &mut dyn Args) -> Parse<()> {
-    if args.version() > LAST_WITHOUT_FRESNEL {
+    if has_syntax_of_3_8(args.version()) {
         return Ok(());
     }
     let message = format!("`{word}` in `finish` needs version 3.8");

@@ -6,11 +6,9 @@ use crate::base::bitmap;
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
 use crate::base::source::Diagnostic;
+use crate::base::version::is_3_8;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
-
-/// The last language version whose default pigment is black, not white.
-const LAST_BLACK: f64 = 3.799;
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -312,7 +310,7 @@ impl Pigment {
         let plain = self.plain_color();
         let is_unmapped = is_map
             && (plain == Some(Color::opaque(Rgb::BLACK))
-                || plain == Some(Color::opaque(Rgb::WHITE)) && args.version() > LAST_BLACK);
+                || plain == Some(Color::opaque(Rgb::WHITE)) && is_3_8(args.version()));
         let is_idle = is_unmapped || (word, family) == (Word::UvMapping, PigmentSyntax::Density);
         if is_idle {
             skip_idle(word, args, family)?;

@@ -16,13 +16,11 @@ use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::watertight::RayFrame;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, Triangle, read};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-
-/// The last language version without a comma behind the last point.
-const LAST_WITHOUT_COMMA: f64 = 3.7;
 
 /// More steps would give more than two million triangles.
 const MAX_STEPS: u32 = 20;
@@ -131,7 +129,7 @@ impl BicubicPatch {
             let what = format!("point {} of 16 of the bicubic patch", number + 1);
             net.points[number / 4][number % 4] = read::vector(args, &what)?;
         }
-        if args.version() > LAST_WITHOUT_COMMA {
+        if has_syntax_of_3_8(args.version()) {
             args.comma()?;
         }
         Ok(BicubicPatch {
