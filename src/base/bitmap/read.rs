@@ -154,7 +154,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         match word {
             Word::Gamma => {
                 args.accept(word)?;
-                handling.gamma = Some(read_gamma(args)?);
+                handling.gamma = Some(read_gamma(Word::Gamma, args)?);
                 // An explicit gamma applies even without gamma handling; the values then become linear.
                 let working = handling.working.unwrap_or(Gamma::LINEAR);
                 handling.working = Some(working);
@@ -269,17 +269,17 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
     }
 }
 
-/// Reads the value after `gamma`: a positive number or `srgb`, from version 3.8 on also `bt709` and `bt2020`.
+/// Reads the value after `word`, which is `gamma` or `blend_gamma`: a positive number or `srgb`, from version 3.8 on also `bt709` and `bt2020`.
 ///
 /// # Errors
 /// Anything else.
-pub fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
-    for (word, gamma) in [
+pub fn read_gamma(word: Word, args: &mut dyn Args) -> Parse<Gamma> {
+    for (name, gamma) in [
         (Word::Srgb, Gamma::Srgb),
         (Word::Bt709, Gamma::Bt709),
         (Word::Bt2020, Gamma::Bt2020),
     ] {
-        if args.accept(word)? {
+        if args.accept(name)? {
             return Ok(gamma);
         }
     }
@@ -289,7 +289,7 @@ pub fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
         return Ok(Gamma::power(gamma));
     }
     let span = start.to(args.last_span());
-    let message = format!("`gamma` is a positive number or `srgb`, found {gamma}");
+    let message = format!("`{word}` is a positive number or `srgb`, found {gamma}");
     Err(Box::new(Diagnostic::error(span, message)))
 }
 

@@ -27,13 +27,13 @@ pub struct Map<T> {
     blend: Blend,
 }
 
-/// The blending of the colours of neighbouring entries; `filter` and `transmit` are blended linearly.
+/// The blending of the colours of neighbouring entries.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Blend {
     /// Linearly in the working space.
     #[default]
     Working,
-    /// Otherwise, in a space to which the working space is decoded first.
+    /// Otherwise, in a space to which the working space is decoded first; `filter` and `transmit` in linear light.
     Decoded {
         /// The working space.
         working: Gamma,
@@ -66,7 +66,7 @@ impl Blend {
                     return Err(Box::new(error.with_hint("The modes are 0 to 3.")));
                 }
             } else if args.accept(Word::BlendGamma)? {
-                gamma = read_gamma(args)?;
+                gamma = read_gamma(Word::BlendGamma, args)?;
             } else {
                 break;
             }
@@ -81,6 +81,20 @@ impl Blend {
         Ok(Blend::Decoded { working, space })
     }
 
+    /// Refuses `blend_mode` and `blend_gamma` in the map `what`, whose entries are no colours.
+    fn refuse(what: &str, args: &mut dyn Args) -> Parse<Blend> {
+        let at = args.span();
+        for word in [Word::BlendMode, Word::BlendGamma] {
+            if args.accept(word)? {
+                let error = Diagnostic::error(at, format!("`{word}` is not allowed in `{what}`"));
+                return Err(Box::new(error.with_hint(
+                    "It is for `color_map` and `pigment_map`; others are blended linearly.",
+                )));
+            }
+        }
+        Ok(Blend::Working)
+    }
+
     /// The colour between two; `share` is the weight of the second.
     #[must_use]
     #[inline]
@@ -88,10 +102,14 @@ impl Blend {
         match self {
             Blend::Working => from.blended(to, share),
             Blend::Decoded { working, space } => {
-                let rgb = space.blended(working, from.rgb, to.rgb, share);
+                let in_light = |from: f32, to: f32| {
+                    let [from, to] = [from, to].map(|c| working.decode(c));
+                    working.encode(mixed(from, to, share))
+                };
                 Color {
-                    rgb,
-                    ..from.blended(to, share)
+                    rgb: space.blended(working, from.rgb, to.rgb, share),
+                    filter: in_light(from.filter, to.filter),
+                    transmit: in_light(from.transmit, to.transmit),
                 }
             }
         }
@@ -99,30 +117,36 @@ impl Blend {
 }
 
 impl BlendSpace {
+    /// The blend of two colours of the working space. `blend_mode 3` takes greys there, before decoding and after
+    /// encoding (measured with POV-Ray 3.8).
     fn blended(self, working: Gamma, from: Rgb, to: Rgb, share: f64) -> Rgb {
-        let [from, to] = [from, to].map(|rgb| rgb.map(|c| working.decode(c)));
-        let linear = from + (to - from) * share;
-        let light = match self {
-            BlendSpace::Light => linear,
-            BlendSpace::Encoded(gamma) => {
-                let [from, to] = [from, to].map(|rgb| rgb.map(|c| gamma.encode(c)));
-                (from + (to - from) * share).map(|c| gamma.decode(c))
-            }
+        let blend_in = |space: Gamma| {
+            let [from, to] = [from, to].map(|rgb| rgb.map(|c| space.encode(working.decode(c))));
+            (from + (to - from) * share).map(|c| working.encode(space.decode(c)))
+        };
+        match self {
+            BlendSpace::Light => blend_in(Gamma::LINEAR),
+            BlendSpace::Encoded(gamma) => blend_in(gamma),
             BlendSpace::GreyEncoded(gamma) => {
-                let [from, to] = [from, to].map(|rgb| f64::from(gamma.encode(rgb.grey())));
-                #[allow(
-                    clippy::cast_possible_truncation,
-                    reason = "colours are single precision"
-                )]
-                let grey = gamma.decode((from + (to - from) * share) as f32);
+                let linear = blend_in(Gamma::LINEAR);
+                let [from, to] = [from, to].map(|rgb| gamma.encode(working.decode(rgb.grey())));
+                let grey = working.encode(gamma.decode(mixed(from, to, share)));
                 match linear.grey() {
                     0.0 => linear,
                     plain => linear * f64::from(grey / plain),
                 }
             }
-        };
-        light.map(|c| working.encode(c))
+        }
     }
+}
+
+/// The value between two; `share` is the weight of the second.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision"
+)]
+fn mixed(from: f32, to: f32, share: f64) -> f32 {
+    (f64::from(from) + f64::from(to - from) * share) as f32
 }
 
 /// `blend_gamma` of maps that set none.
@@ -162,6 +186,19 @@ impl Keys {
         )]
         let weight = args.float_or(1.0)? as f32;
         Ok(weight)
+    }
+
+    /// Reads a number, a comma and what `entry` reads, and appends them.
+    fn read_entry<T>(
+        self,
+        args: &mut dyn Args,
+        entries: &mut Vec<(f32, T)>,
+        entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
+    ) -> Parse<()> {
+        let at = self.read(args)?;
+        args.comma()?;
+        entries.push((at, entry(args)?));
+        Ok(())
     }
 }
 
@@ -205,15 +242,36 @@ impl<T> Map<T> {
     where
         T: Send + Sync + 'static,
     {
-        Map::read_entries(what, args, &mut |args, entries| {
-            let at = keys.read(args)?;
-            args.comma()?;
-            entries.push((at, entry(args)?));
-            Ok(())
+        let blend = |args: &mut dyn Args| Blend::refuse(what, args);
+        Map::read_entries(what, args, &blend, &mut |args, entries| {
+            keys.read_entry(args, entries, entry)
         })
     }
 
-    fn read_entries(what: &str, args: &mut dyn Args, entry: &mut ReadEntry<'_, T>) -> Parse<Map<T>>
+    /// The same for a map that may have `blend_mode` and `blend_gamma` before its entries.
+    ///
+    /// # Errors
+    /// A malformed entry, none, or too many.
+    pub fn read_blended(
+        what: &str,
+        keys: Keys,
+        args: &mut dyn Args,
+        entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
+    ) -> Parse<Map<T>>
+    where
+        T: Send + Sync + 'static,
+    {
+        Map::read_entries(what, args, &Blend::read, &mut |args, entries| {
+            keys.read_entry(args, entries, entry)
+        })
+    }
+
+    fn read_entries(
+        what: &str,
+        args: &mut dyn Args,
+        blend: &dyn Fn(&mut dyn Args) -> Parse<Blend>,
+        entry: &mut ReadEntry<'_, T>,
+    ) -> Parse<Map<T>>
     where
         T: Send + Sync + 'static,
     {
@@ -226,7 +284,7 @@ impl<T> Map<T> {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };
-        let blend = Blend::read(args)?;
+        let blend = blend(args)?;
         let mut entries = Vec::new();
         while args.accept_mark('[')? {
             entry(args, &mut entries)?;
@@ -324,7 +382,7 @@ impl Map<Color> {
     /// # Errors
     /// A malformed entry, none, or too many.
     pub fn read_colors(args: &mut dyn Args) -> Parse<Map<Color>> {
-        Map::read_entries("color_map", args, &mut |args, entries| {
+        Map::read_entries("color_map", args, &Blend::read, &mut |args, entries| {
             let from = args.single()?;
             args.comma()?;
             if let Some(color) = args.color_if_any()? {

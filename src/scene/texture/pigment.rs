@@ -261,7 +261,7 @@ impl Pigment {
     /// # Errors
     /// A malformed entry, no entry, or too many.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
-        Map::read("pigment_map", keys, args, &mut Pigment::entry)
+        Map::read_blended("pigment_map", keys, args, &mut Pigment::entry)
     }
 
     /// Reads a colour, a pattern, a map or a modifier without a block; false if none is next.

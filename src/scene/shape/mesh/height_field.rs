@@ -190,7 +190,7 @@ fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
     let mut gamma = Gamma::LINEAR;
     loop {
         if args.accept(Word::Gamma)? {
-            gamma = bitmap::read_gamma(args)?;
+            gamma = bitmap::read_gamma(Word::Gamma, args)?;
         } else if args.accept(Word::Premultiplied)? {
             args.float()?;
         } else {
