@@ -72,8 +72,8 @@ pub enum Rounding {
     /// The nearer one in the file's encoding, as POV-Ray 3.7 does.
     #[default]
     Encoded,
-    /// The nearer one in light, as POV-Ray 3.8 does.
-    Light,
+    /// The nearer one in the working space, as POV-Ray 3.8 does: that in light where `assumed_gamma` is 1.
+    Working,
 }
 
 /// The time spent on compression without loss.

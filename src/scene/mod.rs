@@ -160,11 +160,11 @@ impl Scene {
         self.globals.pattern_settings(self.version)
     }
 
-    /// The rule by which pixels are rounded to the levels of a file.
+    /// The rule by which pixels are rounded to the levels of a file: in the working space from version 3.8 on.
     #[must_use]
     pub fn rounding(&self) -> Rounding {
         match is_3_8(self.version) {
-            true => Rounding::Light,
+            true => Rounding::Working,
             false => Rounding::Encoded,
         }
     }

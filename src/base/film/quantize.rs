@@ -293,20 +293,20 @@ impl Curve {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rounded {
     curve: Curve,
-    /// The two spaces, if values are rounded in light.
-    light: Option<(Gamma, Gamma)>,
+    /// The working space and that of the file, if values are rounded in the former.
+    spaces: Option<(Gamma, Gamma)>,
 }
 
 impl Rounded {
     fn of(options: &EncodeOptions) -> Rounded {
         let curve = Curve::of(options);
-        let light = match (options.rounding, options.working) {
-            (Rounding::Light, Some(working)) if options.file_gamma != Gamma::LINEAR => {
+        let spaces = match (options.rounding, options.working) {
+            (Rounding::Working, Some(working)) if options.file_gamma != working => {
                 Some((working, options.file_gamma))
             }
             _ => None,
         };
-        Rounded { curve, light }
+        Rounded { curve, spaces }
     }
 
     fn level_8(self, c: f32) -> u8 {
@@ -320,12 +320,13 @@ impl Rounded {
     /// The level of a value among those from 0 to `max`; its fraction does not count.
     fn level(self, c: f32, max: f32) -> f32 {
         let encoded = unit(self.curve.apply(c)) * max;
-        let Some((working, file)) = self.light else {
+        let Some((working, file)) = self.spaces else {
             return encoded + 0.5;
         };
         let below = f32::from(word(encoded)).min(max - 1.0);
-        let middle = 0.5 * (file.decode(below / max) + file.decode((below + 1.0) / max));
-        below + f32::from(u8::from(working.decode(unit(c)) >= middle))
+        let value_of = |level: f32| working.encode(file.decode(level / max));
+        let middle = 0.5 * (value_of(below) + value_of(below + 1.0));
+        below + f32::from(u8::from(unit(c) >= middle))
     }
 }
 
@@ -490,7 +491,7 @@ mod tests {
         let options = EncodeOptions::new(crate::output::Format::PNG);
         let encoded = Rounded::of(&options);
         let light = Rounded::of(&EncodeOptions {
-            rounding: Rounding::Light,
+            rounding: Rounding::Working,
             ..options
         });
         let middle = Gamma::Srgb.decode(107.5 / 255.0);
@@ -506,6 +507,21 @@ mod tests {
             ),
             (0, 255, 0)
         );
+    }
+
+    /// `rgb <0.2, 0.4, 0.7>` of POV-Ray 3.8 for each `assumed_gamma`.
+    #[test]
+    fn version_3_8_rounds_in_the_working_space() {
+        let levels = |working: Gamma| {
+            let rounded = Rounded::of(&EncodeOptions {
+                rounding: Rounding::Working,
+                working: Some(working),
+                ..EncodeOptions::new(crate::output::Format::PNG)
+            });
+            [0.2, 0.4, 0.7].map(|c| rounded.level_8(c))
+        };
+        assert_eq!(levels(Gamma::power(2.2)), [48, 102, 180]);
+        assert_eq!(levels(Gamma::Srgb), [51, 102, 179]);
     }
 
     #[test]
@@ -527,7 +543,7 @@ mod tests {
         let (rgb, alpha) = straight(pixel);
         let same = Rounded {
             curve: Curve::Same,
-            light: None,
+            spaces: None,
         };
         let levels = [rgb.r, rgb.g, rgb.b].map(|c| same.level_16(c));
         assert_eq!(levels, [65535, 62668, 47001]);
