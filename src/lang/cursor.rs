@@ -166,6 +166,7 @@ impl Reader<'_> {
         }
         self.last.at = self.here.at;
         self.here.at += 1;
+        self.taken += 1;
     }
 
     /// The next token as it stands in the file: no directive is run, no macro called.

@@ -446,6 +446,9 @@ impl Reader<'_> {
 
     /// The array of the next identifier, or an item of it if indices follow.
     pub(super) fn array_or_item(&mut self) -> Parse<Value> {
+        if let Some(value) = self.take_item_ahead() {
+            return Ok(value);
+        }
         let symbol = Symbol(self.raw().value);
         let mut value = self
             .scopes

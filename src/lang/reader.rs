@@ -5,6 +5,7 @@ use super::budget::Budget;
 use super::dialect::Dialect;
 use super::directive::open_file::Files;
 use super::draft::SceneDraft;
+use super::expr::array::ItemAhead;
 use super::expr::streams::Streams;
 use super::expr::value::{Number, Value};
 use super::fast_path::literal::Memory;
@@ -40,6 +41,10 @@ pub(super) struct Reader<'a> {
     pub(super) here: Position,
     /// The position of the last token taken.
     pub(super) last: Position,
+    /// Number of tokens taken.
+    pub(super) taken: u64,
+    /// An item of an array that was read ahead.
+    pub(super) item_ahead: Option<ItemAhead>,
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
@@ -137,6 +142,8 @@ impl<'a> Reader<'a> {
             blocks: Vec::new(),
             statement: StatementState::new(Start::of(&tokens, 0)),
             here: Position { tokens, at: 0 },
+            taken: 0,
+            item_ahead: None,
             piece: MIN_PIECE,
             replays: ReplayCache::default(),
             recording: None,

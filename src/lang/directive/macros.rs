@@ -255,19 +255,11 @@ impl Reader<'_> {
             _ => return Ok(None),
         }
         self.discard_recording();
-        let before = self.here.clone();
-        self.pass();
-        let path = self.item_path(symbol)?;
-        let is_whole = matches!(self.peek()?, token if token.is_mark(',') || token.is_mark(')'));
-        let has_value = self
-            .scopes
-            .get(symbol)
-            .is_some_and(|array| array.item(&path).is_some());
-        if is_whole && has_value {
-            return Ok(self.scopes.target_of_item(symbol, &path));
-        }
-        self.here = before;
-        Ok(None)
+        let path = self.item_if(symbol, |reader, has_value| {
+            let behind = reader.peek()?;
+            Ok(has_value && (behind.is_mark(',') || behind.is_mark(')')))
+        })?;
+        Ok(path.and_then(|path| self.scopes.target_of_item(symbol, &path)))
     }
 
     /// An identifier as it is written, whatever it holds; a macro of that name is not called.

@@ -98,7 +98,7 @@ impl Reader<'_> {
     pub(crate) fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         let name = token.symbol().and_then(|name| self.scopes.get(name));
-        if !matches!(name, Some(Value::Array(_))) {
+        if !matches!(name, Some(array @ Value::Array(_)) if !array.is_mixed()) {
             return self.object_of_name();
         }
         let (before, streams) = (self.here.clone(), self.streams.clone());

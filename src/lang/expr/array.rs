@@ -1,10 +1,11 @@
 //! Arrays: their values, items and indices.
 
 use super::builtins::whole_index;
+use super::streams::Streams;
 use super::value::{Array, Extent, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::source::Diagnostic;
-use crate::lang::frame::Declaring;
+use crate::lang::frame::{Declaring, Position};
 use crate::lang::limits;
 use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
@@ -132,11 +133,108 @@ impl Reader<'_> {
         if !self.scopes.get(symbol).is_some_and(Value::is_mixed) {
             return Ok(None);
         }
+        if let Some(ahead) = self.item_ahead.as_ref().filter(|ahead| ahead.is_at(self)) {
+            return Ok(Some(ahead.value.clone()));
+        }
         self.discard_recording();
-        let before = (self.here.clone(), self.last.clone(), self.streams.clone());
+        let start = self.reading();
         let item = self.array_or_item();
-        (self.here, self.last, self.streams) = before;
-        item.map(Some)
+        let end = self.go_back(&start);
+        let value = item?;
+        self.keep_ahead(value.clone(), None, start, end);
+        Ok(Some(value))
+    }
+
+    /// The state of reading, to go back to.
+    fn reading(&self) -> ReadState {
+        ReadState {
+            here: self.here.clone(),
+            last: self.last.clone(),
+            streams: self.streams.clone(),
+        }
+    }
+
+    /// Goes back to a state of reading; returns the one that it replaces.
+    fn go_back(&mut self, to: &ReadState) -> ReadState {
+        let ReadState {
+            here,
+            last,
+            streams,
+        } = to.clone();
+        ReadState {
+            here: std::mem::replace(&mut self.here, here),
+            last: std::mem::replace(&mut self.last, last),
+            streams: std::mem::replace(&mut self.streams, streams),
+        }
+    }
+
+    /// Keeps an item that was read from `start` to `end`: macros in its indices must not run again when it is taken.
+    fn keep_ahead(
+        &mut self,
+        value: Value,
+        path: Option<Vec<usize>>,
+        start: ReadState,
+        end: ReadState,
+    ) {
+        self.item_ahead = Some(ItemAhead {
+            start: start.here,
+            taken: self.taken,
+            value,
+            path,
+            end,
+        });
+    }
+
+    /// The path of the item of an array that begins with the next token, a name, and the item, if it has a value.
+    /// `is_taken` decides if they are taken, once the tokens behind them are next; else nothing is.
+    pub(crate) fn item_if(
+        &mut self,
+        symbol: Symbol,
+        is_taken: impl FnOnce(&mut Self, bool) -> Parse<bool>,
+    ) -> Parse<Option<Vec<usize>>> {
+        let is_mixed = self.scopes.get(symbol).is_some_and(Value::is_mixed);
+        let here = self.here.clone();
+        let start = is_mixed.then(|| self.reading());
+        let path = match self.take_path_ahead() {
+            Some(path) => path,
+            None => {
+                self.pass();
+                self.item_path(symbol)?
+            }
+        };
+        let item = self.scopes.get(symbol).and_then(|array| array.item(&path));
+        let has_value = item.is_some();
+        let item = item.filter(|_| is_mixed).cloned();
+        if is_taken(self, has_value)? {
+            return Ok(Some(path));
+        }
+        let Some(start) = start else {
+            self.here = here;
+            return Ok(None);
+        };
+        let end = self.go_back(&start);
+        if let Some(value) = item {
+            self.keep_ahead(value, Some(path), start, end);
+        }
+        Ok(None)
+    }
+
+    /// Takes the item that was read ahead, if it begins with the next token.
+    pub(crate) fn take_item_ahead(&mut self) -> Option<Value> {
+        if !self.item_ahead.as_ref()?.is_at(self) {
+            return None;
+        }
+        let ItemAhead { value, end, .. } = self.item_ahead.take()?;
+        self.discard_recording();
+        self.go_back(&end);
+        self.taken += 1;
+        Some(value)
+    }
+
+    /// The same for its path, where that is known.
+    fn take_path_ahead(&mut self) -> Option<Vec<usize>> {
+        let path = self.item_ahead.as_ref()?.path.clone()?;
+        self.take_item_ahead().map(|_| path)
     }
 
     /// Assigns a value to an item of a named array.
@@ -351,18 +449,40 @@ impl Reader<'_> {
         {
             return Ok(false);
         }
-        let before = (self.here.clone(), self.last.clone());
-        self.pass();
-        let path = self.item_path(name)?;
-        let has_value = self
-            .scopes
-            .get(name)
-            .is_some_and(|held| held.item(&path).is_some());
-        let is_nothing = !has_value && is_end(self.raw());
-        if !is_nothing {
-            (self.here, self.last) = before;
-        }
-        Ok(is_nothing)
+        let is_nothing =
+            |reader: &mut Self, has_value: bool| Ok(!has_value && is_end(reader.raw()));
+        Ok(self.item_if(name, is_nothing)?.is_some())
+    }
+}
+
+/// A state of reading.
+#[derive(Clone, Debug)]
+struct ReadState {
+    here: Position,
+    last: Position,
+    streams: Streams,
+}
+
+/// An item of an array that was read although another reader may take it.
+#[derive(Debug)]
+pub(crate) struct ItemAhead {
+    /// Where it begins.
+    start: Position,
+    /// Number of tokens taken until it was read: any further token makes it obsolete.
+    taken: u64,
+    value: Value,
+    /// The path of indices to it, if it was read by that.
+    path: Option<Vec<usize>>,
+    /// The state behind it.
+    end: ReadState,
+}
+
+impl ItemAhead {
+    /// True if the item begins with the next token.
+    fn is_at(&self, reader: &Reader<'_>) -> bool {
+        self.taken == reader.taken
+            && self.start.at == reader.here.at
+            && Rc::ptr_eq(&self.start.tokens, &reader.here.tokens)
     }
 }
 
