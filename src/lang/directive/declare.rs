@@ -70,7 +70,7 @@ impl Reader<'_> {
             )));
         }
         let deprecation = self.deprecation()?;
-        let symbol = self.identifier("a name to declare")?;
+        let symbol = self.declared_name(is_local)?;
         let name = self.start_taken();
         self.set_deprecation(symbol, deprecation);
         if self.begins_item(symbol) {
@@ -151,6 +151,18 @@ impl Reader<'_> {
         }
     }
 
+    /// The name behind `#declare` or `#local`, which itself says where it is declared.
+    fn declared_name(&mut self, is_local: bool) -> Parse<Symbol> {
+        let symbol = self.identifier("a name to declare")?;
+        if !is_local || !self.scopes.is_qualified(symbol) || self.begins_item(symbol) {
+            return Ok(symbol);
+        }
+        let name = self.names.spelling(symbol);
+        let message = format!("`#local` cannot declare `{name}`");
+        let hint = format!("Write `#declare {name}`, or `#local` and the name alone.");
+        Err(Box::new(self.error_taken(message).with_hint(hint)))
+    }
+
     /// `#declare (A, B[0], optional C) = (value, value, );` of version 3.8. Each name gets its value before the next one
     /// is read.
     fn declare_tuple(&mut self, is_local: bool) -> Parse<()> {
@@ -159,7 +171,7 @@ impl Reader<'_> {
         loop {
             let is_optional = self.take_raw_word(Word::Optional);
             let deprecation = self.deprecation()?;
-            let symbol = self.identifier("a name to declare")?;
+            let symbol = self.declared_name(is_local)?;
             let start = self.start_taken();
             self.set_deprecation(symbol, deprecation);
             let item = match self.begins_item(symbol) {
