@@ -50,7 +50,7 @@ impl Renderer {
     /// Debian installs.
     ///
     /// # Errors
-    /// When it does not run.
+    /// When it does not run, or is POV-Ray 3.8 without its include files.
     pub fn povray(program: impl Into<OsString>) -> io::Result<Renderer> {
         let mut povray = Renderer::new(program)?;
         povray.switches = vec!["+WT1".to_owned()];
@@ -60,7 +60,7 @@ impl Renderer {
     /// A renderer by the name of its program.
     ///
     /// # Errors
-    /// When it does not run.
+    /// When it does not run, or is POV-Ray 3.8 without its include files.
     pub fn new(program: impl Into<OsString>) -> io::Result<Renderer> {
         const PATIENCE: Duration = Duration::from_secs(60);
         let program = program.into();
@@ -69,7 +69,7 @@ impl Renderer {
             return Err(io::Error::other("it does not tell its version"));
         }
         Ok(Renderer {
-            includes: standard_includes(Path::new(&program), &ended.stderr),
+            includes: standard_includes(Path::new(&program), &ended.stderr)?,
             program,
             version: ended.stderr,
             switches: Vec::new(),
@@ -97,15 +97,25 @@ impl Renderer {
 }
 
 /// The folder of the standard include files for a program that says this of its version.
-fn standard_includes(program: &Path, version: &str) -> PathBuf {
+///
+/// # Errors
+/// When POV-Ray 3.8 lacks them: those of 3.7 draw other pictures.
+fn standard_includes(program: &Path, version: &str) -> io::Result<PathBuf> {
     if !version.contains("POV-Ray 3.8") {
-        return STANDARD_INCLUDES.into();
+        return Ok(STANDARD_INCLUDES.into());
     }
+    let program = which::which(program).map_err(io::Error::other)?;
+    // A link may stand for it in another folder.
+    let program = fs::canonicalize(program)?;
     let folder = program.parent().unwrap_or(Path::new(""));
     let mut folders = STANDARD_INCLUDES_38.iter().map(|name| folder.join(name));
-    folders
-        .find(|folder| folder.is_dir())
-        .unwrap_or_else(|| STANDARD_INCLUDES.into())
+    folders.find(|folder| folder.is_dir()).ok_or_else(|| {
+        let looked = STANDARD_INCLUDES_38.join("`, `");
+        let folder = folder.display();
+        io::Error::other(format!(
+            "its include files are in none of `{looked}` as seen from {folder}; `tools/povray38` unpacks both"
+        ))
+    })
 }
 
 /// Switches with the include folders for both renderers: beside the scene, and the standard library.
@@ -124,4 +134,27 @@ pub fn tail(stderr: &str) -> String {
         .filter(|line| !line.trim().is_empty())
         .collect();
     lines[lines.len().saturating_sub(12)..].join("\n")
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    #[test]
+    fn a_link_to_povray_3_8_has_the_include_files_of_its_target() -> io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let root = fs::canonicalize(folder.path())?;
+        let includes = root.join("unpacked/root/usr/share/povray-3.8/include");
+        fs::create_dir_all(&includes)?;
+        let program = root.join("unpacked/povray");
+        fs::write(&program, "")?;
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755))?;
+        let link = root.join("povray38");
+        symlink(&program, &link)?;
+        assert_eq!(standard_includes(&link, "POV-Ray 3.8.0")?, includes);
+        let of_37 = standard_includes(&link, "POV-Ray 3.7.0.10")?;
+        assert_eq!(of_37, Path::new(STANDARD_INCLUDES));
+        Ok(())
+    }
 }
