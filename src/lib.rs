@@ -1,4 +1,5 @@
-//! povr reads POV-Ray scene files and draws the picture POV-Ray 3.7 draws.
+//! povr reads POV-Ray scene files and draws the picture that POV-Ray draws: 3.8 for scenes with `#version 3.8`, 3.7 for
+//! all others.
 //!
 //! ```text
 //!  text ──lang──▶ Scene ──world──▶ World ──render──▶ Film ──output──▶ files
