@@ -24,9 +24,10 @@ const MMAP_THRESHOLD: i32 = 1 << 18;
 /// True in a program of povr's own, whose allocator serves nobody else.
 static OWNS_HEAP: AtomicBool = AtomicBool::new(false);
 
-/// Fixes glibc's mmap threshold, so that large blocks stay out of the heap, and lets renders return free memory to the
-/// system. Programs call this at start; in the process of somebody else the allocator stays as it is.
-pub fn set_mmap_threshold() {
+/// Makes the heap of this process povr's own: renders return its free memory to the system from now on, and glibc's
+/// mmap threshold is fixed, so that large blocks stay out of it. Programs call this at start; in the process of
+/// somebody else the allocator stays as it is.
+pub fn claim_heap() {
     OWNS_HEAP.store(true, Ordering::Relaxed);
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     // SAFETY: takes plain integers; an invalid value is rejected without effect.
@@ -48,7 +49,7 @@ pub(crate) fn prefetch<T>(what: &T) {
     let _ = what;
 }
 
-/// Returns the free memory of the heap to the system, if the heap is povr's own ([`set_mmap_threshold`]).
+/// Returns the free memory of the heap to the system, if the heap is povr's own ([`claim_heap`]).
 pub(crate) fn trim_heap() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     if OWNS_HEAP.load(Ordering::Relaxed) {

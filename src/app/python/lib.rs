@@ -50,7 +50,7 @@ fn value_error(error: &impl fmt::Display) -> PyErr {
 /// `code` that of this module.
 #[pyfunction]
 fn run(py: Python<'_>, arguments: Vec<String>, start: PathBuf, code: PathBuf) -> u8 {
-    povr::base::memory::set_mmap_threshold();
+    povr::base::memory::claim_heap();
     program::set(Program { start, code });
     let code = py.detach(|| {
         let code = cli::run(arguments);
