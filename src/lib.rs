@@ -105,7 +105,9 @@ pub struct RenderSession {
 }
 
 /// Adds objects to a scene that has been read.
-struct MoreObjects(Box<dyn Fn(&mut scene::Objects) + Send + Sync>);
+struct MoreObjects(Box<AddObjects>);
+
+type AddObjects = dyn Fn(&mut scene::Objects) -> Result<(), String> + Send + Sync;
 
 impl std::fmt::Debug for MoreObjects {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -136,9 +138,12 @@ impl RenderSession {
     }
 
     /// The session with objects that no text describes: `add` appends them to those of the scene each time that it has
-    /// been read.
+    /// been read. Its error is the reason for which the scene cannot be drawn.
     #[must_use]
-    pub fn with_objects(self, add: impl Fn(&mut scene::Objects) + Send + Sync + 'static) -> Self {
+    pub fn with_objects(
+        self,
+        add: impl Fn(&mut scene::Objects) -> Result<(), String> + Send + Sync + 'static,
+    ) -> Self {
         RenderSession {
             more: Some(MoreObjects(Box::new(add))),
             ..self
@@ -202,7 +207,7 @@ fn draw_with(
         let cache = session.cache.as_ref();
         let (mut scene, print) = read_scene(input, read, render, listen, cache)?;
         if let Some(MoreObjects(add)) = &session.more {
-            add(&mut scene.objects);
+            add(&mut scene.objects).map_err(|reason| failure(reason, listen))?;
         }
         watch.lap("read");
         let prepared = prepared(scene, render);

@@ -10,8 +10,8 @@ use std::sync::OnceLock;
 /// The files of a program that is not the executable of its process.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// The file that starts it.
-    pub start: PathBuf,
+    /// The file that starts it; `None` if it is not installed.
+    pub start: Option<PathBuf>,
     /// The file with its code.
     pub code: PathBuf,
 }
@@ -24,8 +24,16 @@ pub fn set(program: Program) {
 }
 
 /// The file that starts this program: commands start it again, or link to it.
+///
+/// # Errors
+/// There is none, or the system does not name it.
 pub(crate) fn start() -> io::Result<PathBuf> {
-    file(|program| &program.start)
+    let Some(program) = PROGRAM.get() else {
+        return std::env::current_exe();
+    };
+    let missing = "the program `povr` is not among the scripts of this Python: install the module with `pip install`";
+    let start = program.start.clone();
+    start.ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, missing))
 }
 
 /// The executable of a process on Linux, even where its file was replaced since.
@@ -43,12 +51,8 @@ pub(crate) fn again() -> io::Result<PathBuf> {
 
 /// The file with the code of this program, which distinguishes builds.
 pub(crate) fn code() -> io::Result<PathBuf> {
-    file(|program| &program.code)
-}
-
-fn file(of: impl Fn(&Program) -> &PathBuf) -> io::Result<PathBuf> {
     match PROGRAM.get() {
-        Some(program) => Ok(of(program).clone()),
+        Some(program) => Ok(program.code.clone()),
         None => std::env::current_exe(),
     }
 }

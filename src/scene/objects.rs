@@ -116,6 +116,16 @@ impl Objects {
         self.append(entries);
     }
 
+    /// Removes the last object and returns it.
+    pub fn pop(&mut self) -> Option<Arc<Object>> {
+        let chunk = self.chunks.last_mut()?;
+        let last = chunk.pop();
+        if chunk.is_empty() {
+            self.chunks.pop();
+        }
+        last.map(Entry::into_object)
+    }
+
     /// Adds a sphere.
     #[inline]
     pub(crate) fn push_sphere(&mut self, sphere: Sphere, look: ColorOrTexture) {

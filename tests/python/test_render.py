@@ -117,14 +117,43 @@ def test_wrong_options_are_refused(options):
         povr.render(SCENE, **{**SIZE, **options})
 
 
+@pytest.mark.parametrize(
+    "options",
+    ["+FN16", "+FE", "+FNg", "+FJ", "+FH", "Bits_Per_Color=16", "Grayscale_Output=on", "Output_File_Type=T"],
+)
+def test_other_types_of_pictures_are_refused(options):
+    for draw in (povr.render, povr.png, lambda *a, **o: next(povr.render_frames(*a, 2, **o)), povr.check, povr.plan):
+        with pytest.raises(ValueError, match="`depth`"):
+            draw(SCENE, **SIZE, options=options)
+    assert povr.render(SCENE, **SIZE, options="+FN +UA").shape == (48, 64, 4)
+    assert povr.render(SCENE, **SIZE, depth=16, options="+FN16").dtype == numpy.uint16
+
+
+def test_only_scenes_are_drawn():
+    for scene in (5, None, [SCENE], numpy.zeros(3)):
+        with pytest.raises(TypeError, match="scene of type"):
+            povr.render(scene, **SIZE)
+
+
 def test_a_scene_writes_only_where_it_may(tmp_path):
     file = tmp_path / "written.txt"
     text = SCENE + f'#fopen F "{file}" write #write(F, "x") #fclose F'
     with pytest.raises(povr.SceneError):
         povr.render(text, **SIZE)
     assert not file.exists()
-    povr.render(text, **SIZE, allow_write=tmp_path)
-    assert file.read_text() == "x"
+    for given in ({"allow_write": tmp_path}, {"options": ["--allow-write", str(tmp_path)]}):
+        povr.render(text, **SIZE, **given)
+        assert file.read_text() == "x"
+        file.unlink()
+
+
+def test_frames_are_drawn_one_after_the_other_where_they_share_files_or_time(tmp_path):
+    def is_sequential(**options):
+        return povr.rendering._session(SCENE, povr.rendering.render_options(**options)).is_sequential
+
+    assert not is_sequential() and not is_sequential(error=2)
+    assert is_sequential(time=1) and is_sequential(options="--time=1s")
+    assert is_sequential(allow_write=tmp_path) and is_sequential(options=f"--allow-write={tmp_path}")
 
 
 def test_many_threads_draw_side_by_side():
@@ -202,6 +231,28 @@ def test_frames_are_those_of_the_program(tmp_path):
         break
 
 
+def test_the_token_of_the_caller_stays_as_it_is():
+    token = povr.CancelToken()
+    for _ in povr.render_frames(SLOW, 50, cancel=token, **SIZE):
+        break
+
+    def fail(part):
+        raise KeyError(part)
+
+    for draw in (povr.render, lambda *a, **o: list(povr.render_frames(*a, 3, **o))):
+        with pytest.raises(KeyError):
+            draw(SLOW, **SIZE, cancel=token, progress=fail)
+    assert not token.cancelled
+    assert povr.render(SCENE, **SIZE, cancel=token).any()
+    started = time.monotonic()
+    threading.Timer(0.2, token.cancel).start()
+    with pytest.raises(povr.Cancelled):
+        list(povr.render_frames(SLOW, 50, width=320, height=240, cancel=token))
+    assert time.monotonic() - started < 5
+    with pytest.raises(povr.Cancelled):
+        povr.render(SLOW, width=320, height=240, cancel=token)
+
+
 def test_the_plan_counts_what_rays_meet():
     plan = povr.plan(SCENE + "union { box { 0, 1 } box { 2, 3 } }")
     assert plan["lights"] == 1 and plan["primitives"] == {"box": 2, "sphere": 1}
@@ -218,6 +269,26 @@ def test_pictures_are_compared():
         povr.compare(picture, picture[:, 1:])
     with pytest.raises(OSError):
         povr.compare(picture, "none.png")
+    swapped = picture.astype(">u2")
+    assert povr.compare(swapped, picture.astype("u2")).same
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes")
+def test_other_threads_run_while_files_are_compared(tmp_path):
+    (tmp_path / "scene.png").write_bytes(povr.png(SCENE, **SIZE))
+    os.mkfifo(tmp_path / "pipe.png")
+    code = '''
+import povr, threading
+with open("scene.png", "rb") as file:
+    data = file.read()
+# Opening waits for the reader, and the reader for the writer.
+def write():
+    with open("pipe.png", "wb") as pipe:
+        pipe.write(data)
+threading.Timer(0.2, write).start()
+assert povr.compare("pipe.png", "scene.png").same
+'''
+    subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True, timeout=60)
 
 
 def test_a_curve_is_data(tmp_path):
@@ -240,18 +311,36 @@ def test_settings_of_the_user_do_not_count(tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
-def test_a_forked_child_is_refused_and_does_not_hang():
-    povr.render(SCENE, **SIZE)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)
-        child = os.fork()
+@pytest.mark.parametrize(
+    "work",
+    [
+        "povr.render(scene, width=9, height=9)",
+        "povr.curve('scene.pov', ['-A'], runs=1, truth=9, options='+W32 +H24')",
+        "povr.compare(numpy.zeros((90, 90, 3), 'u1'), numpy.zeros((90, 90, 3), 'u1'))",
+        "povr.check(scene)",
+    ],
+)
+def test_a_forked_child_is_refused_and_does_not_hang(tmp_path, work):
+    (tmp_path / "scene.pov").write_text(SCENE)
+    code = f'''
+import numpy, os, povr, signal
+with open("scene.pov") as file:
+    scene = file.read()
+def work():
+    {work}
+work()
+for again in (work, lambda: povr.render(scene, width=9, height=9)):
+    child = os.fork()
     if child == 0:
+        signal.alarm(20)
         try:
-            povr.render(SCENE, **SIZE)
+            again()
         except RuntimeError as error:
             os._exit(7 if "spawn" in str(error) else 8)
         os._exit(9)
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+'''
+    subprocess.run([sys.executable, "-W", "ignore", "-c", code], cwd=tmp_path, check=True, timeout=120)
 
 
 def test_the_command_line_is_povr(tmp_path):
@@ -276,3 +365,33 @@ def test_the_command_line_is_povr(tmp_path):
     time.sleep(0.7)
     started.send_signal(signal.SIGINT)
     assert started.wait(10) == 2
+
+
+def test_workers_run_the_program_of_the_module(tmp_path):
+    """Batches and `watch` draw in processes of the same build."""
+    povr_program = pathlib.Path(sys.executable).with_name("povr")
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.pov").write_text(SCENE)
+    for command in ([povr_program], [sys.executable, "-m", "povr"]):
+        out = tmp_path / f"out{len(command)}"
+        batch = [*command, "batch", ".", "-o", str(out), "--size", "32x24"]
+        done = subprocess.run(batch, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 0, done.stderr
+        assert sorted(file.name for file in out.rglob("*.png")) == ["a.png", "b.png"]
+        watch = [*command, "watch", "a.pov", "+W32", "+H24", "--times", "1"]
+        done = subprocess.run(watch, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 0 and (tmp_path / "a.png").exists(), done.stderr
+        (tmp_path / "a.png").unlink()
+
+
+def test_a_module_without_its_script_says_so(tmp_path):
+    linked = program("install-as-povray", "bin", cwd=tmp_path)
+    assert linked.returncode == 0, linked.stderr
+    assert (tmp_path / "bin/povray").resolve() == pathlib.Path(sys.executable).with_name("povr").resolve()
+    code = "import sysconfig; sysconfig.get_path = lambda *_: '/none'; from povr.__main__ import main; main()"
+    (tmp_path / "__main__.py").write_text(code)
+    alone = [sys.executable, "__main__.py"]
+    drawn = subprocess.run([*alone, "-", "+W9", "+H9", "+O-"], cwd=tmp_path, input=SCENE.encode(), capture_output=True)
+    assert drawn.returncode == 0 and drawn.stdout.startswith(b"\x89PNG")
+    linked = subprocess.run([*alone, "install-as-povray", "bin2"], cwd=tmp_path, capture_output=True, text=True)
+    assert linked.returncode != 0 and "pip install" in linked.stderr

@@ -1,8 +1,11 @@
 """Scenes of Python objects and of arrays."""
 
 import inspect
+import os
 import pathlib
 import re
+import signal
+import threading
 import time
 
 import numpy
@@ -44,6 +47,12 @@ def test_elements_are_text_of_the_language():
     assert str(povr.Prism("linear_sweep", 0, 1, 3, [(0, 0), (1, 0), (0, 1)])).split() == (
         "prism { linear_sweep 0 1 3 <0,0>, <1,0>, <0,1> }".split()
     )
+    texts = [povr.Pigment(one).__str__().split()[2] for one in (numpy.True_, numpy.float32(-0.5), numpy.array(7), False)]
+    assert texts == ["on", "(-0.5)", "7", "off"]
+    assert str(povr.Union(povr.Spheres([(0, 0, 0)], 1))).split()[:3] == ["union", "{", "sphere"]
+    for wrong in (None, object(), 1j):
+        with pytest.raises(TypeError, match="neither text"):
+            str(povr.Sphere((0, 0, 0), wrong))
     assert sphere.add_args(["inverse"]).args[-1] == "inverse" and sphere.args[-1] is True
 
 
@@ -66,6 +75,7 @@ POINTS = RANDOM.uniform(-1.5, 1.5, (60, 3))
 RADII = RANDOM.uniform(0.05, 0.3, 60)
 FEW_COLORS = RANDOM.uniform(0, 1, (4, 3))[RANDOM.integers(0, 4, 60)]
 FACES = RANDOM.integers(0, 60, (60, 3))
+TETRAHEDRON = [(-1, -1, -1), (1, -1, -1), (0, -1, 1), (0, 1, 0)], [(0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
 
 
 @pytest.mark.parametrize(
@@ -85,6 +95,14 @@ FACES = RANDOM.integers(0, 60, (60, 3))
             POINTS, FACES, povr.Pigment("Warm"), "translate", (0, 0.5, 0), normals=RANDOM.normal(size=(60, 3))
         ),
         povr.Triangles(POINTS, colors=FEW_COLORS[:20]),
+        povr.Triangles(
+            *TETRAHEDRON,
+            "inside_vector",
+            (0, 1, 0),
+            povr.Pigment("rgbt", (1, 0.8, 0.8, 0.8)),
+            povr.Interior("ior", 1.5, povr.Media("absorption", 1)),
+            "hollow",
+        ),
     ],
 )
 def test_arrays_draw_the_picture_of_their_text(rows):
@@ -105,6 +123,7 @@ def test_wrong_arrays_are_refused():
         lambda: povr.Spheres(POINTS, 1, colors=FEW_COLORS[:7]),
         lambda: povr.Triangles(POINTS, [[0, 1, 60]]),
         lambda: povr.Triangles(POINTS, [[0, 1, -1]]),
+        lambda: povr.Triangles(POINTS, [[0, 1, 2.7]]),
         lambda: povr.Triangles(POINTS, FACES, normals=POINTS[1:]),
         lambda: scene_of(povr.Cylinders(POINTS, POINTS, 1)).render(**SIZE),
     ):
@@ -112,7 +131,53 @@ def test_wrong_arrays_are_refused():
             make()
     with pytest.raises(povr.SceneError, match="Cold"):
         scene_of(povr.Spheres(POINTS, 1, povr.Pigment("Cold"))).render(**SIZE)
+    with pytest.raises(povr.SceneError, match="braces"):
+        scene_of(povr.Spheres(POINTS, 1, "} box { 0, 1")).render(**SIZE)
     assert (scene_of(povr.Spheres(numpy.empty((0, 3)), 1)).render(**SIZE) == scene_of().render(**SIZE)).all()
+
+
+def test_short_lists_are_refused():
+    """By the compiled module too."""
+    mesh = povr.Triangles(*TETRAHEDRON, normals=TETRAHEDRON[0], colors=(1, 0, 0))
+    for rows, key in (
+        (povr.Spheres(POINTS, 1, colors=(1, 0, 0)), "colors"),
+        (povr.Cylinders(POINTS[1:], POINTS[:-1], 1, colors=(1, 0, 0)), "colors"),
+        (mesh, "colors"),
+        (mesh, "normals"),
+    ):
+        short = rows.rows()
+        short[key] = short[key][: len(short[key]) // 2]
+        with pytest.raises(ValueError, match=f"{key} for"):
+            povr._povr.Session(["+FN8"], ("scene", b""), [short], 8, None, False)
+
+
+def test_attributes_are_read_with_the_scene(tmp_path):
+    """Once, where their errors are found, under the clock of each frame, and until Ctrl-C."""
+    arrays = [povr.Spheres(POINTS, 0.1, povr.Pigment("Now")) for _ in range(3)]
+    log = tmp_path / "log.inc"
+    log.write_text('#warning "read"\n')
+    with pytest.warns(povr.SceneWarning) as caught:
+        scene_of(*arrays, included=[str(log)], declares=["Now = rgb 1"]).render(**SIZE)
+    assert len([one for one in caught if "read" in str(one.message)]) == 1
+    wrong = scene_of(*arrays, declares=["Now = colr rgb 1"])
+    with pytest.raises(povr.SceneError, match="colr") as raised:
+        wrong.render(**SIZE)
+    assert (raised.value.file, raised.value.line) == ("scene", 2)
+    assert povr.check(wrong)[0] == raised.value.errors[0]
+    moving = scene_of(*arrays[:1], povr.Triangles(*TETRAHEDRON, povr.Finish("ambient", "clock"), colors=(1, 0, 0)))
+    moving.declares = ["Now = rgb <clock, 1, 0>"]
+    frames = zip(povr.render_frames(moving, 3, **SIZE), povr.render_frames(str(moving), 3, **SIZE))
+    assert all((one == other).all() for one, other in frames)
+    endless = scene_of(*arrays, declares=["Now = rgb 1;\n#local I = 0; #while (I < 1e9) #local I = I + 1; #end"])
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        started = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            endless.render(**SIZE)
+        assert time.monotonic() - started < 5
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_a_hundred_thousand_spheres_are_in_the_scene_at_once():

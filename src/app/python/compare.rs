@@ -1,6 +1,7 @@
 //! Comparison of two pictures.
 
 use super::value_error;
+use super::watch::same_process;
 use image::{DynamicImage, ImageBuffer, Pixel};
 use povr::app::compare::{Thresholds, pictures};
 use povr::app::picture_file;
@@ -67,11 +68,13 @@ pub(crate) fn compare<'py>(
     expected: Compared,
     actual: Compared,
 ) -> PyResult<Vec<(&'static str, f64)>> {
-    let (expected, actual) = (expected.open()?, actual.open()?);
+    same_process()?;
     let compared = py.detach(|| {
-        pictures(&expected, &actual, &Thresholds::default()).map(|(_, _, compared)| compared)
+        let (expected, actual) = (expected.open()?, actual.open()?);
+        let compared = pictures(&expected, &actual, &Thresholds::default());
+        compared.map_err(|mismatch| value_error(&mismatch))
     });
-    let compared = compared.map_err(|mismatch| value_error(&mismatch))?;
+    let (_, _, compared) = compared?;
     let comparison = &compared.comparison;
     #[allow(clippy::cast_precision_loss, reason = "exact below 2^53 pixels")]
     let count = |pixels: u64| pixels as f64;

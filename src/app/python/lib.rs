@@ -17,7 +17,7 @@ use std::fmt;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use watch::CancelToken;
+use watch::{CancelToken, Stop};
 
 pyo3::create_exception!(
     _povr,
@@ -47,9 +47,9 @@ fn value_error(error: &impl fmt::Display) -> PyErr {
 }
 
 /// Runs the command line as the program of this process and returns the exit code. `start` is the file that starts it,
-/// `code` that of this module.
+/// if it is installed; `code` is that of this module.
 #[pyfunction]
-fn run(py: Python<'_>, arguments: Vec<String>, start: PathBuf, code: PathBuf) -> u8 {
+fn run(py: Python<'_>, arguments: Vec<String>, start: Option<PathBuf>, code: PathBuf) -> u8 {
     povr::base::memory::claim_heap();
     program::set(Program { start, code });
     let code = py.detach(|| {
@@ -65,9 +65,14 @@ fn run(py: Python<'_>, arguments: Vec<String>, start: PathBuf, code: PathBuf) ->
 
 /// Measures as `povr curve` with these arguments. Returns the report as JSON.
 #[pyfunction]
-fn curve(py: Python<'_>, arguments: Vec<String>, token: &CancelToken) -> PyResult<String> {
-    let measured = watch::watched(py, token, &mut |_| Ok(()), || {
-        cli::curve_report(&arguments, &environment(), token.inner())
+fn curve(
+    py: Python<'_>,
+    arguments: Vec<String>,
+    token: Option<Py<CancelToken>>,
+) -> PyResult<String> {
+    let stop = Stop::new(token.as_ref().map(Py::get));
+    let measured = watch::watched(py, &stop, &mut |_| Ok(()), || {
+        cli::curve_report(&arguments, &environment(), stop.token())
     })?;
     let report = measured.map_err(|error| value_error(&error))?;
     serde_json::to_string(&report).map_err(|error| value_error(&error))

@@ -1,22 +1,22 @@
 //! Scenes with their options, and the pictures drawn of them.
 
-use super::arrays::Rows;
-use super::watch::{CancelToken, watched};
+use super::arrays::{Rows, adding};
+use super::watch::{CancelToken, Stop, same_process, watched};
 use super::{Cancelled, Refused, environment, value_error};
+use povr::RenderSession;
 use povr::app::cli::{Request, Settings, request};
 use povr::base::color::Gamma;
+use povr::base::file::Folders;
 use povr::base::film::{Film, levels_of};
-use povr::base::options::{Event, Failure, Input, Picture, ReadOptions, RenderOptions};
+use povr::base::options::{Event, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use povr::base::source::Message;
-use povr::output::{self, EncodeOptions};
-use povr::{RenderSession, scene};
-use pyo3::exceptions::PyRuntimeError;
+use povr::output::{self, EncodeOptions, Format};
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
 use serde_json::Value;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::{process, thread};
+use std::thread;
 
 /// The name of the scene for options, where it is a text.
 const STANDARD_INPUT: &str = "-";
@@ -28,7 +28,7 @@ pub(crate) struct Session {
     settings: Settings,
     encoding: EncodeOptions,
     session: RenderSession,
-    token: Py<CancelToken>,
+    stop: Stop,
 }
 
 /// A drawn picture.
@@ -98,15 +98,17 @@ fn refused(failure: &Failure) -> PyErr {
 
 #[pymethods]
 impl Session {
-    /// The scene is `text`, a name for messages and the bytes, or the file that `switches` name. `objects` are added to
-    /// it. The tokens of a series are cached from one drawing to the next.
+    /// The scene is `text`, a name for messages and the bytes, or the file that `switches` name. The last objects of the
+    /// text are the models of `objects`, which replace them. Pictures have `depth` bits per channel, and `token`
+    /// cancels all of them. The tokens of a series are cached from one drawing to the next.
     #[new]
     fn new(
         py: Python<'_>,
         switches: Vec<String>,
         text: Option<(String, Vec<u8>)>,
         objects: Vec<Rows>,
-        token: Py<CancelToken>,
+        depth: u8,
+        token: Option<Py<CancelToken>>,
         is_series: bool,
     ) -> PyResult<Self> {
         same_process()?;
@@ -125,38 +127,49 @@ impl Session {
                   `povr`",
             ));
         }
-        settings.read.stop = token.get().inner().clone();
-        settings.render.stop = token.get().inner().clone();
+        let stop = Stop::new(token.as_ref().map(Py::get));
+        settings.read.stop = stop.token().clone();
+        settings.render.stop = stop.token().clone();
         let Some((_, encoding)) = settings.output.take() else {
             return Err(value_error(&"options ask for no picture"));
         };
+        check_encoding(&encoding, depth)?;
         let input = match (text, &settings.scene) {
             (Some((name, text)), _) => Input::Text { name, text },
             (None, povr::app::cli::Scene::File(path)) => Input::File(path.clone()),
             (None, povr::app::cli::Scene::Stdin) => return Err(value_error(&"no scene is named")),
         };
         let threads = settings.render.threads;
-        let (pool, added) = py.detach(|| {
-            let read = &settings.read;
-            let added: PyResult<Vec<_>> = objects.into_iter().map(|o| o.added(read)).collect();
-            (pool(threads), added)
-        });
+        let (pool, add) = py.detach(|| (pool(threads), adding(objects)));
         let pool = Some(pool.map_err(|failure| refused(&failure))?);
         let session = match is_series {
             true => RenderSession::new(pool),
             false => RenderSession::of_one(pool),
         };
-        let added = added?;
-        let session = session.with_objects(move |to: &mut scene::Objects| {
-            added.iter().for_each(|add| add(to));
-        });
         Ok(Session {
             input,
             settings,
             encoding,
-            session,
-            token,
+            session: session.with_objects(add?),
+            stop,
         })
+    }
+
+    /// Cancels all drawing, and leaves the token of the caller as it is.
+    fn cancel(&self) {
+        self.stop.token().cancel();
+    }
+
+    /// True if frames are to be drawn one after the other: the scene may write files, which later frames may read, or
+    /// each frame has the time that it is given.
+    #[getter]
+    fn is_sequential(&self) -> bool {
+        let writes = self.settings.read.writable != Folders::Only(Vec::new());
+        let is_timed = matches!(
+            &self.settings.render.sampling,
+            Sampling::Adaptive(adaptive) if adaptive.time.is_some()
+        );
+        writes || is_timed
     }
 
     /// The numbers of the frames of an animation, in order; empty for a still picture.
@@ -211,13 +224,13 @@ impl Session {
     /// Reads the scene without drawing it. Returns the findings as JSON.
     fn check(&self, py: Python<'_>) -> PyResult<String> {
         let reports = Reports::default();
-        let done = watched(py, self.token.get(), &mut |_| Ok(()), || {
+        let done = watched(py, &self.stop, &mut |_| Ok(()), || {
             povr::check(&self.input, &self.settings.read, &|event| {
                 reports.listen(event)
             })
         })?;
         match done {
-            Err(_) if self.token.get().inner().is_cancelled() => Err(cancelled()),
+            Err(_) if self.stop.token().is_cancelled() => Err(cancelled()),
             _ => Ok(reports.into_texts().0),
         }
     }
@@ -253,8 +266,6 @@ impl Session {
         progress: Option<&Py<PyAny>>,
         finish: impl FnOnce(Picture) -> T + Send,
     ) -> PyResult<Reported<T>> {
-        same_process()?;
-        let token = self.token.get();
         let reports = Reports::default();
         let of = render.columns.len() as u64 * render.rows.len() as u64;
         let mut tick = |py: Python<'_>| match progress {
@@ -264,7 +275,7 @@ impl Session {
                 progress.call1(py, (part,)).map(drop)
             }
         };
-        let done = watched(py, token, &mut tick, || {
+        let done = watched(py, &self.stop, &mut tick, || {
             let listen = |event: Event<'_>| reports.listen(event);
             self.session
                 .draw(&self.input, read, render, &listen)
@@ -272,7 +283,7 @@ impl Session {
         })?;
         let what = match done {
             Ok(what) => what,
-            Err(_) if token.inner().is_cancelled() => return Err(cancelled()),
+            Err(_) if self.stop.token().is_cancelled() => return Err(cancelled()),
             Err(_) => return Err(Refused::new_err(reports.into_texts().0)),
         };
         if let Some(progress) = progress {
@@ -328,6 +339,30 @@ fn is_for_a_process(settings: &Settings) -> bool {
         || settings.created_ini.is_some()
 }
 
+/// Checks that pictures have the type of the arrays and files that are promised.
+fn check_encoding(encoding: &EncodeOptions, depth: u8) -> PyResult<()> {
+    let EncodeOptions {
+        format,
+        bits,
+        grayscale,
+        ..
+    } = encoding;
+    let stored = match *format {
+        Format::PNG if !grayscale => Some(if *bits > 8 { 16 } else { 8 }),
+        Format::EXR => Some(32),
+        _ => None,
+    };
+    if stored == Some(depth) {
+        return Ok(());
+    }
+    let kind = if *grayscale { "grey " } else { "" };
+    Err(value_error(&format!(
+        "options ask for a {kind}{} file with {bits} bits per channel: set `depth` (8, 16 or 32) in place of a file type \
+         or `Bits_Per_Color`, and run the program `povr` for other files and grey ones",
+        format.name
+    )))
+}
+
 fn share(done: u64, of: u64) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "a share for people")]
     let share = done as f64 / of.max(1) as f64;
@@ -340,20 +375,6 @@ fn json(value: &impl serde::Serialize) -> String {
 
 fn cancelled() -> PyErr {
     Cancelled::new_err("the render was cancelled")
-}
-
-/// The process that has started the threads.
-static PROCESS: Mutex<Option<u32>> = Mutex::new(None);
-
-/// Refuses to draw in the child of a process that has drawn: it has none of its threads, and would wait for them.
-fn same_process() -> PyResult<()> {
-    match *lock(&PROCESS).get_or_insert_with(process::id) == process::id() {
-        true => Ok(()),
-        false => Err(PyRuntimeError::new_err(
-            "povr has started threads, and then this process was forked without them. Start processes with \
-             multiprocessing.get_context(\"spawn\"), or draw in the children alone.",
-        )),
-    }
 }
 
 /// The threads of all renders that ask for no number.
@@ -372,15 +393,4 @@ fn pool(threads: Option<usize>) -> Result<Arc<rayon::ThreadPool>, Failure> {
     let new = Arc::new(povr::pool(cores, &|_| {})?);
     *pool = Some(Arc::clone(&new));
     Ok(new)
-}
-
-/// The object of a text that holds one object and what comes before it.
-pub(super) fn model_of(text: &str, read: &ReadOptions) -> PyResult<Arc<scene::Object>> {
-    let input = Input::Text {
-        name: "attributes of an array".to_owned(),
-        text: text.as_bytes().to_vec(),
-    };
-    let scene = povr::read(&input, read, &|_| {}).map_err(|failure| refused(&failure))?;
-    let last = scene.objects.into_objects().last();
-    last.ok_or_else(|| value_error(&"the attributes of an array make no object"))
 }

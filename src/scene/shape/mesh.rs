@@ -31,6 +31,24 @@ use std::sync::{Arc, OnceLock};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh(Arc<Triangles>);
 
+/// The parts of a mesh for [`Mesh::from_lists`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MeshLists<'a> {
+    /// The vertices.
+    pub vertices: &'a [DVec3],
+    /// The normal of each vertex, of any length; `None` for flat triangles.
+    pub normals: Option<&'a [DVec3]>,
+    /// The indices of the vertices of each triangle.
+    pub faces: &'a [[u32; 3]],
+    /// The textures.
+    pub textures: &'a [Arc<Texture>],
+    /// The index of the texture of each triangle, which has that of the object where the index is out of range; empty if
+    /// all have that.
+    pub texture_of_face: &'a [u32],
+    /// The `inside_vector`.
+    pub inside_vector: Option<DVec3>,
+}
+
 /// Vertices, faces and attributes of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
@@ -81,23 +99,24 @@ impl Mesh {
         Mesh(Arc::new(triangles))
     }
 
-    /// A mesh of triangles by the indices of their vertices, without degenerate ones. A vertex has the normal of its
-    /// index, if there are normals; a triangle has the texture of its index in `textures`, if it is in range.
+    /// A mesh of triangles by the indices of their vertices, without degenerate ones.
     ///
     /// # Errors
-    /// A vertex that single precision cannot hold, an index out of range, or no triangle left. The error is the reason.
-    pub fn from_lists(
-        vertices: &[DVec3],
-        normals: Option<&[DVec3]>,
-        faces: &[[u32; 3]],
-        textures: Vec<Arc<Texture>>,
-        texture_of_face: Vec<u32>,
-    ) -> Result<Self, String> {
+    /// A vertex that single precision cannot hold, an index of a vertex out of range, fewer or more normals than
+    /// vertices, fewer or more textures of triangles than triangles, or no triangle left. The error is the reason.
+    pub fn from_lists(lists: &MeshLists<'_>) -> Result<Self, String> {
         let mut builder = MeshBuilder::default();
-        builder.lists(vertices, normals, faces)?;
-        if !texture_of_face.is_empty() {
-            builder.attributes.textures = textures.into_iter().map(FaceTexture).collect();
-            builder.attributes.textures_of = TexturesOf::One(texture_of_face);
+        builder.inside = lists.inside_vector;
+        builder.lists(lists.vertices, lists.normals, lists.faces)?;
+        if !lists.texture_of_face.is_empty() {
+            let (count, faces) = (lists.texture_of_face.len(), lists.faces.len());
+            if count != faces {
+                return Err(format!(
+                    "there are {count} textures of faces for {faces} faces"
+                ));
+            }
+            builder.attributes.textures = lists.textures.iter().cloned().map(FaceTexture).collect();
+            builder.attributes.textures_of = TexturesOf::One(lists.texture_of_face.to_vec());
         }
         let mesh = builder.build();
         if mesh.corners.is_empty() {
@@ -145,6 +164,12 @@ impl Mesh {
     /// The BVH over the triangles.
     pub(crate) fn tree(&self) -> &Bvh {
         self.0.tree()
+    }
+
+    /// The `inside_vector`; `None` if the mesh has no inside.
+    #[must_use]
+    pub fn inside_vector(&self) -> Option<DVec3> {
+        self.0.inside.map(|inside| inside.dir)
     }
 
     /// True if the mesh has no inside.

@@ -13,6 +13,7 @@ in order: other elements, words and other text as ``str``, numbers, and vectors 
 
 import copy
 import re
+from numbers import Real
 
 _BLOCKS = """
     Background BicubicPatch Blob BlackHole Bokeh BoundedBy Box BumpMap Camera ClippedBy Collect Component Composite
@@ -40,23 +41,33 @@ __all__ = [
 ]
 
 
-def _number(value):
-    """A number as text that no sign before it can change."""
-    return f"({value})" if value < 0 else str(value)
+def _is_bool(value):
+    """True for a truth value of Python or numpy."""
+    return isinstance(value, bool) or getattr(value, "dtype", None) == bool
+
+
+def _component(value):
+    return ("on" if value else "off") if _is_bool(value) else str(value)
 
 
 def _vector(values):
-    return f"<{','.join(str(value) for value in values)}>"
+    return f"<{','.join(map(_component, values))}>"
 
 
 def _text(argument):
     """An argument as text of the language."""
-    if isinstance(argument, (str, Element)):
+    if isinstance(argument, (str, Element, _Rows)):
         return str(argument)
-    if isinstance(argument, bool):
-        return "on" if argument else "off"
+    if getattr(argument, "ndim", None) == 0:
+        # A scalar of numpy, or an array that holds one.
+        argument = argument[()]
+    if isinstance(argument, Real) and not _is_bool(argument):
+        # No sign before the parentheses can change the number.
+        return f"({argument})" if argument < 0 else str(argument)
     if not hasattr(argument, "__iter__"):
-        return _number(argument) if hasattr(argument, "__lt__") else str(argument)
+        if not _is_bool(argument) and type(argument).__str__ is object.__str__:
+            raise TypeError(f"{argument!r} is neither text, a number, a vector nor an element")
+        return _component(argument)
     values = list(argument)
     if values and hasattr(values[0], "__iter__") and not isinstance(values[0], str):
         return ", ".join(_vector(value) for value in values)
@@ -161,6 +172,7 @@ class _Rows:
     """Objects made of the rows of arrays. Other arguments are the attributes of each of them."""
 
     _kind = ""
+    _model = "sphere { 0, 1"
     _numbers = None
 
     def __init__(self, attributes, colors, count):
@@ -174,16 +186,19 @@ class _Rows:
             texts.append(f"pigment {{ color rgbft {_vector(color)} }}")
         return "\n".join(texts)
 
-    def rows(self, before):
-        """The arrays for the compiled module; ``before`` is the text that attributes refer to."""
+    def rows(self):
+        """The arrays for the compiled module."""
         return {
             "kind": self._kind,
             "numbers": self._numbers.tobytes(),
-            "model": f"{before}\nsphere {{ 0, 1\n{self._attributes()}\n}}",
             "colors": None if self.colors is None else self.colors.tobytes(),
             "faces": None,
             "normals": None,
         }
+
+    def model(self):
+        """The text of an object with the attributes, from which the compiled module takes them."""
+        return "%s\n%s\n}" % (self._model, self._attributes())
 
     def __len__(self):
         return len(self._numbers)
@@ -250,6 +265,7 @@ class Triangles(_Rows):
     """
 
     _kind = "mesh"
+    _model = "mesh { triangle { 0, x, y }"
 
     def __init__(self, vertices, faces=None, *attributes, normals=None, colors=None):
         import numpy
@@ -258,6 +274,8 @@ class Triangles(_Rows):
         if faces is None:
             faces = numpy.arange(len(self._numbers) // 3 * 3).reshape(-1, 3)
         faces = numpy.asarray(faces)
+        if faces.size and faces.dtype.kind not in "iu":
+            raise ValueError(f"faces are of {faces.dtype}; indices are integers")
         if faces.size and (faces.min() < 0 or faces.max() >= len(self._numbers)):
             raise ValueError(f"faces have indices from {faces.min()} to {faces.max()} of {len(self._numbers)} vertices")
         self.faces = _rows(faces, 3, "faces", "u4")
@@ -266,9 +284,9 @@ class Triangles(_Rows):
             raise ValueError(f"there are {len(self.normals)} normals for {len(self._numbers)} vertices")
         super().__init__(attributes, colors, len(self.faces))
 
-    def rows(self, before):
+    def rows(self):
         return {
-            **super().rows(before),
+            **super().rows(),
             "faces": self.faces.tobytes(),
             "normals": None if self.normals is None else self.normals.tobytes(),
         }
@@ -361,10 +379,10 @@ class Scene:
         rest = [*objects, self.camera, *self.atmospheric]
         return "\n".join([*self._before(), *map(_text, rest)])
 
-    def rows(self):
-        """The objects of arrays, for the compiled module."""
+    def parts(self):
+        """The text that ends with one model for each array, and the arrays, for the compiled module."""
         arrays = [one for one in self.objects if isinstance(one, _Rows) and len(one)]
-        return [one.rows("\n".join(self._before())) for one in arrays] if arrays else []
+        return "\n".join([self.text(), *(one.model() for one in arrays)]), [one.rows() for one in arrays]
 
     def __str__(self):
         arrays = [str(one) for one in self.objects if isinstance(one, _Rows)]

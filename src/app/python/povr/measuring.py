@@ -44,11 +44,12 @@ def _picture(picture):
     import numpy
 
     array = numpy.asarray(picture)
-    if array.dtype not in (numpy.uint8, numpy.uint16, numpy.float32):
+    dtype = array.dtype.newbyteorder("=")
+    if dtype not in (numpy.uint8, numpy.uint16, numpy.float32):
         raise ValueError(f"a picture of {array.dtype}; it is uint8, uint16 or float32")
     if array.ndim != 3 or array.shape[2] not in (3, 4):
         raise ValueError(f"a picture of the shape {array.shape}; it is (height, width, 3 or 4)")
-    array = numpy.ascontiguousarray(array, array.dtype.newbyteorder("="))
+    array = numpy.ascontiguousarray(array, dtype)
     height, width, channels = array.shape
     return width, height, channels, 8 * array.itemsize, array.tobytes()
 
@@ -89,4 +90,4 @@ def curve(scene, settings=None, *, runs=3, povray=False, truth=None, folder=None
     arguments += options.split() if isinstance(options, str) else options
     with tempfile.TemporaryDirectory() as own:
         arguments += ["--out", os.fspath(folder or own), "--", os.fspath(scene)]
-        return json.loads(_povr.curve(arguments, cancel or _povr.CancelToken()))
+        return json.loads(_povr.curve(arguments, cancel))

@@ -79,17 +79,20 @@ def render_options(
         switches.append(f"--time={float(time)!r}s")
     switches += options.split() if isinstance(options, str) else options
     allowed = [allow_write] if isinstance(allow_write, (str, os.PathLike)) else allow_write
-    switches += [f"--allow-write={os.fspath(path)}" for path in allowed] or ["--no-write"]
+    switches += [f"--allow-write={os.fspath(path)}" for path in allowed]
+    # `--no-write` would win over folders that are named.
+    if not any(switch.startswith("--allow-write") for switch in switches):
+        switches.append("--no-write")
     return switches
 
 
-def _session(scene, switches, *, name="scene", cancel=None, is_series=False):
-    """A session of the compiled module. Its token is the caller's, or one of its own."""
-    token = cancel or _povr.CancelToken()
+def _session(scene, switches, *, depth=8, name="scene", cancel=None, is_series=False):
+    """A session of the compiled module."""
     rows = []
     if isinstance(scene, Scene):
-        rows = scene.rows()
-        scene = scene.text()
+        scene, rows = scene.parts()
+    elif not isinstance(scene, (str, bytes, os.PathLike)):
+        raise TypeError(f"a scene of type {type(scene).__name__}; it is a str, bytes, a path or a Scene")
     is_file = isinstance(scene, os.PathLike)
     if isinstance(scene, str) and scene.lower().endswith((".pov", ".ini")) and "\n" not in scene:
         is_file = True
@@ -99,9 +102,9 @@ def _session(scene, switches, *, name="scene", cancel=None, is_series=False):
             raise FileNotFoundError(f"there is no scene `{path}`")
         source, switches = None, [*switches, "--", path]
     else:
-        source = (name, scene.encode() if isinstance(scene, str) else bytes(scene))
+        source = (name, scene.encode() if isinstance(scene, str) else scene)
     try:
-        session = _povr.Session(switches, source, rows, token, is_series)
+        session = _povr.Session(switches, source, rows, depth, cancel, is_series)
     except _povr.Refused as refused:
         raise scene_error(refused) from None
     warn(session.warnings)
@@ -149,7 +152,8 @@ def render(scene, *, depth=8, name="scene", progress=None, cancel=None, **option
     :param float clock: the value of ``clock``.
     :param float error: samples until the estimated error of every pixel is below this, in steps of 1/255.
     :param float time: samples for this time, in seconds, or until ``error`` is reached.
-    :param options: further switches of the command line, as a ``str`` or a list: ``"+Q5 +SC0.5"``.
+    :param options: further switches of the command line, as a ``str`` or a list: ``"+Q5 +SC0.5"``. Switches for other
+        file types, for a number of bits other than ``depth`` and for grey pictures are refused.
     :param allow_write: folders in which the scene may write files.
     :param str name: the name of a text in messages.
     :param progress: called with the part done, from 0 to 1, 20 times a second and at the end. An exception cancels.
@@ -158,7 +162,7 @@ def render(scene, *, depth=8, name="scene", progress=None, cancel=None, **option
     :raises SceneError: the scene has errors.
     :raises ValueError: an option is wrong.
     """
-    session = _session(scene, render_options(depth=depth, **options), name=name, cancel=cancel)
+    session = _session(scene, render_options(depth=depth, **options), depth=depth, name=name, cancel=cancel)
     return _array(_drawn(session.draw, progress=progress), depth)
 
 
@@ -166,7 +170,7 @@ def png(scene, *, depth=8, name="scene", progress=None, cancel=None, **options):
     """Renders a scene to the ``bytes`` of a PNG file. The options are those of ``render``; ``depth`` is 8 or 16."""
     if depth == 32:
         raise ValueError("a PNG file has 8 or 16 bits")
-    session = _session(scene, render_options(depth=depth, **options), name=name, cancel=cancel)
+    session = _session(scene, render_options(depth=depth, **options), depth=depth, name=name, cancel=cancel)
     return bytes(_drawn(session.draw, is_file=True, progress=progress).data)
 
 
@@ -188,22 +192,20 @@ def render_frames(
     ``frame_number`` runs from ``first`` to ``frames``, and ``clock`` between the two numbers given. With ``cyclic`` the
     clock of the last frame is one step short of its end. All other options are those of ``render``; ``progress`` gets
     the part of the frames that are done. Frames are drawn one after the other where the scene may write files or
-    ``time`` is set. Leaving the loop early cancels the frames that are being drawn.
+    ``time`` is set. Leaving the loop early cancels the frames that are being drawn, but not the token ``cancel``.
     """
     if frames < first:
         raise ValueError(f"the last frame, {frames}, is before the first, {first}")
     switches = render_options(depth=depth, **options)
     switches += [f"+KFI{first:d}", f"+KFF{frames:d}", f"+KI{clock[0]}", f"+KF{clock[1]}"]
     switches.append("+KC" if cyclic else "-KC")
-    token = cancel or _povr.CancelToken()
-    session = _session(scene, switches, name=name, cancel=token, is_series=True)
+    session = _session(scene, switches, depth=depth, name=name, cancel=cancel, is_series=True)
     numbers = session.frames or [None]
-    is_alone = options.get("allow_write") or options.get("time")
-    workers = 1 if is_alone else options.get("threads") or os.cpu_count() or 1
-    return _frames(session, numbers, min(workers, len(numbers)), token, depth, progress)
+    workers = 1 if session.is_sequential else options.get("threads") or os.cpu_count() or 1
+    return _frames(session, numbers, min(workers, len(numbers)), depth, progress)
 
 
-def _frames(session, numbers, workers, token, depth, progress):
+def _frames(session, numbers, workers, depth, progress):
     """Draws frames side by side, at most one for each worker ahead of the one that is taken."""
     waiting, done, is_complete = collections.deque(), 0, False
     with ThreadPoolExecutor(workers, "povr-frame") as executor:
@@ -221,7 +223,7 @@ def _frames(session, numbers, workers, token, depth, progress):
         finally:
             # Left early, by an exception or because no more frames are taken.
             if not is_complete:
-                token.cancel()
+                session.cancel()
                 for future in waiting:
                     future.cancel()
 
@@ -232,22 +234,22 @@ def _advance(done, of, progress):
     return done + 1
 
 
-def check(scene, *, name="scene", **options):
+def check(scene, *, depth=8, name="scene", **options):
     """Reads a scene without drawing it. Returns its errors and warnings as a list of ``Finding``.
 
     Nothing is written. The options are those of ``render``.
     """
-    return findings(_session(scene, render_options(**options), name=name).check())
+    return findings(_session(scene, render_options(depth=depth, **options), depth=depth, name=name).check())
 
 
-def plan(scene, *, name="scene", **options):
+def plan(scene, *, depth=8, name="scene", **options):
     """Reads and prepares a scene without drawing it. Returns a ``dict`` of its content.
 
     ``primitives`` counts the shapes of each kind; ``surfaces``, ``lights``, ``instances`` and so on are counts, and
     keys in ``_bytes`` are memory; ``left_out`` names features that no ray of the scene needs. The options are those of
     ``render``.
     """
-    session = _session(scene, render_options(**options), name=name)
+    session = _session(scene, render_options(depth=depth, **options), depth=depth, name=name)
     try:
         reported, lowered = session.plan()
     except _povr.Refused as refused:

@@ -109,7 +109,8 @@ impl MeshBuilder {
     /// Adds vertices, unit normals and triangles with smooth corners by index; a vertex has the normal of its index.
     ///
     /// # Errors
-    /// A vertex that single precision cannot hold, or an index out of range. The error is the reason.
+    /// A vertex that single precision cannot hold, an index out of range, or fewer or more normals than vertices. The
+    /// error is the reason.
     pub(crate) fn lists(
         &mut self,
         vertices: &[DVec3],
@@ -128,6 +129,10 @@ impl MeshBuilder {
             ));
         }
         if let Some(normals) = normals {
+            let (count, vertices) = (normals.len(), vertices.len());
+            if count != vertices {
+                return Err(format!("there are {count} normals for {vertices} vertices"));
+            }
             self.normals = normals
                 .iter()
                 .map(|&normal| single_normal(normal))

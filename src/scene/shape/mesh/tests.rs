@@ -427,26 +427,56 @@ fn lists_make_the_mesh_of_their_text() {
     let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
     let faces = [[0, 1, 2], [0, 1, 1], [1, 2, 3]];
     let texture = std::sync::Arc::new(Texture::from(crate::scene::texture::Layer::default()));
-    let plain = Mesh::from_lists(&points, None, &faces, Vec::new(), Vec::new());
+    let lists = MeshLists {
+        vertices: &points,
+        faces: &faces,
+        ..MeshLists::default()
+    };
+    let plain = Mesh::from_lists(&lists);
     let text = format!("{TETRAHEDRON} face_indices {{ 3, <0,1,2>, <0,1,1>, <1,2,3> }}");
     assert_eq!(plain, Ok(mesh2(&text)));
-    let textures = vec![std::sync::Arc::clone(&texture)];
-    let textured = Mesh::from_lists(
-        &points,
-        Some(&points),
-        &faces,
-        textures,
-        vec![u32::MAX, 7, 0],
-    );
+    let solid = MeshLists {
+        inside_vector: Some(DVec3::X),
+        ..lists
+    };
+    let solid_text = format!("{text} inside_vector <1, 0, 0>");
+    assert_eq!(Mesh::from_lists(&solid), Ok(mesh2(&solid_text)));
+    let textured = MeshLists {
+        normals: Some(&points),
+        textures: &[texture],
+        texture_of_face: &[u32::MAX, 7, 0],
+        ..lists
+    };
+    let textured = Mesh::from_lists(&textured);
     let textured = textured.unwrap();
     assert_eq!(textured.0.corners, [[0, 1, 2], [1, 2, 3]]);
     let attributes = textured.0.attributes.as_ref().unwrap();
     assert_eq!(attributes.textures_of, TexturesOf::One(vec![u32::MAX, 0]));
-    let outside = Mesh::from_lists(&points, None, &[[0, 1, 4]], Vec::new(), Vec::new());
+    let wrong = [
+        MeshLists {
+            faces: &[[0, 1, 4]],
+            ..lists
+        },
+        MeshLists {
+            normals: Some(&points[1..]),
+            ..lists
+        },
+        MeshLists {
+            texture_of_face: &[0],
+            ..lists
+        },
+        MeshLists {
+            faces: &[[0, 0, 1]],
+            ..lists
+        },
+    ];
     assert_eq!(
-        outside.unwrap_err(),
-        "vertex 4 of 4, counted from 0, is not there"
+        wrong.map(|lists| Mesh::from_lists(&lists).unwrap_err()),
+        [
+            "vertex 4 of 4, counted from 0, is not there",
+            "there are 3 normals for 4 vertices",
+            "there are 1 textures of faces for 3 faces",
+            "all triangles of this mesh are degenerate",
+        ]
     );
-    let empty = Mesh::from_lists(&points, None, &[[0, 0, 1]], Vec::new(), Vec::new());
-    assert!(empty.is_err());
 }
