@@ -395,3 +395,23 @@ def test_a_module_without_its_script_says_so(tmp_path):
     assert drawn.returncode == 0 and drawn.stdout.startswith(b"\x89PNG")
     linked = subprocess.run([*alone, "install-as-povray", "bin2"], cwd=tmp_path, capture_output=True, text=True)
     assert linked.returncode != 0 and "pip install" in linked.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="no limit on threads")
+def test_a_system_without_threads_is_an_error():
+    code = f"""
+import os, povr, resource
+scene = {SCENE!r}
+povr.check(scene)
+if os.getuid() == 0:
+    os.setuid(65534)
+resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+for work in (povr.check, povr.render):
+    try:
+        work(scene, width=9, height=9)
+    except RuntimeError as error:
+        assert "thread" in str(error)
+    else:
+        assert False
+"""
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)

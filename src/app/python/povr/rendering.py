@@ -94,7 +94,7 @@ def _session(scene, switches, *, depth=8, name="scene", cancel=None, is_series=F
     elif not isinstance(scene, (str, bytes, os.PathLike)):
         raise TypeError(f"a scene of type {type(scene).__name__}; it is a str, bytes, a path or a Scene")
     is_file = isinstance(scene, os.PathLike)
-    if isinstance(scene, str) and scene.lower().endswith((".pov", ".ini")) and "\n" not in scene:
+    if isinstance(scene, str) and scene.lower().endswith(".pov") and "\n" not in scene:
         is_file = True
     if is_file:
         path = os.fspath(scene)
