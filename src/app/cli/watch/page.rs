@@ -18,14 +18,14 @@ pub(super) fn serve(listener: TcpListener, shown: &Arc<Shown>, title: &str) -> i
     let events = shown.events();
     let shown = Arc::clone(shown);
     let routes = vec![
-        Route::get("/", move |_| {
+        Route::new("/", move || {
             Answer::Content("text/html; charset=utf-8", page.clone().into())
         }),
-        Route::get("/picture.png", move |_| match shown.png() {
+        Route::new("/picture.png", move || match shown.png() {
             Some(png) => Answer::Content("image/png", png),
             None => Answer::Refusal(StatusCode::NOT_FOUND, "no picture yet"),
         }),
-        Route::get("/events", move |_| Answer::Events(events.clone())),
+        Route::new("/events", move || Answer::Events(events.clone())),
     ];
     serve_routes(listener, routes, Limits::default())
 }
