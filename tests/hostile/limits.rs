@@ -72,6 +72,41 @@ fn a_timeout_ends_drawings_of_watch_and_a_curve() {
 }
 
 #[test]
+fn a_limit_of_a_curve_leaves_no_temporary_files() {
+    let sandbox = Sandbox::with(
+        "#fopen F \"mine.txt\" write\n#write (F, \"text\")\n#declare A = 1; #while (A > 0) #declare A = sin(A) + 2; #end",
+    );
+    let command = "$POVR curve s.pov --settings +A0.3 +W64 +H48 --timeout 1s";
+    let ended = sandbox.ends(command, 1);
+    let says = "took longer than 1s, which `--timeout` allows";
+    assert!(ended.said.contains(says), "{}", ended.said);
+    assert!(!ended.said.contains("cannot be drawn"), "{}", ended.said);
+    let files = std::fs::read_dir(sandbox.path("here")).expect("the folder is there");
+    for file in files.flatten() {
+        let name = file.file_name().to_string_lossy().into_owned();
+        assert!(!name.contains(".povr-"), "{name}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_limit_of_a_curve_ends_pov_ray() {
+    let sandbox = Sandbox::with("");
+    // It writes its process number, and then takes the place of POV-Ray for a minute.
+    sandbox.write(
+        "home/povray",
+        "#!/bin/sh\necho $$ > \"$PID_FILE\"\nexec sleep 60\n",
+    );
+    let command = "chmod +x ../home/povray; export PID_FILE=$PWD/pid; PATH=$PWD/../home:$PATH; \
+        $POVR curve s.pov --povray --settings +A0.3 --truth 20 --runs 1 +W16 +H12 --timeout 2s";
+    let ended = sandbox.ends(command, 1);
+    assert!(ended.said.contains("took longer than 2s"), "{}", ended.said);
+    let process = std::fs::read_to_string(sandbox.path("here/pid")).expect("it was started");
+    let status = std::fs::read_to_string(format!("/proc/{}/status", process.trim()));
+    assert!(!status.is_ok_and(|status| status.contains("VmRSS")));
+}
+
+#[test]
 fn the_memory_of_drawings_of_watch_and_a_curve_is_limited() {
     let sandbox = Sandbox::with("");
     for (command, code) in [

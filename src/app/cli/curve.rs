@@ -82,14 +82,17 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request_of("povr curve", &rest, environment)? {
+    let mut settings = match request_of("povr curve", &rest, environment)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
         Request::Draw(settings) => *settings,
     };
-    let (report, folder) = report_of(&wanted, &settings, environment)?;
+    let stop = CancelToken::default();
+    let Some((report, folder)) = report_of(&wanted, &mut settings, environment, &stop)? else {
+        return Ok(ExitCode::FAILURE);
+    };
     if !settings.verbosity.quiet {
         say(summary(&report, &folder));
     }
@@ -110,17 +113,21 @@ pub fn report(
     let Request::Draw(mut settings) = request_of("povr curve", &rest, environment)? else {
         return Err(no_help());
     };
-    settings.read.stop = stop.clone();
-    settings.render.stop = stop.clone();
-    report_of(&wanted, &settings, environment).map(|(report, _)| report)
+    let report = report_of(&wanted, &mut settings, environment, stop)?;
+    let limit = || CliError::new("stopped at a limit of the run");
+    report.map(|(report, _)| report).ok_or_else(limit)
 }
 
-/// The measurements, and the folder of their files.
+/// The measurements, and the folder of their files; `None` if a limit was reached. `stop` cancels them.
 fn report_of(
     wanted: &Wanted,
-    settings: &Settings,
+    settings: &mut Settings,
     environment: &Environment,
-) -> Result<(Report, PathBuf), CliError> {
+    stop: &CancelToken,
+) -> Result<Option<(Report, PathBuf)>, CliError> {
+    settings.read.stop = stop.clone();
+    settings.render.stop = stop.clone();
+    let settings = &*settings;
     let Scene::File(file) = &settings.scene else {
         return Err(CliError::new(
             "`povr curve` needs a scene file, not standard input",
@@ -138,14 +145,16 @@ fn report_of(
     }
     let limits = Limits::new(settings.timeout, settings.max_memory);
     let messages = (settings.verbosity.format, Stream::Err);
-    let _watch = Watch::over_command(limits, None, messages);
+    let watch = Watch::over_command(limits, Some(stop.clone()), messages);
     if wanted.is_fresh && sweep.folder.is_dir() {
         // Missing files need not be removed.
         let _ = std::fs::remove_file(sweep.folder.join("curve.json"));
         let _ = std::fs::remove_file(sweep.folder.join("truth.json"));
     }
-    let report = measured(&sweep, settings, file)?;
-    Ok((report, sweep.folder))
+    match measured(&sweep, settings, file) {
+        Err(_) if watch.is_over() => Ok(None),
+        report => Ok(Some((report?, sweep.folder))),
+    }
 }
 
 /// The options of this command, and all other arguments.
@@ -245,6 +254,7 @@ fn sweep(
             library_paths: settings.read.library_paths.clone(),
             declares: settings.read.declares.clone(),
             threads: settings.render.threads.unwrap_or(1),
+            stop: settings.render.stop.clone(),
         },
         truth_error: wanted.truth.unwrap_or(curve::ERROR),
         folder,

@@ -99,6 +99,7 @@ impl Bench {
             switches: &switches,
             root: &self.root,
             limit: self.limit,
+            stop: None,
         };
         reference::drawn(&self.povray, &picture, &case.text, &self.references)
     }
@@ -119,6 +120,7 @@ impl Bench {
             switches: &switches,
             root: &self.root,
             limit: self.limit,
+            stop: None,
         };
         let took = reference::draw(&self.povr, &picture)?;
         Ok((open(&file)?, took.as_secs_f64()))

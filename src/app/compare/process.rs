@@ -1,5 +1,6 @@
 //! Processes with a time limit.
 
+use crate::base::options::CancelToken;
 use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread;
@@ -11,7 +12,7 @@ const MAX_SAID: usize = 1 << 20;
 /// The end of a process.
 #[derive(Debug)]
 pub struct Ended {
-    /// The exit status, or `None` if it ran past the limit and was killed.
+    /// The exit status, or `None` if it ran past the limit, or was cancelled, and was killed.
     pub status: Option<ExitStatus>,
     /// Its standard error; of long output the start and the end.
     pub stderr: String,
@@ -24,6 +25,15 @@ pub struct Ended {
 /// # Errors
 /// When the process does not start, or cannot be waited for.
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Ended> {
+    run_until(command, limit, &CancelToken::default())
+}
+
+/// Runs a command as [`run`] does, but no longer than until `stop` is cancelled.
+pub(super) fn run_until(
+    command: &mut Command,
+    limit: Duration,
+    stop: &CancelToken,
+) -> io::Result<Ended> {
     let start = Instant::now();
     let mut child = command
         .stdin(Stdio::null())
@@ -32,7 +42,7 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Ended> {
         .spawn()?;
     let pipe = child.stderr.take();
     let reader = thread::spawn(move || pipe.map(read_output).unwrap_or_default());
-    let status = wait(&mut child, limit)?;
+    let status = wait(&mut child, limit, stop)?;
     let took = start.elapsed();
     let stderr = reader.join().unwrap_or_default();
     Ok(Ended {
@@ -55,14 +65,14 @@ fn read_output(mut pipe: impl Read) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-fn wait(child: &mut Child, limit: Duration) -> io::Result<Option<ExitStatus>> {
+fn wait(child: &mut Child, limit: Duration, stop: &CancelToken) -> io::Result<Option<ExitStatus>> {
     let start = Instant::now();
     let mut pause = Duration::from_millis(1);
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(Some(status));
         }
-        if start.elapsed() > limit {
+        if start.elapsed() > limit || stop.is_cancelled() {
             child.kill()?;
             child.wait()?;
             return Ok(None);

@@ -1,6 +1,7 @@
 //! A renderer with POV-Ray's command line, run as a process of its own: POV-Ray, or this program.
 
-use super::process::{Ended, run};
+use super::process::{Ended, run, run_until};
+use crate::base::options::CancelToken;
 use std::ffi::OsString;
 use std::fs;
 use std::io;
@@ -43,6 +44,8 @@ pub struct Picture<'a> {
     pub root: &'a Path,
     /// Time limit.
     pub limit: Duration,
+    /// Ends the process when it is cancelled.
+    pub stop: Option<&'a CancelToken>,
 }
 
 impl Renderer {
@@ -92,7 +95,10 @@ impl Renderer {
             .arg(format!("+O{}", name.display()))
             .args(&self.switches)
             .args(picture.switches);
-        run(&mut command, picture.limit)
+        match picture.stop {
+            Some(stop) => run_until(&mut command, picture.limit, stop),
+            None => run(&mut command, picture.limit),
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::CurveError;
 use super::error::Linear;
 use crate::app::compare::{self, Renderer};
 use crate::app::picture_file;
+use crate::base::options::CancelToken;
 
 /// Time limit of a rendering.
 const PATIENCE: Duration = Duration::from_secs(24 * 3600);
@@ -34,6 +35,8 @@ pub struct Task {
     pub declares: Vec<(String, f64)>,
     /// Number of threads it may use.
     pub threads: usize,
+    /// Ends POV-Ray when it is cancelled.
+    pub stop: CancelToken,
 }
 
 /// Renders with POV-Ray, 16 bits a channel in linear light.
@@ -67,6 +70,7 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
             switches: &arguments,
             root: beside,
             limit: PATIENCE,
+            stop: Some(&task.stop),
         })
         .map_err(|error| {
             CurveError::new(format!("`povray` does not run: {error}")).with_hint(

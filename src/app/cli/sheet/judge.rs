@@ -69,6 +69,7 @@ impl Comparer {
                 ],
                 root: &root,
                 limit: PATIENCE,
+                stop: None,
             })
             .map_err(|error| failed("run", Path::new("povray"), &error))?;
         if !ended.status.is_some_and(|status| status.success()) {
