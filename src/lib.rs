@@ -41,13 +41,14 @@ use base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
+use base::sync::lock;
 use glam::DVec3;
 use lang::{ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
 use render::{Checkpoint, CheckpointStatus};
 use scene::{Object, Scene};
 use std::hash::{Hash, Hasher};
-use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, mpsc};
 use world::World;
 
 /// The stack for reading and lowering, which recurse once for each level of nesting in the scene. It is reserved, not
@@ -188,11 +189,15 @@ pub(crate) fn useful_threads(wanted: usize) -> usize {
 /// # Errors
 /// When the system gives none.
 pub fn pool(threads: usize, listen: &EventHandler<'_>) -> Result<rayon::ThreadPool, Failure> {
+    pool_builder(threads)
+        .build()
+        .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))
+}
+
+pub(crate) fn pool_builder(threads: usize) -> rayon::ThreadPoolBuilder {
     rayon::ThreadPoolBuilder::new()
         .num_threads(useful_threads(threads))
         .stack_size(DRAWING_STACK_BYTES)
-        .build()
-        .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))
 }
 
 fn draw_with(
@@ -450,7 +455,7 @@ fn compiled_in_a_thread(scene: Scene, render: &RenderOptions) -> World {
     let (sender, objects) = mpsc::sync_channel(QUEUED_BATCHES);
     let work = Mutex::new(Some((scene, sender)));
     let compile = || {
-        let (scene, sender) = work.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+        let (scene, sender) = lock(&work).take()?;
         let mut batch = Vec::with_capacity(BATCH);
         let world = world::compile_dropping(scene, render, &mut |object| {
             batch.push(object);
@@ -572,8 +577,4 @@ fn update_cache(
             token_cache,
         }));
     }
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

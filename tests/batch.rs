@@ -454,6 +454,10 @@ object { U }\n")),
 const SLOW: &str = "sphere { 0, 3 hollow pigment { rgbt 1 }
 interior { media { scattering { 1, 1 } intervals 1000 samples 1000 } } }\n";
 
+/// A scene that is read without end.
+#[cfg(target_os = "linux")]
+const ENDLESS: &str = "#declare A = 1; #while (A > 0) #declare A = sin(A) + 2; #end\n";
+
 /// Waits until something is so.
 #[cfg(target_os = "linux")]
 fn wait_until(is_so: impl Fn() -> bool) {
@@ -493,6 +497,112 @@ fn a_scene_that_brings_its_process_down_fails_alone() {
     assert!(lost.contains(says), "{lost}");
     let names: Vec<PathBuf> = pictures(out.path()).into_keys().collect();
     assert_eq!(names, ["b_right.png", "c_right.png"].map(PathBuf::from));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_timeout_ends_a_worker_that_is_stopped() {
+    let scenes = folder(&[("a_slow.pov", &scene(SLOW)), ("b_right.pov", &scene(""))]);
+    let out = folder(&[]);
+    let more = ["--jobs", "2", "--timeout", "3s"];
+    let run = command(&[&[text(scenes.path()), "-o", text(out.path())], &more[..]].concat())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("povr starts");
+    wait_until(|| out.path().join("b_right.png").exists());
+    // An idle worker is ended.
+    wait_until(|| support::children(run.id()).len() == 1);
+    let start = Instant::now();
+    for child in support::children(run.id()) {
+        let stopped = Command::new("kill").args(["-STOP", &child]).status();
+        assert!(stopped.expect("there is `kill`").success());
+    }
+    let output = run.wait_with_output().expect("povr ends");
+    assert!(start.elapsed() < Duration::from_secs(20));
+    let log = String::from_utf8_lossy(&output.stdout).into_owned();
+    let lost = log.lines().find(|line| line.contains("a_slow")).unwrap();
+    assert!(lost.contains("it took longer than 3s"), "{lost}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupt_leaves_no_temporary_files_of_scenes() {
+    let writes = "#fopen F \"mine.txt\" write\n#write (F, \"text\")\n";
+    let scenes = folder(&[("a.pov", &scene(&format!("{writes}{ENDLESS}")))]);
+    let out = folder(&[]);
+    let mut run = command(&[text(scenes.path()), "-o", text(out.path())])
+        .current_dir(scenes.path())
+        .process_group(0)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("povr starts");
+    let has_part = || {
+        let mut names = files(scenes.path()).into_keys();
+        names.any(|name| name.to_string_lossy().contains(".povr-"))
+    };
+    wait_until(has_part);
+    let group = format!("-{}", run.id());
+    let interrupted = Command::new("kill").args(["-INT", "--", &group]).status();
+    assert!(interrupted.expect("there is `kill`").success());
+    let _ = run.wait();
+    wait_until(|| !has_part());
+}
+
+#[test]
+fn failures_are_reported_though_the_log_cannot_be_written() {
+    let scenes = folder(&[("a.pov", &scene("#include \"nowhere.inc\"\n"))]);
+    let out = folder(&[]);
+    fs::create_dir_all(out.path().join(".povr-batch/all/log.part")).expect("a folder");
+    let ran = batch(scenes.path(), out.path(), &[]);
+    assert_ne!(ran.code, Some(0));
+    for says in ["cannot find the include file", "1 failed", "cannot write"] {
+        assert!(ran.stderr.contains(says), "{says}: {}", ran.stderr);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn scenes_are_drawn_by_the_workers_that_can_be_started() {
+    let scenes = many_scenes(60);
+    let out = folder(&[]);
+    let command =
+        "ulimit -n 24; exec \"$0\" batch \"$1\" -o \"$2\" --json --size 32x24 --threads 16";
+    let mut run = Command::new("sh");
+    run.args(["-c", command])
+        .arg(support::renderer())
+        .args([scenes.path(), out.path()])
+        .stdin(Stdio::null());
+    let ran = ran(&mut run);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(ran.drawn().len(), 60);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn workers_start_only_their_share_of_threads() {
+    let names = ["a.pov", "b.pov", "c.pov", "d.pov", "e.pov", "f.pov"];
+    let slow = scene(SLOW);
+    let scenes = folder(&names.map(|name| (name, &*slow)));
+    let out = folder(&[]);
+    let more = ["--jobs", "4", "--threads", "16"];
+    let mut run = command(&[&[text(scenes.path()), "-o", text(out.path())], &more[..]].concat())
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("povr starts");
+    wait_until(|| support::children(run.id()).len() == 4);
+    std::thread::sleep(Duration::from_secs(1));
+    let threads = |process: &String| {
+        let tasks = fs::read_dir(format!("/proc/{process}/task"));
+        tasks.map_or(0, Iterator::count)
+    };
+    let counts: Vec<usize> = support::children(run.id()).iter().map(threads).collect();
+    let _ = (run.kill(), run.wait());
+    // Four that draw; the others receive requests and read the scene.
+    assert!(
+        counts.iter().all(|&count| (4..10).contains(&count)),
+        "{counts:?}"
+    );
 }
 
 #[cfg(target_os = "linux")]

@@ -250,6 +250,14 @@ fn a_scene_that_brings_its_process_down_does_not_end_the_watch() {
     write(here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &["+A0.0", "+R9"]);
     watching.drawn(here);
+    // An idle worker is replaced.
+    for worker in support::children(watching.child.id()) {
+        let killed = Command::new("kill").args(["-KILL", &worker]).status();
+        assert!(killed.expect("there is `kill`").success());
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    write(here, "look.inc", &look("<0, 0, 1>"));
+    assert!(watching.drawn(here)[2] > 100);
     let slow = "media { scattering { 1, 1 } intervals 1000 samples 1000 }";
     let slow = format!("#declare Look = pigment {{ rgb 1 }} {slow}");
     write(here, "look.inc", &slow);

@@ -12,5 +12,6 @@ pub mod math;
 pub mod memory;
 pub mod options;
 pub mod source;
+pub(crate) mod sync;
 pub mod version;
 pub mod word;

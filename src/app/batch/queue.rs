@@ -1,9 +1,10 @@
 //! Runs tasks in parallel and delivers their results in order.
 
+use crate::base::sync::lock;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
 
 /// Limit, in tasks for each worker, of how far tasks run ahead of the consumed results: more pictures would only fill
@@ -100,10 +101,6 @@ fn next_result<R>(state: &Mutex<State<R>>, changed: &Condvar, number: usize) -> 
         }
         guard = changed.wait(guard).unwrap_or_else(PoisonError::into_inner);
     }
-}
-
-fn lock<R>(state: &Mutex<State<R>>) -> MutexGuard<'_, State<R>> {
-    state.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(test)]

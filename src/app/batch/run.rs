@@ -13,6 +13,8 @@ use crate::app::worker::{Draw, Lost, Worker};
 use crate::base::file::Folders;
 use crate::base::options::Event;
 use crate::base::source::{Code, Dependency, Message, Severity};
+use crate::base::sync::lock;
+use crate::useful_threads;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -30,9 +32,9 @@ const LARGE: u64 = 1 << 26;
 pub struct Batch {
     /// The output folder.
     pub out: PathBuf,
-    /// Number of scenes read in parallel; `None` for the number of threads.
+    /// Number of scenes drawn in parallel; `None` for the number of threads.
     pub jobs: Option<usize>,
-    /// Number of render threads; `None` for one per core.
+    /// Number of render threads, as far as they are of use; `None` for one per core.
     pub threads: Option<usize>,
     /// Time limit for a picture.
     pub timeout: Option<Duration>,
@@ -101,6 +103,7 @@ pub fn run(
     let threads = batch
         .threads
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
+    let threads = useful_threads(threads);
     let run = Run {
         pictures,
         batch,
@@ -131,7 +134,7 @@ struct Run<'a> {
     pictures: &'a [Picture],
     batch: &'a Batch,
     journal: Journal,
-    /// Render threads, of which each worker has as many.
+    /// Render threads, which the workers share.
     threads: usize,
     /// Scenes drawn in parallel.
     jobs: usize,
@@ -150,6 +153,8 @@ struct State {
     waiting: VecDeque<Task>,
     /// Number of tasks in progress; each may add more.
     in_progress: usize,
+    /// Number of threads that work on tasks.
+    threads: usize,
     /// Tasks to do alone at the end.
     alone: Vec<Task>,
 }
@@ -223,12 +228,16 @@ impl Run<'_> {
         }
         thread::scope(|scope| {
             scope.spawn(|| self.watchdog.run());
-            let workers: Vec<_> = (0..self.jobs.min(left.len()))
-                .map(|_| scope.spawn(|| self.work()))
-                .collect();
-            for worker in workers {
-                // Its thread does not panic: pictures are rendered in another process.
-                let _ = worker.join();
+            let count = self.jobs.min(left.len());
+            self.lock().threads = count;
+            let spawn = |_| thread::Builder::new().spawn_scoped(scope, || self.work());
+            // This thread works too; where the system gives none besides, it works alone.
+            let others: Vec<_> = (1..count).map_while(|number| spawn(number).ok()).collect();
+            self.lock().threads -= count - 1 - others.len();
+            self.work();
+            for other in others {
+                // It does not panic: pictures are rendered in another process.
+                let _ = other.join();
             }
             let mut alone = std::mem::take(&mut self.lock().alone);
             alone.sort_by_key(|task| task.pictures.front().copied());
@@ -245,10 +254,16 @@ impl Run<'_> {
         });
     }
 
-    /// Works on tasks until none are left.
+    /// Works on tasks until none are left, or there is no process to draw in.
     fn work(&self) {
         let mut worker = None;
-        while let Some(mut task) = self.next_task() {
+        while let Some(mut task) = self.next_task(&mut worker) {
+            if Worker::ready(&mut worker).is_err() {
+                match self.left_to_others(task) {
+                    Some(own) => task = own,
+                    None => return,
+                }
+            }
             let Some(&index) = task.pictures.front() else {
                 self.finished(Vec::new(), None);
                 continue;
@@ -269,7 +284,21 @@ impl Run<'_> {
         }
     }
 
-    fn next_task(&self) -> Option<Task> {
+    /// Puts a task back for other threads, and ends this one; returns it if there are no others.
+    fn left_to_others(&self, task: Task) -> Option<Task> {
+        let mut state = self.lock();
+        if state.threads <= 1 {
+            return Some(task);
+        }
+        state.threads -= 1;
+        state.in_progress -= 1;
+        state.waiting.push_front(task);
+        self.changed.notify_all();
+        None
+    }
+
+    /// The next task; `None` at the end. A worker that has none for a while is ended.
+    fn next_task(&self, worker: &mut Option<Worker>) -> Option<Task> {
         let waits = |state: &mut State| state.waiting.is_empty() && state.in_progress > 0;
         let mut state = self.lock();
         while waits(&mut state) {
@@ -277,7 +306,12 @@ impl Run<'_> {
             // Repeated, as it may come too early for pictures that have just been begun.
             self.watchdog.share(self.threads);
             let waited = self.changed.wait_timeout_while(self.lock(), LOOK, waits);
-            state = waited.unwrap_or_else(PoisonError::into_inner).0;
+            let (waited, time) = waited.unwrap_or_else(PoisonError::into_inner);
+            drop(waited);
+            if time.timed_out() {
+                *worker = None;
+            }
+            state = self.lock();
         }
         let task = state.waiting.pop_front()?;
         state.in_progress += 1;
@@ -383,12 +417,8 @@ impl Run<'_> {
         draw.threads = Some(self.share());
         draw.render.target_format = Some(picture.encode.clone());
         let failed = |why: &dyn std::fmt::Display| Lost::Failed(Some(why.to_string()));
-        let usable = worker.take().filter(|worker| !worker.is_spent());
-        let worker = worker.insert(match usable {
-            Some(worker) => worker,
-            None => Worker::start()
-                .map_err(|error| failed(&format!("no process to draw it in: {error}")))?,
-        });
+        let worker = Worker::ready(worker)
+            .map_err(|error| failed(&format!("no process to draw it in: {error}")))?;
         let watched = self.watchdog.watch(worker.control());
         let drawn = worker.draw(
             draw,
@@ -462,8 +492,4 @@ impl SceneEvents {
 
 fn pixels(picture: &Picture) -> u64 {
     picture.render.columns.len() as u64 * picture.render.rows.len() as u64
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,6 +1,7 @@
 //! Controls workers: kills those that exceed their time limit and do not end by themselves, and shares threads among them.
 
 use crate::app::worker::Control;
+use crate::base::sync::lock;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -56,7 +57,7 @@ impl Watchdog {
         }
     }
 
-    /// Shares threads among the workers, which may have begun with fewer.
+    /// Shares threads among the workers, which may have begun with fewer. It does not wait for them.
     pub(super) fn share(&self, threads: usize) {
         let state = self.lock();
         for (.., control) in &state.watched {
@@ -97,7 +98,7 @@ impl Watchdog {
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        lock(&self.state)
     }
 }
 

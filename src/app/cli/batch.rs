@@ -140,8 +140,13 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);
     }
-    batch::run(&pictures, &wanted.batch, &|news| teller.report(news))?;
+    let ran = batch::run(&pictures, &wanted.batch, &|news| teller.report(news));
+    if !teller.has_begun() {
+        return Ok(ran.map(|()| ExitCode::SUCCESS)?);
+    }
+    // Failures are reported even if the log could not be written at the end.
     let failed = teller.finish();
+    ran?;
     if wanted.has_sheet {
         let figures: Vec<Figure> = pictures
             .iter()

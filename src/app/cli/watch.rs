@@ -2,7 +2,8 @@
 //!
 //! A preview of a quarter of the side comes first, then the whole picture, which is written as in a normal rendering. A
 //! change in the middle cancels the rendering and starts the next. Errors are printed as in a normal rendering, and the
-//! last good picture stays. `--timeout`, `--max-memory` and `--sandbox` hold for each rendering.
+//! last good picture stays. `--timeout`, `--max-memory` and `--sandbox` hold for each rendering, `--timeout` for
+//! the preview and again for the picture.
 
 mod files;
 mod page;

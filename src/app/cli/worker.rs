@@ -1,17 +1,19 @@
 //! A worker process: draws pictures for the command that has started it ([`crate::app::worker`]).
 
 use super::draw::limits::{Limits, Watch};
+use super::draw::report::say;
 use super::kernel;
 use crate::RenderSession;
-use crate::app::worker::{Draw, Reply, Request, read_message, write_message};
+use crate::app::worker::{COMMAND, Draw, Reply, Request, read_message, write_message};
 use crate::base::options::{CancelToken, Event, Failure, Input};
+use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions};
 use std::any::Any;
 use std::io::{self, Stdout, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{self, ExitCode};
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -22,7 +24,11 @@ const GRACE: Duration = Duration::from_secs(1);
 
 /// Draws pictures until standard input ends.
 pub(super) fn run() -> ExitCode {
+    ignore_interrupts();
     let Ok(Request::Draw(first)) = read_message(&mut io::stdin()) else {
+        say(format_args!(
+            "povr: `{COMMAND}` is for processes that povr starts itself, not for the command line"
+        ));
         return ExitCode::FAILURE;
     };
     let replies = Arc::new(Replies::new());
@@ -52,6 +58,16 @@ pub(super) fn run() -> ExitCode {
     ExitCode::SUCCESS
 }
 
+/// Ignores Ctrl-C: it ends the command, and then this process, which removes its temporary files first.
+fn ignore_interrupts() {
+    #[cfg(unix)]
+    {
+        use signal_hook::{consts::SIGINT, flag};
+        // If no handler can be installed, the default remains.
+        let _ = flag::register(SIGINT, Arc::default());
+    }
+}
+
 /// Passes requests on; ends the process when there are no more.
 fn receive(sender: &Sender<(Box<Draw>, Control)>, mut control: Control) {
     while let Ok(request) = read_message(&mut io::stdin()) {
@@ -68,29 +84,76 @@ fn receive(sender: &Sender<(Box<Draw>, Control)>, mut control: Control) {
     }
     // The command has ended. A cancelled picture removes its temporary files.
     control.stop.cancel();
-    control.gate.admit(usize::MAX);
+    control.gate.open();
     thread::sleep(GRACE);
     process::exit(1);
 }
 
 /// The control of one picture by the command.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 struct Control {
     stop: CancelToken,
     gate: Arc<Gate>,
 }
 
+/// Render threads, each of which is started when a picture first uses it.
+struct Pool {
+    threads: Arc<rayon::ThreadPool>,
+    state: Mutex<PoolState>,
+}
+
+struct PoolState {
+    running: usize,
+    unstarted: Vec<rayon::ThreadBuilder>,
+}
+
+impl Pool {
+    fn new(threads: usize) -> Result<Self, rayon::ThreadPoolBuildError> {
+        let mut unstarted = Vec::new();
+        let pool = crate::pool_builder(threads)
+            .spawn_handler(|thread| {
+                unstarted.push(thread);
+                Ok(())
+            })
+            .build()?;
+        Ok(Pool {
+            threads: Arc::new(pool),
+            state: Mutex::new(PoolState {
+                running: 0,
+                unstarted,
+            }),
+        })
+    }
+
+    /// Starts threads until this number runs, or there are no more; returns the number that runs.
+    fn start(&self, count: usize) -> usize {
+        let mut state = lock(&self.state);
+        while state.running < count
+            && let Some(thread) = state.unstarted.pop()
+        {
+            let builder =
+                thread::Builder::new().stack_size(thread.stack_size().unwrap_or_default());
+            if builder.spawn(move || thread.run()).is_err() {
+                break;
+            }
+            state.running += 1;
+        }
+        state.running
+    }
+}
+
 /// A gate at which some threads of a pool wait.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Gate {
     state: Mutex<GateState>,
     changed: Condvar,
 }
 
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct GateState {
-    /// Threads of the pool.
-    all: usize,
+    pool: Option<Arc<Pool>>,
+    /// Threads of the pool that run.
+    running: usize,
     /// Threads that may work.
     admitted: usize,
     /// Tasks of waiting that have been started.
@@ -99,47 +162,61 @@ struct GateState {
 }
 
 impl Gate {
-    /// Makes all threads of an idle pool wait but `admitted`. Returns when all tasks of waiting are started, so that no
-    /// thread that draws takes one.
-    fn hold(self: &Arc<Self>, pool: &rayon::ThreadPool, admitted: usize) {
-        let all = pool.current_num_threads();
-        let held = all.saturating_sub(admitted.max(1));
-        self.state().all = all;
+    /// Makes all threads of an idle pool wait but `admitted`, which are started. Returns when all tasks of waiting are
+    /// started, so that no thread that draws takes one.
+    ///
+    /// # Errors
+    /// When the system gives no thread.
+    fn hold(self: &Arc<Self>, pool: &Arc<Pool>, admitted: usize) -> Result<(), String> {
+        let held = pool.start(1).saturating_sub(admitted.max(1));
+        lock(&self.state).pool = Some(Arc::clone(pool));
         self.admit(admitted.max(1));
+        if lock(&self.state).running == 0 {
+            return Err("no threads to draw with".to_owned());
+        }
         for _ in 0..held {
             let gate = Arc::clone(self);
-            pool.spawn(move || gate.wait());
+            pool.threads.spawn(move || gate.wait());
         }
         let starts = |state: &mut GateState| state.started < held;
-        drop(self.changed.wait_while(self.state(), starts));
+        drop(self.changed.wait_while(lock(&self.state), starts));
+        Ok(())
     }
 
     fn wait(&self) {
-        let mut state = self.state();
+        let mut state = lock(&self.state);
         state.started += 1;
         state.waiting += 1;
         self.changed.notify_all();
-        let is_held = |state: &mut GateState| state.all - state.waiting >= state.admitted;
+        let is_held = |state: &mut GateState| state.running - state.waiting >= state.admitted;
         let waited = self.changed.wait_while(state, is_held);
         waited.unwrap_or_else(PoisonError::into_inner).waiting -= 1;
     }
 
     /// Lets this number of threads work, if it is more than before.
     fn admit(&self, count: usize) {
-        let mut state = self.state();
+        let mut state = lock(&self.state);
         state.admitted = state.admitted.max(count);
+        let admitted = state.admitted;
+        if let Some(running) = state.pool.as_ref().map(|pool| pool.start(admitted)) {
+            state.running = running;
+        }
         self.changed.notify_all();
     }
 
-    fn state(&self) -> MutexGuard<'_, GateState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    /// Lets all threads go, at the end of the picture.
+    fn open(&self) {
+        let mut state = lock(&self.state);
+        state.pool = None;
+        state.admitted = usize::MAX;
+        self.changed.notify_all();
     }
 }
 
 /// The state between pictures.
 struct Worker {
     replies: Arc<Replies>,
-    pool: Option<Arc<rayon::ThreadPool>>,
+    pool: Option<Arc<Pool>>,
     /// The series that was drawn last.
     session: Option<(usize, RenderSession)>,
 }
@@ -152,13 +229,13 @@ impl Worker {
             replies.send(&Reply::Limit(limit));
         });
         let drawn = catch_unwind(AssertUnwindSafe(|| self.files(draw, control)));
-        control.gate.admit(usize::MAX);
+        control.gate.open();
         drop(watch);
         match drawn {
             Ok(Ok(files)) => self.replies.finish(&files),
             Ok(Err(reason)) => self.replies.send(&Reply::Failed(reason)),
             Err(panic) => self.replies.send(&Reply::Failed(Some(format!(
-                "povr broke down: {}; please report it with the scene",
+                "internal error: {}; please report it with the scene",
                 words(&*panic)
             )))),
         }
@@ -180,14 +257,16 @@ impl Worker {
         };
         let pool = match (&self.pool, render.threads) {
             (None, Some(threads)) => {
-                let pool = crate::pool(threads, &listen).map_err(|_| None)?;
+                let pool = Pool::new(threads).map_err(|error| Some(error.to_string()))?;
                 Some(Arc::clone(self.pool.insert(Arc::new(pool))))
             }
             (pool, _) => pool.clone(),
         };
-        if let (Some(pool), Some(threads)) = (&pool, draw.threads) {
-            control.gate.hold(pool, threads);
+        if let Some(pool) = &pool {
+            let admitted = draw.threads.unwrap_or(usize::MAX);
+            control.gate.hold(pool, admitted).map_err(Some)?;
         }
+        let pool = pool.map(|pool| Arc::clone(&pool.threads));
         let single;
         let session = match (draw.series, &mut self.session) {
             (None, session) => {
@@ -243,7 +322,7 @@ impl Replies {
             }
             return;
         };
-        let mut pipe = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut pipe = lock(&self.0);
         pipe.pixels += pixels;
         if pipe.reported.elapsed() > INTERVAL {
             pipe.send_pixels();
@@ -252,7 +331,7 @@ impl Replies {
     }
 
     fn send(&self, reply: &Reply) {
-        let mut pipe = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut pipe = lock(&self.0);
         pipe.send_pixels();
         pipe.send(reply);
         let _ = pipe.out.flush();
@@ -260,7 +339,7 @@ impl Replies {
 
     /// Sends the files of a picture.
     fn finish(&self, files: &[Vec<u8>]) {
-        let mut pipe = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut pipe = lock(&self.0);
         pipe.send_pixels();
         pipe.send(&Reply::Done(
             files.iter().map(|file| file.len() as u64).collect(),
@@ -291,5 +370,5 @@ impl Pipe {
 fn words(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("nobody knows why")
+        .unwrap_or("a panic without a message")
 }

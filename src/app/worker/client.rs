@@ -4,10 +4,12 @@ use super::COMMAND;
 use super::wire::{Draw, Limit, Reply, Request, read_bytes, read_message, write_message};
 use crate::app::program;
 use crate::base::options::Event;
+use crate::base::sync::lock;
 use std::io::{self, BufReader, Read};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -16,6 +18,10 @@ const EXIT: Duration = Duration::from_secs(2);
 
 /// Maximum length of the quoted end of standard error in bytes.
 const LAST_WORDS: usize = 1 << 10;
+
+/// Held while a worker is started, which takes several file descriptors for a moment: if all threads started theirs at
+/// once, all could fail where some are left.
+static STARTING: Mutex<()> = Mutex::new(());
 
 /// A running worker; it ends when this is dropped.
 #[derive(Debug)]
@@ -30,8 +36,16 @@ pub(crate) struct Worker {
 #[derive(Clone, Debug)]
 pub(crate) struct Control {
     child: Arc<Mutex<Child>>,
-    requests: Arc<Mutex<ChildStdin>>,
+    requests: Arc<Mutex<Requests>>,
     has_killed: Arc<AtomicBool>,
+}
+
+/// Requests on their way to a worker. A thread writes them, as a stopped worker reads none and the pipe may be full.
+#[derive(Debug)]
+struct Requests {
+    sender: Sender<Request>,
+    /// Threads admitted to the current picture; `None` between pictures.
+    threads: Option<usize>,
 }
 
 /// The reason that a worker has delivered no picture.
@@ -51,11 +65,20 @@ pub(crate) enum Lost {
 }
 
 impl Worker {
-    /// Starts a worker.
+    /// The worker, or a new one if there is none or it draws nothing more.
     ///
     /// # Errors
     /// When the system starts no more processes or threads.
-    pub(crate) fn start() -> io::Result<Self> {
+    pub(crate) fn ready(worker: &mut Option<Worker>) -> io::Result<&mut Worker> {
+        let usable = worker.take().filter(|worker| !worker.is_spent());
+        Ok(worker.insert(match usable {
+            Some(worker) => worker,
+            None => Worker::start()?,
+        }))
+    }
+
+    fn start() -> io::Result<Self> {
+        let _alone = lock(&STARTING);
         let mut command = Command::new(program::again()?);
         #[cfg(unix)]
         std::os::unix::process::CommandExt::arg0(&mut command, env!("CARGO_PKG_NAME"));
@@ -70,17 +93,24 @@ impl Worker {
         else {
             return Err(io::ErrorKind::BrokenPipe.into());
         };
-        let reader = thread::Builder::new().name("last words".to_owned());
-        Ok(Worker {
+        let (sender, receiver) = mpsc::channel();
+        let mut worker = Worker {
             control: Control {
                 child: Arc::new(Mutex::new(child)),
-                requests: Arc::new(Mutex::new(requests)),
+                requests: Arc::new(Mutex::new(Requests {
+                    sender,
+                    threads: None,
+                })),
                 has_killed: Arc::default(),
             },
             replies: BufReader::new(replies),
-            last_words: Some(reader.spawn(move || end_of(errors))?),
+            last_words: None,
             is_spent: false,
-        })
+        };
+        let named = |name: &str| thread::Builder::new().name(name.to_owned());
+        named("requests").spawn(move || write_requests(requests, &receiver))?;
+        worker.last_words = Some(named("last words").spawn(move || end_of(errors))?);
+        Ok(worker)
     }
 
     /// Controls the current picture.
@@ -88,9 +118,10 @@ impl Worker {
         self.control.clone()
     }
 
-    /// True if this worker draws nothing more.
-    pub(crate) fn is_spent(&self) -> bool {
-        self.is_spent
+    /// True if this worker draws nothing more, or has ended.
+    fn is_spent(&self) -> bool {
+        let has_ended = || !matches!(lock(&self.control.child).try_wait(), Ok(None));
+        self.is_spent || self.control.has_killed.load(Ordering::Relaxed) || has_ended()
     }
 
     /// Draws a picture; returns the contents of its files.
@@ -109,6 +140,7 @@ impl Worker {
         let files = draw.files.len();
         let mut limit = None;
         let drawn = self.replies_to(draw, listen, warn, &mut limit);
+        lock(&self.control.requests).threads = None;
         self.is_spent |= limit.is_some() || drawn.is_err();
         match (drawn, limit) {
             (_, Some(limit)) => Err(Lost::Limit(limit)),
@@ -132,8 +164,7 @@ impl Worker {
         // A worker that a scene has taken over sends no more than one that is within its limit.
         let longest = draw.max_memory.unwrap_or(u64::MAX);
         let mut replies = self.replies.by_ref().take(longest);
-        let request = Request::Draw(Box::new(draw));
-        write_message(&mut *lock(&self.control.requests), &request)?;
+        self.control.begin(draw);
         loop {
             match read_message(&mut replies)? {
                 Reply::Weaker(lack) => warn(&lack),
@@ -195,15 +226,24 @@ impl Drop for Worker {
 }
 
 impl Control {
+    fn begin(&self, draw: Draw) {
+        let mut requests = lock(&self.requests);
+        requests.threads = Some(draw.threads.unwrap_or(usize::MAX));
+        requests.send(Request::Draw(Box::new(draw)));
+    }
+
     /// Cancels the current picture, which the worker then reports as failed.
     pub(crate) fn stop(&self) {
-        // A process that has ended draws nothing.
-        let _ = write_message(&mut *lock(&self.requests), &Request::Stop);
+        lock(&self.requests).send(Request::Stop);
     }
 
     /// Lets the current picture use more threads of its worker.
     pub(crate) fn use_threads(&self, count: usize) {
-        let _ = write_message(&mut *lock(&self.requests), &Request::Threads(count));
+        let mut requests = lock(&self.requests);
+        if requests.threads.is_some_and(|admitted| admitted < count) {
+            requests.threads = Some(count);
+            requests.send(Request::Threads(count));
+        }
     }
 
     /// Kills the worker, which has not reported in time that its picture is cancelled.
@@ -215,15 +255,31 @@ impl Control {
     /// The exit status of a worker whose pipes are closed. One that goes on nevertheless is killed.
     fn status(&self) -> io::Result<ExitStatus> {
         let started = Instant::now();
-        let mut child = lock(&self.child);
         while started.elapsed() < EXIT {
-            if let Some(status) = child.try_wait()? {
+            if let Some(status) = lock(&self.child).try_wait()? {
                 return Ok(status);
             }
             thread::sleep(Duration::from_millis(1));
         }
+        let mut child = lock(&self.child);
         child.kill()?;
         child.wait()
+    }
+}
+
+impl Requests {
+    fn send(&self, request: Request) {
+        // A process that has ended receives nothing; its replies end too.
+        let _ = self.sender.send(request);
+    }
+}
+
+/// Writes requests until the process or its controls are gone.
+fn write_requests(mut pipe: ChildStdin, requests: &Receiver<Request>) {
+    while let Ok(request) = requests.recv() {
+        if write_message(&mut pipe, &request).is_err() {
+            return;
+        }
     }
 }
 
@@ -250,8 +306,4 @@ fn end_of(mut errors: ChildStderr) -> Vec<u8> {
         end.drain(..end.len().saturating_sub(LAST_WORDS));
     }
     end
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

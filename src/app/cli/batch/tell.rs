@@ -33,6 +33,7 @@ pub(super) struct BatchReporter<'a> {
 
 #[derive(Default)]
 struct Tally {
+    has_begun: bool,
     left: usize,
     drawn: usize,
     up_to_date: usize,
@@ -115,7 +116,9 @@ impl<'a> BatchReporter<'a> {
     pub(super) fn report(&self, news: News<'_>) {
         match news {
             News::Left { pictures, pixels } => {
-                self.lock().left = pictures;
+                let mut tally = self.lock();
+                (tally.has_begun, tally.left) = (true, pictures);
+                drop(tally);
                 self.bar.set_length(pixels);
                 self.bar.reset();
             }
@@ -157,6 +160,11 @@ impl<'a> BatchReporter<'a> {
             0 => format!("{done} of {}", tally.left),
             _ => format!("{done} of {}, {failed} failed", tally.left),
         });
+    }
+
+    /// True if the pictures to draw are known.
+    pub(super) fn has_begun(&self) -> bool {
+        self.lock().has_begun
     }
 
     /// Reports failures and totals; returns the pictures that failed, with a one-line reason.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 use super::files::Known;
@@ -15,6 +15,7 @@ use crate::app::cli::options::settings::Settings;
 use crate::app::worker::{Control, Draw, Lost, Worker};
 use crate::base::options::{Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
+use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions, Format};
 
 /// Side of a picture over side of its preview.
@@ -128,12 +129,8 @@ impl Painter {
         listen: &dyn Fn(Event<'_>),
     ) -> Result<Vec<Vec<u8>>, Lost> {
         let mut worker = lock(&self.worker);
-        let usable = worker.take().filter(|worker| !worker.is_spent());
-        let worker = worker.insert(match usable {
-            Some(worker) => worker,
-            None => Worker::start()
-                .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?,
-        });
+        let worker = Worker::ready(&mut worker)
+            .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
         drawing.begin(worker.control())?;
         worker.draw(draw, listen, &|lack| kernel::warn(&[lack.to_owned()]))
     }
@@ -241,8 +238,4 @@ impl Drawing {
     fn is_cancelled(&self) -> bool {
         lock(&self.progress).cancelled.is_some()
     }
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
