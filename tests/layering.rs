@@ -21,7 +21,7 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
 /// The modules by layer, lowest first. Modules of one layer do not use each other, except for [`SIBLINGS`]; files of one
 /// module may.
 const LAYERS: &[&[&str]] = &[
-    &["base::file"],
+    &["base::file", "base::sync", "base::version"],
     &[
         "base::math",
         "base::source",

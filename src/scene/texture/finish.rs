@@ -111,10 +111,10 @@ impl Finish {
             None => base.clone(),
         };
         let mut albedo = Albedo::default();
-        let mut has_fresnel = false;
+        let mut has_reflection = false;
         while !args.accept_close()? {
             let word = args.word()?;
-            has_fresnel |= word == Some(Word::Fresnel);
+            has_reflection |= word == Some(Word::Reflection);
             let is_known = match word {
                 Some(word) => {
                     finish.read_light(word, args, &mut albedo)?
@@ -127,8 +127,10 @@ impl Finish {
                 return Err(args.expected("a parameter of `finish` or `}`"));
             }
         }
-        if has_fresnel {
+        if finish.fresnel != 0.0 {
             finish.reflection.end_fresnel();
+        } else if has_reflection {
+            finish.reflection.end_without_fresnel();
         }
         finish.scale_albedos(&albedo);
         finish.clamp_negative_strengths();

@@ -87,6 +87,13 @@ impl Reflection {
             self.min = Rgb::BLACK;
         }
     }
+
+    /// Undoes [`Reflection::end_fresnel`] where `fresnel 0` follows in the same finish (measured with POV-Ray 3.8).
+    pub(super) fn end_without_fresnel(&mut self) {
+        if !self.is_fresnel && self.has_one_color {
+            self.min = self.max;
+        }
+    }
 }
 
 #[cfg(test)]
