@@ -7,7 +7,7 @@ use crate::base::options::Event;
 use crate::base::sync::lock;
 use std::io::{self, BufReader, Read};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
@@ -22,6 +22,12 @@ const LAST_WORDS: usize = 1 << 10;
 /// Held while a worker is started, which takes several file descriptors for a moment: if all threads started theirs at
 /// once, all could fail where some are left.
 static STARTING: Mutex<()> = Mutex::new(());
+
+/// Number of workers of this process.
+static RUNNING: AtomicUsize = AtomicUsize::new(0);
+
+/// File descriptors that storing a picture takes at most. They must be left for each worker when another is started.
+const FOR_STORING: usize = 4;
 
 /// A running worker; it ends when this is dropped.
 #[derive(Debug)]
@@ -79,6 +85,10 @@ impl Worker {
 
     fn start() -> io::Result<Self> {
         let _alone = lock(&STARTING);
+        #[cfg(unix)]
+        let _left = (0..FOR_STORING * (RUNNING.load(Ordering::Relaxed) + 1))
+            .map(|_| std::os::fd::AsFd::as_fd(&io::stderr()).try_clone_to_owned())
+            .collect::<io::Result<Vec<_>>>()?;
         let mut command = Command::new(program::again()?);
         #[cfg(unix)]
         std::os::unix::process::CommandExt::arg0(&mut command, env!("CARGO_PKG_NAME"));
@@ -94,6 +104,7 @@ impl Worker {
             return Err(io::ErrorKind::BrokenPipe.into());
         };
         let (sender, receiver) = mpsc::channel();
+        RUNNING.fetch_add(1, Ordering::Relaxed);
         let mut worker = Worker {
             control: Control {
                 child: Arc::new(Mutex::new(child)),
@@ -202,7 +213,7 @@ impl Worker {
         let words = String::from_utf8_lossy(&words.unwrap_or_default()).into_owned();
         let mut lines = words.lines().rev();
         let last = lines.find(|line| !line.trim().is_empty());
-        // What a worker writes may be the text of a scene.
+        // These words may be the text of a scene, with control characters of a terminal.
         let plain = |line: &str| line.replace(char::is_control, " ");
         let mut reason = match &status {
             Ok(status) => format!("its process ended ({status})"),
@@ -222,6 +233,7 @@ impl Drop for Worker {
     fn drop(&mut self) {
         self.control.kill();
         let _ = lock(&self.control.child).wait();
+        RUNNING.fetch_sub(1, Ordering::Relaxed);
     }
 }
 
