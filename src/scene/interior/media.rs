@@ -4,7 +4,7 @@ use crate::base::args::{Args, Parse, Word, declared, transform_step};
 use crate::base::color::Rgb;
 use crate::base::math::Step;
 use crate::base::source::{Diagnostic, Span};
-use crate::scene::pattern::{Keys, Map};
+use crate::scene::pattern::{Blend, Keys, Map};
 use crate::scene::texture::{Pigment, PigmentSyntax};
 
 /// The first language version with the current sampling defaults.
@@ -104,7 +104,7 @@ impl Density {
     /// # Errors
     /// A malformed entry, or no entries.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Density>> {
-        Map::read("density_map", keys, args, &mut |args| {
+        Map::read("density_map", keys, Blend::refuse, args, &mut |args| {
             let base = Density::known(args)?;
             base.0.read_entry(args, PigmentSyntax::Density).map(Density)
         })

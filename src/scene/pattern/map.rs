@@ -55,7 +55,7 @@ pub enum BlendSpace {
 
 impl Blend {
     /// Reads `blend_mode` and `blend_gamma` at the start of a map.
-    fn read(args: &mut dyn Args) -> Parse<Blend> {
+    pub(crate) fn read(args: &mut dyn Args) -> Parse<Blend> {
         let (mut mode, mut gamma) = (0.0, Gamma::power(DEFAULT_BLEND_GAMMA));
         loop {
             if args.accept(Word::BlendMode)? {
@@ -82,7 +82,7 @@ impl Blend {
     }
 
     /// Refuses `blend_mode` and `blend_gamma` in the map `what`, whose entries are no colours.
-    fn refuse(what: &str, args: &mut dyn Args) -> Parse<Blend> {
+    pub(crate) fn refuse(what: &str, args: &mut dyn Args) -> Parse<Blend> {
         let at = args.span();
         for word in [Word::BlendMode, Word::BlendGamma] {
             if args.accept(word)? {
@@ -202,6 +202,9 @@ impl Keys {
     }
 }
 
+/// Reads, or refuses, the blending of the map that the text names.
+type ReadBlend = fn(&str, &mut dyn Args) -> Parse<Blend>;
+
 /// Reads one entry of a map and appends it.
 type ReadEntry<'a, T> = dyn FnMut(&mut dyn Args, &mut Vec<(f32, T)>) -> Parse<()> + 'a;
 
@@ -229,47 +232,29 @@ impl<T> Map<T> {
     }
 
     /// Reads `{ [position entry] ... }` or `{ Name }`. `entry` reads up to the `]`, which it leaves; `what` is the
-    /// keyword of the map, for messages.
+    /// keyword of the map, for messages; `blend` reads or refuses words of blending before the entries.
     ///
     /// # Errors
     /// A malformed entry, none, or too many.
     pub fn read(
         what: &str,
         keys: Keys,
+        blend: ReadBlend,
         args: &mut dyn Args,
         entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
     ) -> Parse<Map<T>>
     where
         T: Send + Sync + 'static,
     {
-        let blend = |args: &mut dyn Args| Blend::refuse(what, args);
-        Map::read_entries(what, args, &blend, &mut |args, entries| {
-            keys.read_entry(args, entries, entry)
-        })
-    }
-
-    /// The same for a map that may have `blend_mode` and `blend_gamma` before its entries.
-    ///
-    /// # Errors
-    /// A malformed entry, none, or too many.
-    pub fn read_blended(
-        what: &str,
-        keys: Keys,
-        args: &mut dyn Args,
-        entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
-    ) -> Parse<Map<T>>
-    where
-        T: Send + Sync + 'static,
-    {
-        Map::read_entries(what, args, &Blend::read, &mut |args, entries| {
+        Map::read_entries(what, blend, args, &mut |args, entries| {
             keys.read_entry(args, entries, entry)
         })
     }
 
     fn read_entries(
         what: &str,
+        blend: ReadBlend,
         args: &mut dyn Args,
-        blend: &dyn Fn(&mut dyn Args) -> Parse<Blend>,
         entry: &mut ReadEntry<'_, T>,
     ) -> Parse<Map<T>>
     where
@@ -284,7 +269,7 @@ impl<T> Map<T> {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };
-        let blend = blend(args)?;
+        let blend = blend(what, args)?;
         let mut entries = Vec::new();
         while args.accept_mark('[')? {
             entry(args, &mut entries)?;
@@ -382,7 +367,8 @@ impl Map<Color> {
     /// # Errors
     /// A malformed entry, none, or too many.
     pub fn read_colors(args: &mut dyn Args) -> Parse<Map<Color>> {
-        Map::read_entries("color_map", args, &Blend::read, &mut |args, entries| {
+        let blend: ReadBlend = |_, args| Blend::read(args);
+        Map::read_entries("color_map", blend, args, &mut |args, entries| {
             let from = args.single()?;
             args.comma()?;
             if let Some(color) = args.color_if_any()? {

@@ -68,6 +68,7 @@ mod wave;
 
 pub use chain::{NormalTransforms, PreparedWarpChain, WarpChain};
 pub use field::{ReadPattern, read_field};
+pub(crate) use map::Blend;
 pub use map::{Between, Keys, MAX_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use noise::crackle::nearest_feature;

@@ -5,7 +5,7 @@ use crate::base::args::{Args, Parse, Word, declared, default_of};
 use crate::base::bitmap;
 use crate::base::math::Step;
 use crate::base::source::Span;
-use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
+use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -87,7 +87,13 @@ impl Normal {
     /// # Errors
     /// A malformed entry, or no entry.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
-        Map::read("normal_map", keys, args, &mut Normal::read_entry)
+        Map::read(
+            "normal_map",
+            keys,
+            Blend::refuse,
+            args,
+            &mut Normal::read_entry,
+        )
     }
 
     /// Reads `slope_map { [position <height, slope>] ... }` after its word.
@@ -95,9 +101,13 @@ impl Normal {
     /// # Errors
     /// A malformed entry, or no entry.
     pub fn read_slopes(args: &mut dyn Args) -> Parse<Map<DVec2>> {
-        Map::read("slope_map", Keys::Positions, args, &mut |args| {
-            args.vector2()
-        })
+        Map::read(
+            "slope_map",
+            Keys::Positions,
+            Blend::refuse,
+            args,
+            &mut |args| args.vector2(),
+        )
     }
 
     /// Reads bumps and their height without a block. Other values are those of `base`.

@@ -8,7 +8,7 @@ use crate::base::bitmap;
 use crate::base::math::Step;
 use crate::base::source::{Diagnostic, Span};
 use crate::base::word::Class;
-use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern};
+use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern};
 use std::sync::Arc;
 
 /// A pattern that selects among textures.
@@ -172,7 +172,7 @@ impl Texture {
     /// # Errors
     /// A malformed entry, or no entry.
     pub fn read_map(keys: Keys, args: &mut dyn Args, default: &Layer) -> Parse<Map<Texture>> {
-        Map::read("texture_map", keys, args, &mut |args| {
+        Map::read("texture_map", keys, Blend::refuse, args, &mut |args| {
             Texture::entry(args, default)
         })
     }

@@ -8,7 +8,7 @@ use crate::base::math::Step;
 use crate::base::source::Diagnostic;
 use crate::base::version::is_3_8;
 use crate::scene::interior::Density;
-use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
+use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -261,7 +261,8 @@ impl Pigment {
     /// # Errors
     /// A malformed entry, no entry, or too many.
     pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
-        Map::read_blended("pigment_map", keys, args, &mut Pigment::entry)
+        let blend = |_: &str, args: &mut dyn Args| Blend::read(args);
+        Map::read("pigment_map", keys, blend, args, &mut Pigment::entry)
     }
 
     /// Reads a colour, a pattern, a map or a modifier without a block; false if none is next.
