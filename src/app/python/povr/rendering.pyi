@@ -1,6 +1,8 @@
 from os import PathLike
 from typing import Any, Callable, Iterable, Iterator, Literal, Mapping, NamedTuple, Optional, Union
 
+from typing_extensions import TypedDict, Unpack
+
 import numpy
 
 from ._povr import CancelToken
@@ -17,107 +19,43 @@ class Antialias(NamedTuple):
     depth: int = 3
     jitter: float = 1.0
 
-def render(
-    scene: _Source,
-    *,
-    width: int = 800,
-    height: int = 600,
-    antialias: Union[None, bool, float, Antialias] = None,
-    alpha: bool = False,
-    depth: Literal[8, 16, 32] = 8,
-    threads: Optional[int] = None,
-    version: Optional[float] = None,
-    include_path: _Folders = (),
-    declare: Optional[Mapping[str, float]] = None,
-    clock: Optional[float] = None,
-    error: Optional[float] = None,
-    time: Optional[float] = None,
-    options: Union[str, Iterable[str]] = (),
-    allow_write: _Folders = (),
-    name: str = "scene",
-    progress: _Progress = None,
-    cancel: Optional[CancelToken] = None,
-) -> numpy.ndarray: ...
-def png(
-    scene: _Source,
-    *,
-    width: int = 800,
-    height: int = 600,
-    antialias: Union[None, bool, float, Antialias] = None,
-    alpha: bool = False,
-    depth: Literal[8, 16] = 8,
-    threads: Optional[int] = None,
-    version: Optional[float] = None,
-    include_path: _Folders = (),
-    declare: Optional[Mapping[str, float]] = None,
-    clock: Optional[float] = None,
-    error: Optional[float] = None,
-    time: Optional[float] = None,
-    options: Union[str, Iterable[str]] = (),
-    allow_write: _Folders = (),
-    name: str = "scene",
-    progress: _Progress = None,
-    cancel: Optional[CancelToken] = None,
-) -> bytes: ...
+class _Options(TypedDict, total=False):
+    width: int
+    height: int
+    antialias: Union[None, bool, float, Antialias]
+    alpha: bool
+    threads: Optional[int]
+    version: Optional[float]
+    include_path: _Folders
+    declare: Optional[Mapping[str, float]]
+    error: Optional[float]
+    time: Optional[float]
+    options: Union[str, Iterable[str]]
+    allow_write: _Folders
+    name: str
+
+class _Still(_Options, total=False):
+    clock: Optional[float]
+
+class _Drawn(_Still, total=False):
+    progress: _Progress
+    cancel: Optional[CancelToken]
+
+class _Frames(_Options, total=False):
+    clock: tuple[float, float]
+    progress: _Progress
+    cancel: Optional[CancelToken]
+
+def render(scene: _Source, *, depth: Literal[8, 16, 32] = 8, **options: Unpack[_Drawn]) -> numpy.ndarray: ...
+def png(scene: _Source, *, depth: Literal[8, 16] = 8, **options: Unpack[_Drawn]) -> bytes: ...
 def render_frames(
     scene: _Source,
     frames: int,
     *,
     first: int = 1,
     cyclic: bool = False,
-    width: int = 800,
-    height: int = 600,
-    antialias: Union[None, bool, float, Antialias] = None,
-    alpha: bool = False,
     depth: Literal[8, 16, 32] = 8,
-    threads: Optional[int] = None,
-    version: Optional[float] = None,
-    include_path: _Folders = (),
-    declare: Optional[Mapping[str, float]] = None,
-    clock: tuple[float, float] = (0.0, 1.0),
-    error: Optional[float] = None,
-    time: Optional[float] = None,
-    options: Union[str, Iterable[str]] = (),
-    allow_write: _Folders = (),
-    name: str = "scene",
-    progress: _Progress = None,
-    cancel: Optional[CancelToken] = None,
+    **options: Unpack[_Frames],
 ) -> Iterator[numpy.ndarray]: ...
-def check(
-    scene: _Source,
-    *,
-    width: int = 800,
-    height: int = 600,
-    antialias: Union[None, bool, float, Antialias] = None,
-    alpha: bool = False,
-    depth: Literal[8, 16, 32] = 8,
-    threads: Optional[int] = None,
-    version: Optional[float] = None,
-    include_path: _Folders = (),
-    declare: Optional[Mapping[str, float]] = None,
-    clock: Optional[float] = None,
-    error: Optional[float] = None,
-    time: Optional[float] = None,
-    options: Union[str, Iterable[str]] = (),
-    allow_write: _Folders = (),
-    name: str = "scene",
-) -> list[Finding]: ...
-def plan(
-    scene: _Source,
-    *,
-    width: int = 800,
-    height: int = 600,
-    antialias: Union[None, bool, float, Antialias] = None,
-    alpha: bool = False,
-    depth: Literal[8, 16, 32] = 8,
-    threads: Optional[int] = None,
-    version: Optional[float] = None,
-    include_path: _Folders = (),
-    declare: Optional[Mapping[str, float]] = None,
-    clock: Optional[float] = None,
-    error: Optional[float] = None,
-    time: Optional[float] = None,
-    options: Union[str, Iterable[str]] = (),
-    allow_write: _Folders = (),
-    name: str = "scene",
-) -> dict[str, Any]: ...
+def check(scene: _Source, *, depth: Literal[8, 16, 32] = 8, **options: Unpack[_Still]) -> list[Finding]: ...
+def plan(scene: _Source, *, depth: Literal[8, 16, 32] = 8, **options: Unpack[_Still]) -> dict[str, Any]: ...

@@ -19,17 +19,8 @@ __all__ = [*_elements.__all__, "POVRayElement", "POVRayMap", "render_povstring"]
 class Scene(_elements.Scene):
     """A scene of vapory: its text names no language version, and ``defaults`` are left out, as in vapory 0.1.2."""
 
-    def __init__(
-        self,
-        camera,
-        objects=(),
-        atmospheric=(),
-        included=(),
-        defaults=(),
-        global_settings=(),
-        declares=(),
-    ):
-        super().__init__(camera, objects, atmospheric, included, defaults, global_settings, declares, None)
+    def __init__(self, *args, **more):
+        super().__init__(*args, version=None, **more)
 
     def _defaults(self):
         return ()
