@@ -1,4 +1,4 @@
-// What an isosurface cuts is decided by its function at the points of the others, whatever `max_gradient` is.
+// An isosurface cuts by its function at the points of the others, whatever `max_gradient` is.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 10, -10> look_at 0 right 4*x up 3*y }

@@ -214,7 +214,7 @@ impl Objects {
     }
 }
 
-/// What objects of [`Objects::extend_like`] have in common.
+/// The common part of the objects of [`Objects::extend_like`].
 enum Model<'a> {
     /// A shape of one colour, without transforms or other attributes.
     Colored(Color, Arc<Finish>),

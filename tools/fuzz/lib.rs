@@ -1,4 +1,4 @@
-//! What each fuzz target does with its input. A panic, an abort, a hang and too much memory are faults; messages are not.
+//! The fuzz targets. A panic, an abort, a hang and too much memory are faults; messages are not.
 
 use povr::RenderSession;
 use povr::app::batch::{self, Batch};

@@ -46,7 +46,7 @@ pub(crate) struct Drawn {
     statistics: String,
 }
 
-/// What a scene reports while it is read and drawn.
+/// Findings, text and progress of a scene while it is read and drawn.
 #[derive(Default)]
 struct Reports {
     findings: Mutex<Vec<Value>>,

@@ -3,7 +3,8 @@
 //! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped). The roots
 //! are sorted by `t`, and a sweep toggles one leaf at a time; each toggle climbs only as far as something changes. No
 //! hit is tested for being inside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling
-//! solids", CGIP 18; here n-ary, with one sort). Coincident roots are decided in [`super::coincidence`].
+//! solids", CGIP 18; here n-ary, with one sort), except in shapes whose roots are searched for and may be missed
+//! ([`Geometry::may_miss_roots`]). Coincident roots are decided in [`super::coincidence`].
 //!
 //! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
 //! other children; an intersection those inside all its other children.

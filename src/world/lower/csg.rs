@@ -48,7 +48,7 @@ pub(crate) struct PendingGate {
     /// The operands that it bounds.
     operands: Range<u32>,
     object: Arc<Object>,
-    /// What it inherits.
+    /// The state that it inherits.
     above: Inherited,
 }
 
