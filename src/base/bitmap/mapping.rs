@@ -43,6 +43,8 @@ pub enum Interpolation {
     Bicubic,
     /// 4: normalised distance.
     NormalisedDistance,
+    /// Any other number where POV-Ray takes it: no pixel contributes, and every colour and index is 0. POV-Ray's bumps may differ: they are undefined.
+    Unknown,
 }
 
 /// The mapping of an image to space.
@@ -58,7 +60,8 @@ pub struct Mapping {
 
 impl Mapping {
     /// Reads the next token `word` and its value if it is a mapping parameter; returns false otherwise. An unknown
-    /// `map_type` means planar, except for [`Purpose::Colors`], where it is an error.
+    /// `map_type` means planar and an unknown `interpolate` colour 0 everywhere, as in POV-Ray, except for
+    /// [`Purpose::Colors`], where either is an error.
     ///
     /// # Errors
     /// The number of `map_type` or `interpolate` is unknown.
@@ -73,7 +76,7 @@ impl Mapping {
         }
         let start = args.span();
         let number = args.float()?.trunc();
-        let (is_known, valid_numbers) = if word == Word::MapType {
+        let (is_known, valid_numbers, substitute) = if word == Word::MapType {
             let entries = [
                 (0.0, MapType::Planar),
                 (1.0, MapType::Spherical),
@@ -86,12 +89,11 @@ impl Mapping {
                 .into_iter()
                 .find(|entry| entry.0 == number && (has_angular || entry.1 != MapType::Angular));
             self.map_type = matching_entry.map_or(MapType::Planar, |entry| entry.1);
-            let is_known = matching_entry.is_some() || purpose != Purpose::Colors;
             let valid_numbers = match has_angular {
                 true => "0, 1, 2, 5 or 7",
                 false => "0, 1, 2 or 5",
             };
-            (is_known, valid_numbers)
+            (matching_entry.is_some(), valid_numbers, "it is planar")
         } else {
             let entries = [
                 (0.0, Interpolation::None),
@@ -100,15 +102,26 @@ impl Mapping {
                 (4.0, Interpolation::NormalisedDistance),
             ];
             let matching_entry = entries.into_iter().find(|entry| entry.0 == number);
-            self.interpolation = matching_entry.map_or(self.interpolation, |entry| entry.1);
-            (matching_entry.is_some(), "0, 2, 3 or 4")
+            self.interpolation = matching_entry.map_or(Interpolation::Unknown, |entry| entry.1);
+            (
+                matching_entry.is_some(),
+                "0, 2, 3 or 4",
+                "the picture is 0 everywhere",
+            )
         };
         if is_known {
             return Ok(true);
         }
         let span = start.to(args.last_span());
         let message = format!("`{word}` is {valid_numbers}, found {number}");
-        Err(Box::new(Diagnostic::error(span, message)))
+        if purpose == Purpose::Colors {
+            return Err(Box::new(Diagnostic::error(span, message)));
+        }
+        args.warn(Diagnostic::warning(
+            span,
+            format!("{message}; {substitute}"),
+        ));
+        Ok(true)
     }
 
     /// Image position of a point, in pixels from the top left; `None` outside an image mapped `once`.
@@ -211,6 +224,7 @@ impl Mapping {
                 self.visit_2x2(bitmap, at, normalised_distance, visit);
             }
             Interpolation::Bicubic => self.visit_4x4(bitmap, at, visit),
+            Interpolation::Unknown => {}
         }
     }
 

@@ -133,7 +133,7 @@ impl Normal {
         normal.checked(args)
     }
 
-    /// Reads an optional name, which replaces `base`, and an optional pattern.
+    /// Reads an optional name, which replaces `base`, and an optional pattern, or a height alone.
     fn begin(args: &mut dyn Args, at: Span, base: Option<&Normal>) -> Parse<Normal> {
         let known = declared::<Arc<Normal>>(args)?;
         let is_named = known.is_some();
@@ -154,9 +154,7 @@ impl Normal {
             args.comma()?;
         }
         let Some(word) = args.word()? else {
-            if is_named {
-                normal.amount = args.float_or(normal.amount)?;
-            }
+            normal.amount = args.float_or(normal.amount)?;
             return Ok(normal);
         };
         if word == Word::UvMapping {
