@@ -210,7 +210,9 @@ pub(crate) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Opti
             continue;
         }
         let pigment = match color {
-            Some(color) => Pigment::plain(color).read_to_block_end(args, PigmentSyntax::Pigment)?,
+            Some(color) => {
+                Pigment::plain(color).read_parts_to_block_end(args, PigmentSyntax::Pigment)?
+            }
             None => Pigment::read_inside(args, &default.pigment)?,
         };
         let layer = Layer {

@@ -7,6 +7,7 @@ use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
 use crate::base::source::Diagnostic;
 use crate::base::version::is_3_8;
+use crate::base::word::Class;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
 
@@ -193,19 +194,44 @@ impl Pigment {
         }
     }
 
-    /// Reads changes to this pigment up to the end of the block.
+    /// Reads changes to this pigment up to the end of the block: a colour or pattern, then the other parts.
     ///
     /// # Errors
-    /// A malformed value, or an unsupported keyword.
+    /// A malformed value, an unsupported keyword, or a colour or pattern after another part.
     pub fn read_to_block_end(
         mut self,
         args: &mut dyn Args,
         family: PigmentSyntax,
     ) -> Parse<Pigment> {
+        if args.accept_close()? {
+            return self.checked(args, family);
+        }
+        if !self.read_source(args, family)? && !self.read_part(args, family)? {
+            let what = format!("a colour, a pattern or `}}` in `{}`", family.word());
+            return Err(args.expected(&what));
+        }
+        self.read_parts_to_block_end(args, family)
+    }
+
+    /// Reads the parts after the colour or pattern up to the end of the block.
+    ///
+    /// # Errors
+    /// A malformed value, an unsupported keyword, or another colour or pattern.
+    pub fn read_parts_to_block_end(
+        mut self,
+        args: &mut dyn Args,
+        family: PigmentSyntax,
+    ) -> Parse<Pigment> {
         while !args.accept_close()? {
-            if !self.read_item(args, family)? {
-                let what = family.word();
-                return Err(args.expected(&format!("a colour, a pattern or `}}` in `{what}`")));
+            if !self.read_part(args, family)? {
+                let is_source =
+                    |word: Word| word.class() == Class::Color || pattern::is_pattern(word);
+                let rule = match args.word()?.is_some_and(is_source) {
+                    true => ", whose colour or pattern comes first, and once",
+                    false => "",
+                };
+                let what = format!("a modifier or `}}` in `{}`{rule}", family.word());
+                return Err(args.expected(&what));
             }
         }
         self.checked(args, family)
@@ -216,7 +242,8 @@ impl Pigment {
     /// # Errors
     /// A malformed value, or an unsupported keyword.
     pub fn read_entry(mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<Pigment> {
-        while self.read_item(args, family)? {}
+        self.read_source(args, family)?;
+        while self.read_part(args, family)? {}
         self.checked(args, family)
     }
 
@@ -267,7 +294,8 @@ impl Pigment {
 
     /// Reads a colour, a pattern, a map or a modifier without a block; false if none is next.
     pub(super) fn read_bare(&mut self, args: &mut dyn Args) -> Parse<bool> {
-        self.read_item(args, PigmentSyntax::Pigment)
+        let family = PigmentSyntax::Pigment;
+        Ok(self.read_source(args, family)? || self.read_part(args, family)?)
     }
 
     /// Reads a colour that begins with a colour word or a name; false if none is next.
@@ -279,28 +307,36 @@ impl Pigment {
         Ok(color.is_some())
     }
 
-    /// Reads one part of a pigment; false if none is next.
-    fn read_item(&mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
+    /// Reads a colour or a pattern with its list; false if none is next.
+    fn read_source(&mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         if self.read_own_color(args)? {
             return Ok(true);
         }
         let Some(word) = args.word()? else {
             return Ok(false);
         };
-        let is_known = self.read_idle(word, args, family)?
+        let is_read = self.read_pattern(word, args, family)?;
+        if !is_read && pattern::is_pattern(word) {
+            return Err(not_built(args, word));
+        }
+        Ok(is_read)
+    }
+
+    /// Reads a map or a modifier; false if none is next.
+    fn read_part(&mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
+        let Some(word) = args.word()? else {
+            return Ok(false);
+        };
+        let is_read = self.read_idle(word, args, family)?
             || self.read_own(word, args, family)?
             || self
                 .modifiers
-                .change(|modifiers| modifiers.read(word, args))?
-            || self.read_pattern(word, args, family)?;
-        if !is_known && word == Word::UvMapping {
+                .change(|modifiers| modifiers.read(word, args))?;
+        if !is_read && word == Word::UvMapping {
             let what = "`uv_mapping` at the start of the pigment, before its pattern";
             return Err(args.expected(what));
         }
-        if !is_known && pattern::is_pattern(word) {
-            return Err(not_built(args, word));
-        }
-        Ok(is_known)
+        Ok(is_read)
     }
 
     /// Reads a map without a pattern before it, or `uv_mapping` in a density: neither has an effect. False if none is
@@ -331,7 +367,7 @@ impl Pigment {
 
     fn read_own(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         match word {
-            Word::QuickColor | Word::QuickColour => {
+            Word::QuickColor | Word::QuickColour if family == PigmentSyntax::Pigment => {
                 args.accept(word)?;
                 self.quick_color = Some(Box::new(args.color()?));
             }
@@ -378,7 +414,7 @@ impl Pigment {
         args: &mut dyn Args,
         family: PigmentSyntax,
     ) -> Parse<bool> {
-        if word == Word::ImageMap {
+        if word == Word::ImageMap && family == PigmentSyntax::Pigment {
             args.accept(word)?;
             let source = bitmap::read(args, bitmap::Purpose::Colors)?;
             self.kind = PigmentKind::Image(Box::new(source));
