@@ -111,6 +111,15 @@ impl Reader<'_> {
     pub(crate) fn run_switch(&mut self, index: usize) -> Parse<()> {
         let value = self.number_in_parentheses()?;
         let is_chosen = false;
+        let next = self.raw();
+        let begins_part = next.kind == Kind::Directive && {
+            let word = self.here.tokens.directives[next.value as usize].word;
+            !matches!(word, Some(Word::Else | Word::End))
+        };
+        if !begins_part {
+            let message = "`#switch` without `#case` or `#range` after it; POV-Ray rejects it";
+            self.warning(Diagnostic::warning(self.taken_span(), message));
+        }
         self.enter(index, Entered::Switch { value, is_chosen });
         Ok(())
     }

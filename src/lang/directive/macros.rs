@@ -12,6 +12,9 @@ use crate::lang::syntax::{Kind, Symbol};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
+/// First version whose scenes may call macros.
+const FIRST_WITH_MACROS: f64 = 3.1;
+
 /// The argument of a call for one parameter.
 pub(crate) enum Argument {
     Reference(Target),
@@ -101,6 +104,10 @@ impl Reader<'_> {
     pub(crate) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
         self.pass();
         let call = self.start_taken();
+        if self.draft.version < FIRST_WITH_MACROS {
+            let message = "a macro before `#version 3.1`; POV-Ray rejects it";
+            self.warning(Diagnostic::warning(self.taken_span(), message));
+        }
         let mut arguments = Arguments::default();
         if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
             // The arguments are not part of the value being declared around the call, or before it without a `;`.

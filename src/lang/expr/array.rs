@@ -422,6 +422,11 @@ impl Reader<'_> {
             self.take_mark(',')?;
             index += 1;
         }
+        let size = array.sizes[dimension];
+        if index < size && !is_optional && !self.dialect.has_words_of_3_8() {
+            let message = format!("{index} of {size} items of this array; POV-Ray wants all");
+            self.warning(Diagnostic::warning(self.taken_span(), message));
+        }
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use super::color::is_component;
 use super::value::{Element, Number, Value};
 use crate::base::args::{Parse, Word, transform_step};
 use crate::base::color::Color;
+use crate::base::source::Diagnostic;
 use crate::lang::fast_path::replay::cache::Level;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Symbol};
@@ -213,6 +214,11 @@ impl Reader<'_> {
                 Ok(Some(Value::Element(Element::new("camera", camera))))
             }
             Word::Transform | Word::Translate | Word::Rotate | Word::Scale | Word::Matrix => {
+                if word != Word::Transform {
+                    let message = format!("`{word}` as a declared value; POV-Ray rejects it here");
+                    let hint = format!("Write `transform {{ {word} ... }}`.");
+                    self.warning(Diagnostic::warning(self.here_span(), message).with_hint(hint));
+                }
                 let step = transform_step(self)?;
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }

@@ -262,6 +262,10 @@ impl<T> Map<T> {
     {
         args.open()?;
         if let Some(known) = declared::<Map<T>>(args)? {
+            if what == "density_map" {
+                let message = "a `density_map` by its name; POV-Ray rejects it";
+                args.warn(Diagnostic::warning(args.last_span(), message));
+            }
             args.close()?;
             return Ok(Map::clone(&known));
         }
