@@ -1,5 +1,6 @@
 //! `povr sheet`: renders a shape under all transforms, each as a scene and a picture, with a contact sheet as a picture
-//! and as a page. Where POV-Ray is installed every picture is compared with POV-Ray's.
+//! and as a page. Where POV-Ray is installed every picture is compared with POV-Ray's, unless that is 3.7 and lacks the
+//! shape.
 //!
 //! Exit code 0: all pictures are there and agree; 1: some do not; 2: the command line is wrong.
 
@@ -192,6 +193,7 @@ struct Drawn {
     folder: PathBuf,
     of: Move,
     size: Size,
+    needs_3_8: bool,
 }
 
 /// Writes and renders all pictures of one shape.
@@ -227,6 +229,7 @@ fn drawn(
                 folder: folder.clone(),
                 of,
                 size,
+                needs_3_8: subject.needs_3_8(),
             })
         })
         .collect()
@@ -240,15 +243,16 @@ fn compared(pictures: Vec<Drawn>, comparer: Option<&Comparer>) -> Result<Vec<Ent
         .num_threads(at_once)
         .build()
         .map_err(|error| CliError::new(format!("no threads to compare with: {error}")))?;
-    let entry = |Drawn { folder, of, size }| {
-        let verdict = match comparer {
-            Some(comparer) => comparer.compare(&folder, &of.name, size)?,
+    let entry = |drawn: Drawn| {
+        let name = drawn.of.name;
+        let verdict = match comparer.filter(|one| one.is_3_8() || !drawn.needs_3_8) {
+            Some(comparer) => comparer.compare(&drawn.folder, &name, drawn.size)?,
             None => Verdict::NotCompared,
         };
         Ok(Entry {
-            folder,
-            name: of.name,
-            text: of.text,
+            folder: drawn.folder,
+            name,
+            text: drawn.of.text,
             verdict,
         })
     };

@@ -79,6 +79,12 @@ impl Renderer {
         })
     }
 
+    /// True if it draws the words of POV-Ray 3.8.
+    #[must_use]
+    pub fn is_3_8(&self) -> bool {
+        says_3_8(&self.version)
+    }
+
     /// Renders. A started process need not have made a picture: see [`Ended`] and check the file.
     ///
     /// # Errors
@@ -102,12 +108,17 @@ impl Renderer {
     }
 }
 
+/// True if this output for `--version` is that of POV-Ray 3.8.
+fn says_3_8(version: &str) -> bool {
+    version.contains("POV-Ray 3.8")
+}
+
 /// The folder of the standard include files for a program that says this of its version.
 ///
 /// # Errors
 /// When POV-Ray 3.8 lacks them: those of 3.7 draw other pictures.
 fn standard_includes(program: &Path, version: &str) -> io::Result<PathBuf> {
-    if !version.contains("POV-Ray 3.8") {
+    if !says_3_8(version) {
         return Ok(STANDARD_INCLUDES.into());
     }
     let program = which::which(program).map_err(io::Error::other)?;

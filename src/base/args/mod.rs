@@ -12,6 +12,7 @@ pub use steps::transform_step;
 
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Code, Diagnostic, Span};
+use crate::base::version::has_syntax_of_3_8;
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -76,6 +77,11 @@ pub trait Args {
     /// Reads a mesh with its modifiers. The value has the type of mesh instances.
     fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         Err(self.expected("a mesh"))
+    }
+    /// Reads a blob or isosurface and the transforms that follow it. The value has the type of the fields of pattern
+    /// `potential`; that of another object does not.
+    fn field_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        Err(self.expected("a blob or isosurface"))
     }
     /// The gamma of the working colour space; `None` without gamma handling.
     fn working_gamma(&self) -> Option<Gamma> {
@@ -203,4 +209,16 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     };
     let error = Diagnostic::error(at, format!("`{word}` is not supported yet"));
     Box::new(error.with_code(Code::NotBuilt))
+}
+
+/// An error for a word, read last, that an element takes since version 3.8 only.
+pub(crate) fn since_3_8(args: &dyn Args, word: Word, element: Word) -> Parse<()> {
+    if has_syntax_of_3_8(args.version()) {
+        return Ok(());
+    }
+    let message = format!("`{word}` in `{element}` needs version 3.8");
+    let error = Diagnostic::error(args.last_span(), message);
+    Err(Box::new(
+        error.with_hint("Begin the scene with `#version 3.8;`."),
+    ))
 }

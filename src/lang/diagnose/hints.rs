@@ -252,6 +252,7 @@ impl Reader<'_> {
             Word::Polynomial => "`polynomial { order, xyz(2, 0, 0): coefficient, ... }`",
             Word::Cubic => "`cubic { <20 coefficients> ... }`",
             Word::Quartic => "`quartic { <35 coefficients> ... }`",
+            Word::Lemon => "`lemon { <base>, base radius, <apex>, apex radius, inner radius ... }`",
             Word::Ovus => "`ovus { bottom radius, top radius ... }`",
             Word::Triangle => "`triangle { <corner>, <corner>, <corner> ... }`",
             Word::SmoothTriangle => {

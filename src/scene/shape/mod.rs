@@ -39,6 +39,7 @@ mod solid {
     pub(super) mod cone;
     pub(super) mod cuboid;
     pub(super) mod cylinder;
+    pub(super) mod lemon;
     pub(super) mod ovus;
     pub(super) mod plane;
     pub(super) mod quadric;
@@ -79,12 +80,13 @@ pub use rounded::{Rounded, RoundedHit};
 pub use solid::cone::Cone;
 pub use solid::cuboid::Cuboid;
 pub use solid::cylinder::Cylinder;
+pub use solid::lemon::Lemon;
 pub use solid::ovus::Ovus;
 pub use solid::plane::Plane;
 pub use solid::quadric::Quadric;
 pub use solid::sphere::Sphere;
 pub use solid::superellipsoid::Superellipsoid;
-pub use solid::torus::Torus;
+pub use solid::torus::{Spindle, Torus};
 pub use swept::lathe::Lathe;
 pub use swept::prism::Prism;
 pub use swept::sor::Sor;
@@ -321,6 +323,8 @@ shapes! {
     Isosurface from Isosurface,
     /// `parametric`
     Parametric from Parametric,
+    /// `lemon`
+    Lemon from Lemon,
 }
 
 /// Fraction of the size of a solid within which a point is inside, whatever is rounded.

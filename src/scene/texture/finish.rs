@@ -2,10 +2,9 @@
 
 use super::numbers::{number, single};
 use super::{Irid, Reflection, Subsurface};
-use crate::base::args::{Args, Parse, Word, declared};
+use crate::base::args::{Args, Parse, Word, declared, since_3_8};
 use crate::base::color::Rgb;
 use crate::base::source::Diagnostic;
-use crate::base::version::has_syntax_of_3_8;
 
 /// The reflection properties of a surface, in single precision as in POV-Ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -229,14 +228,14 @@ impl Finish {
                 self.conserve_energy = true;
             }
             Word::Fresnel => {
-                since_3_8(word, args)?;
                 args.accept(word)?;
+                since_3_8(args, word, Word::Finish)?;
                 self.fresnel = single(args.float_or(1.0)?);
                 self.reflection.is_fresnel = self.fresnel != 0.0;
             }
             Word::UseAlpha => {
-                since_3_8(word, args)?;
                 args.accept(word)?;
+                since_3_8(args, word, Word::Finish)?;
                 self.use_alpha = args.float_or(1.0)? != 0.0;
             }
             _ => return Ok(false),
@@ -316,18 +315,6 @@ impl Finish {
             self.specular = single(f64::from(self.specular) * scale);
         }
     }
-}
-
-/// An error for a word that `finish` takes since version 3.8 only.
-fn since_3_8(word: Word, args: &mut dyn Args) -> Parse<()> {
-    if has_syntax_of_3_8(args.version()) {
-        return Ok(());
-    }
-    let message = format!("`{word}` in `finish` needs version 3.8");
-    let error = Diagnostic::error(args.span(), message);
-    Err(Box::new(
-        error.with_hint("Begin the scene with `#version 3.8;`."),
-    ))
 }
 
 /// Reads `word` and the colour after it; a number is a grey.

@@ -2,6 +2,7 @@
 //! without NaN or infinity (items 29 to 32).
 
 use crate::case::{Asks, Case};
+use povr::base::word::Word;
 use povr::scene::shape::Shape;
 
 /// Values that replace each number in turn.
@@ -98,6 +99,11 @@ const PRIMITIVES: &[(&str, &str)] = &[
         "prism { bezier_spline [-1], [1], 8, <[-1],0>, <-1,[1]>, <1,1>, <[1],0>, <1,0>, <1,[-1]>, <-1,-1>, <[-1],0> }",
     ),
     ("", "ovus { [1], [0.6] }"),
+    ("", "lemon { <0,[-1],0>, [0.3], <[0],1,0>, [0], [2] }"),
+    (
+        "open",
+        "lemon { <0,[-1],0>, [0.3], <[0],1,0>, [0], [2] open }",
+    ),
     ("type 0", PATCH_0),
     ("type 1", PATCH_1),
     (
@@ -308,9 +314,15 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         } else {
             format!(", {kind},")
         };
+        let is_of_3_8 = Word::since_3_8().any(|new| new.spelling() == word);
+        let head = if is_of_3_8 {
+            HEAD.replace("3.7", "3.8")
+        } else {
+            HEAD.to_owned()
+        };
         let question = case(
             format!("{word}{kind} with odd numbers"),
-            replaced(HEAD, template),
+            replaced(&head, template),
         );
         // Some of its numbers request the highest number of pieces.
         let is_slow = word == "parametric";

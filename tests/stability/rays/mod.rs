@@ -291,6 +291,7 @@ impl ExactRoots for Question {
 /// povr's roots on a torus.
 pub(crate) fn torus_of_povr(question: &Question, roots: &mut Vec<Root>) {
     let torus = Torus {
+        spindle: Default::default(),
         centre: glam::DVec3::ZERO,
         major: question.major,
         minor: question.minor,

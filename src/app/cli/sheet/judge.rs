@@ -43,6 +43,11 @@ impl Comparer {
         Renderer::povray("povray").ok().map(Comparer)
     }
 
+    /// True if POV-Ray has the shapes of 3.8.
+    pub(super) fn is_3_8(&self) -> bool {
+        self.0.is_3_8()
+    }
+
     /// Compares the picture of a scene in a folder with POV-Ray's.
     pub(super) fn compare(
         &self,

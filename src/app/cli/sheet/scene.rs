@@ -2,6 +2,7 @@
 
 use super::transforms::Move;
 use crate::app::cli::options::long_options::Size;
+use crate::base::word::Word;
 use std::fmt::Write;
 
 /// The shape of a sheet in the scene language.
@@ -35,7 +36,7 @@ const AXES: &str = "\
 }
 ";
 
-const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
+const SETTINGS: &str = "global_settings { assumed_gamma 1 }\n";
 const BACKGROUND: &str = "background { rgb <0.75, 0.8, 0.85> }\n";
 
 /// Columns of the overview.
@@ -44,6 +45,16 @@ const COLUMNS: u32 = 8;
 const SPACING: f64 = 5.4;
 
 impl Subject {
+    /// True if POV-Ray 3.7 lacks the shape.
+    pub(super) fn needs_3_8(&self) -> bool {
+        Word::since_3_8().any(|word| word.spelling() == self.name)
+    }
+
+    /// The language version of the scenes.
+    fn version(&self) -> &'static str {
+        if self.needs_3_8() { "3.8" } else { "3.7" }
+    }
+
     /// The scene of one transform.
     pub(super) fn scene(&self, moved: &Move, Size(width, height): Size) -> String {
         let shown = if moved.text.is_empty() {
@@ -53,11 +64,14 @@ impl Subject {
         };
         let ratio = f64::from(width) / f64::from(height);
         format!(
-            "// {}: {shown}\n{HEAD}\
+            "// {}: {shown}\n#version {};\n{SETTINGS}\
              camera {{ location <3.2, 2.8, -6> right {ratio}*x look_at 0 angle 45 }}\n\
              light_source {{ <2, 6, -8> rgb 1 }}\n{BACKGROUND}\n{TEXTURE}\n{AXES}\n{}\n\
              object {{ Axes }}\nobject {{ Shape texture {{ Looks }} {} }}\n",
-            self.name, self.declaration, moved.text
+            self.name,
+            self.version(),
+            self.declaration,
+            moved.text
         )
     }
 
@@ -69,10 +83,11 @@ impl Subject {
         let ratio = f64::from(width) / f64::from(height);
         let across = SPACING * f64::from(COLUMNS).max(f64::from(rows) * ratio);
         let mut text = format!(
-            "// {}: all transforms\n{HEAD}\
+            "// {}: all transforms\n#version {};\n{SETTINGS}\
              camera {{ orthographic location <0, 0, -40> direction z right {across}*x up {}*y }}\n\
              light_source {{ <-60, 90, -120> rgb 1 parallel point_at 0 }}\n{BACKGROUND}\n{TEXTURE}\n{}\n",
             self.name,
+            self.version(),
             across / ratio,
             self.declaration
         );

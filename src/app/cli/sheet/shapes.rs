@@ -87,6 +87,7 @@ pub(super) const SHAPES: &[Sample] = &[
         "polygon { 5, <-1, -0.8, 0>, <1, -0.8, 0>, <0.8, 0.6, 0>, <-0.2, 1, 0>, <-1, -0.8, 0> }",
     ),
     sample("ovus", "ovus { 0.8, 0.5 }"),
+    sample("lemon", "lemon { -0.9*y, 0.2, 0.9*y, 0.1, 1.5 }"),
     sample(
         "mesh",
         "mesh {

@@ -19,7 +19,7 @@ fn every_primitive_has_a_sheet() {
 /// The primitives of an object.
 fn leaves(object: &str) -> Vec<Leaf> {
     let mut sources = Sources::new(Vec::new());
-    let file = sources.add_text("sheet.pov", object);
+    let file = sources.add_text("sheet.pov", format!("#version 3.8;\n{object}"));
     let reading = crate::lang::evaluate(file, &mut sources, &ReadOptions::default());
     let scene = reading
         .scene

@@ -177,13 +177,28 @@ fn dupin_cyclid(p: &[f64]) -> f64 {
     limited(p[3] * (-torus - 8.0 * k * p[7] * (major - minor) * p[1] * sum))
 }
 
-/// Enneper's surface without two of its constants, and with a bound that keeps the divisor from zero, as in POV-Ray.
-fn enneper(p: &[f64]) -> f64 {
+/// `f_enneper` of version 3.8.
+pub(super) static ENNEPER_OF_3_8: Internal = Internal::new(18, "f_enneper", 1, enneper_of_3_8);
+
+/// Enneper's surface.
+fn enneper_of_3_8(p: &[f64]) -> f64 {
+    let [x, y, z] = squares(p);
+    let saddle = saddle(x, y, p[2]);
+    let half = saddle / 2.0 - (x + y + 8.0 * z / 9.0) / 4.0 + 2.0 / 9.0;
+    limited(p[3] * (6.0 * half * half - cube(saddle + 2.0 * z / 9.0 + 2.0 / 3.0)))
+}
+
+/// `(y - x) / 2z` with a bound that keeps the divisor from zero, as in POV-Ray.
+fn saddle(x: f64, y: f64, z: f64) -> f64 {
     /// The least magnitude of the divisor.
     const FLAT: f64 = 0.2;
+    (y - x) / (2.0 * if z.abs() < FLAT { FLAT } else { z })
+}
+
+/// Enneper's surface without two of its constants, as in POV-Ray 3.7.
+fn enneper(p: &[f64]) -> f64 {
     let [x, y, z] = squares(p);
-    let height = if p[2].abs() < FLAT { FLAT } else { p[2] };
-    let saddle = (y - x) / (2.0 * height);
+    let saddle = saddle(x, y, p[2]);
     let half = saddle / 2.0;
     limited(p[3] * (6.0 * half * half - cube(saddle + 2.0 * z / 9.0)))
 }

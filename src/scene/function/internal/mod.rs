@@ -10,6 +10,7 @@ mod falloffs;
 mod noises;
 mod solids;
 
+use crate::base::version::has_syntax_of_3_8;
 use std::fmt;
 
 /// POV-Ray clamps the values of most algebraic surfaces to this magnitude.
@@ -83,9 +84,13 @@ static LISTS: [&[Internal]; 5] = [
     solids::LIST,
 ];
 
-/// The function of this number, if there is one.
+/// The function of this number in a version of the language, if there is one.
 #[must_use]
-pub fn of_number(number: f64) -> Option<&'static Internal> {
+pub fn of_number(number: f64, version: f64) -> Option<&'static Internal> {
+    let corrected = &algebraic::ENNEPER_OF_3_8;
+    if has_syntax_of_3_8(version) && f64::from(corrected.number) == number.trunc() {
+        return Some(corrected);
+    }
     let mut all = LISTS.into_iter().flatten();
     all.find(|internal| f64::from(internal.number) == number.trunc())
 }
@@ -100,7 +105,7 @@ mod tests {
     use super::*;
 
     fn value(number: u16, arguments: &[f64]) -> f64 {
-        let internal = of_number(f64::from(number)).expect("a function of this number");
+        let internal = of_number(f64::from(number), 3.7).expect("a function of this number");
         assert_eq!(internal.parameters(), arguments.len(), "{internal:?}");
         internal.value(arguments)
     }
@@ -112,7 +117,7 @@ mod tests {
         // 77 calls a pattern inside POV-Ray and has no name.
         let expected: Vec<u16> = (0..=78).filter(|n| *n != 77).collect();
         assert_eq!(numbers, expected);
-        assert!(of_number(77.0).is_none() && of_number(-1.0).is_none());
+        assert!(of_number(77.0, 3.7).is_none() && of_number(-1.0, 3.7).is_none());
     }
 
     /// Printed by POV-Ray 3.7.

@@ -1,5 +1,7 @@
-//! `ovus { bottom radius, top radius }`: an egg, made of a sphere about the origin, a sphere about
-//! `<0, bottom radius, 0>`, and between them the arc of a larger circle tangent to both, turned about the y axis.
+//! `ovus { bottom radius, top radius [distance d] [radius r] [precision p] }`: an egg, made of a sphere about the origin, a
+//! sphere about `<0, d, 0>`, and between them the arc of a larger circle of radius `r` tangent to both, turned about the y
+//! axis. The words are those of version 3.8; `d` is the bottom radius without them, and `r` twice the larger radius.
+//! `precision` is accepted and ignored: there is one solver.
 //!
 //! The egg is convex, and outside of it the distance to it is a convex function of `t` along a ray: Newton's iteration
 //! from where the ray enters a bounding sphere finds the near root or turns away, and the far one from the other end.
@@ -7,12 +9,13 @@
 //!
 //! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 
-use crate::base::args::{Args, Parse};
+use crate::base::args::{Args, Parse, Word, since_3_8};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::roots::interval_roots::first_below_zero;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::base::source::Diagnostic;
+use crate::base::source::{Diagnostic, Span};
+use crate::base::version::has_syntax_of_3_8;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, push_span, read, span};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -20,11 +23,16 @@ use std::f64::consts::{PI, TAU};
 /// The bounding sphere is enlarged by this factor, so that rays enter it outside the egg.
 const CLIP: f64 = 1.001;
 
+/// The arc's centre lies on the axis if its distance from there is below a rounding of the radius, squared.
+const ON_AXIS: f64 = 16.0 * f64::EPSILON;
+
 /// An egg. It is one piece, face 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ovus {
     bottom: f64,
     top: f64,
+    /// Height of the centre of the top.
+    distance: f64,
     /// Centre of the arc, beyond the axis, in the half-plane of distance from the axis and height.
     arc_centre: DVec2,
     /// Radius of the arc.
@@ -40,6 +48,7 @@ impl Ovus {
             return Ovus {
                 bottom: 0.0,
                 top,
+                distance: bottom,
                 arc_centre: DVec2::new(0.0, bottom),
                 arc_radius: top,
             };
@@ -59,12 +68,51 @@ impl Ovus {
         Ovus {
             bottom,
             top,
+            distance: bottom,
             arc_centre: DVec2::new(-width, height),
             arc_radius,
         }
     }
 
-    /// Reads both radii.
+    /// An egg whose spheres are `distance` apart, joined by an arc of radius `arc_radius`. It is empty if no arc touches
+    /// both, and a sphere of that radius if the arc's centre lies on the axis; in POV-Ray 3.8 it lies lower by `distance` if
+    /// the top is larger than the bottom.
+    #[must_use]
+    pub fn with_arc(bottom: f64, top: f64, distance: f64, arc_radius: f64) -> Self {
+        let (to_bottom, to_top) = (arc_radius - bottom, arc_radius - top);
+        let height = 0.5 * ((to_bottom - to_top) * (to_bottom + to_top) / distance + distance);
+        let width_sq = (to_bottom - height) * (to_bottom + height);
+        let is_sphere = width_sq.abs() <= ON_AXIS * arc_radius * arc_radius;
+        let sphere = |radius: f64, height: f64| Ovus {
+            bottom: 0.0,
+            top: radius,
+            distance: height,
+            arc_centre: DVec2::new(0.0, height),
+            arc_radius: radius,
+        };
+        if is_sphere {
+            return sphere(
+                arc_radius,
+                if top > bottom {
+                    height - distance
+                } else {
+                    height
+                },
+            );
+        }
+        if width_sq < 0.0 {
+            return sphere(0.0, 0.0);
+        }
+        Ovus {
+            bottom,
+            top,
+            distance,
+            arc_centre: DVec2::new(-width_sq.sqrt(), height),
+            arc_radius,
+        }
+    }
+
+    /// Reads both radii and the words of version 3.8.
     ///
     /// # Errors
     /// Malformed, non-finite or negative parameters.
@@ -73,6 +121,9 @@ impl Ovus {
         let bottom = read::number(args, "the bottom radius of the ovus")?;
         let top = read::number(args, "the top radius of the ovus")?;
         let at = at.to(args.last_span());
+        if has_syntax_of_3_8(args.version()) {
+            return Self::read_arc(args, at, bottom, top);
+        }
         if bottom < 0.0 || top < 0.0 {
             let error = Diagnostic::error(at, "both ovus radii must be positive");
             return Err(Box::new(error));
@@ -84,16 +135,54 @@ impl Ovus {
                 "the top radius of the ovus is at least twice the bottom radius; a sphere is drawn",
             ));
         }
+        for word in [Word::Radius, Word::Distance, Word::Precision] {
+            if args.accept(word)? {
+                since_3_8(args, word, Word::Ovus)?;
+            }
+        }
         Ok(ovus)
     }
 
-    /// Height of the centre of the top.
-    fn top_height(&self) -> f64 {
-        if self.bottom == 0.0 {
-            self.arc_centre.y
-        } else {
-            self.bottom
+    /// Reads what follows the radii in version 3.8.
+    fn read_arc(args: &mut dyn Args, at: Span, bottom: f64, top: f64) -> Parse<Self> {
+        let (mut distance, mut arc_radius) = (bottom, 2.0 * bottom.max(top));
+        loop {
+            if args.accept(Word::Radius)? {
+                arc_radius = read::number(args, "the radius of the ovus")?;
+            } else if args.accept(Word::Distance)? {
+                distance = read::number(args, "the distance of the ovus")?;
+            } else if args.accept(Word::Precision)? {
+                read::number(args, "the precision of the ovus")?;
+            } else {
+                break;
+            }
         }
+        let error = |message: String| Err(Box::new(Diagnostic::error(at, message)));
+        let smallest = 0.5 * (bottom + top + distance);
+        if bottom <= 0.0 || top < 0.0 {
+            return error("both ovus radii must be positive".to_owned());
+        }
+        if distance < bottom {
+            return error(format!(
+                "the distance of the ovus must be at least its bottom radius, {bottom}"
+            ));
+        }
+        if arc_radius < smallest {
+            return error(format!(
+                "the radius of the ovus must be at least {smallest}, half the sum of its radii and distance"
+            ));
+        }
+        let ovus = Ovus::with_arc(bottom, top, distance, arc_radius);
+        let drawn = match (ovus.is_sphere(), ovus.top > 0.0) {
+            (true, true) => "a sphere is drawn",
+            (true, false) => "no arc joins its spheres and nothing is drawn",
+            _ => return Ok(ovus),
+        };
+        args.warn(Diagnostic::warning(
+            at,
+            format!("the ovus is no egg: {drawn}"),
+        ));
+        Ok(ovus)
     }
 
     fn is_sphere(&self) -> bool {
@@ -102,7 +191,7 @@ impl Ovus {
 
     /// Centre and radius of the circle whose piece is nearest to a point of the half-plane.
     fn circle(&self, point: DVec2) -> (DVec2, f64) {
-        let top = DVec2::new(0.0, self.top_height());
+        let top = DVec2::new(0.0, self.distance);
         if self.is_sphere() {
             return (top, self.top);
         }
@@ -134,7 +223,7 @@ impl Ovus {
 
     /// Lowest and highest point, and the largest distance from the axis.
     fn extent(&self) -> (f64, f64, f64) {
-        let top = self.top_height();
+        let top = self.distance;
         if self.is_sphere() {
             return (top - self.top, top + self.top, self.top);
         }
@@ -163,6 +252,7 @@ impl Ovus {
         let small = Ovus {
             bottom: self.bottom / rescaled.size,
             top: self.top / rescaled.size,
+            distance: self.distance / rescaled.size,
             arc_centre: self.arc_centre / rescaled.size,
             arc_radius: self.arc_radius / rescaled.size,
         };
@@ -251,6 +341,36 @@ mod tests {
         for (bottom, top) in [(1.0, 0.5), (1.0, 0.1), (0.7, 1.0), (1.0, 1.0), (0.6, 1.19)] {
             check::solid(&Ovus::new(bottom, top));
         }
+    }
+
+    #[test]
+    fn an_arc_of_another_radius_is_tangent_as_well() {
+        for (text, is_sphere) in [
+            ("1, 0.5 distance 2 radius 3", false),
+            ("1, 0.5 radius 2 precision 0.001", false),
+            ("1, 0.5 distance 3 radius 2.25", true),
+            ("1, 2", true),
+        ] {
+            let mut args = TextArgs::new(text).at_version(3.8);
+            let egg = Ovus::read(&mut args).unwrap();
+            assert!(args.is_done());
+            assert_eq!(
+                (egg.is_sphere(), args.warnings().len()),
+                (is_sphere, usize::from(is_sphere))
+            );
+            check::solid(&egg);
+            if !is_sphere {
+                assert!((egg.arc_radius - egg.bottom - egg.arc_centre.length()).abs() < 1e-14);
+                let to_top = DVec2::new(0.0, egg.distance) - egg.arc_centre;
+                assert!((egg.arc_radius - egg.top - to_top.length()).abs() < 1e-14);
+            }
+        }
+        let empty = Ovus::read(&mut TextArgs::new("1, 2.5").at_version(3.8)).unwrap();
+        assert!(empty.bounds().is_empty());
+        for text in ["1, 0.5 radius 1", "1, 0.5 distance 0.5", "0, 1"] {
+            assert!(Ovus::read(&mut TextArgs::new(text).at_version(3.8)).is_err());
+        }
+        assert!(Ovus::read(&mut TextArgs::new("1, 0.5 radius 2")).is_err());
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! `torus { major radius, minor radius [sturm] }`: a ring about the y axis.
+//! `torus { major radius, minor radius [spindle mode] [sturm] }`: a ring about the y axis.
 //!
 //! With `ρ = √(x² + z²)` the surface is `g = (ρ − R)² + y² − r² = 0`. The quartic of a ray is the product of `g` and
 //! `k = (ρ + R)² + y² − r²`. Written with `a = ρ² − R²` and `b = y² − r²`, both small near the tube, that product is
@@ -17,17 +17,19 @@
 //! ([`super::torus_packet`]).
 //!
 //! A spindle torus (`r > R`) is solid where `g <= 0`. Its inner lemon, `k = 0`, lies in the solid and is visible, as in
-//! POV-Ray: a crossing that does not change the inside. `sturm` is accepted and ignored; there is one solver. A torus
+//! POV-Ray: a crossing that does not change the inside. The modes of POV-Ray 3.8 hide the lemon, cut it away or leave it
+//! alone ([`Spindle`]). `sturm` is accepted and ignored; there is one solver. A torus
 //! with a negative radius is never hit; POV-Ray draws nothing of one with a negative minor radius alone, and of the
 //! others what its bounding boxes leave.
 
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, since_3_8};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
 use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::polynomial::is_quartic_positive;
 use crate::base::math::roots::quartic::quartic_sign_changes;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read, uniform_scale};
 use glam::{DAffine3, DMat3, DVec3};
@@ -56,6 +58,22 @@ pub struct Torus {
     pub major: f64,
     /// Distance from the middle of the tube to the surface.
     pub minor: f64,
+    /// Treatment of the inner lemon.
+    pub spindle: Spindle,
+}
+
+/// Treatment of the lemon in which a spindle torus intersects itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spindle {
+    /// A part of the solid; its surface is visible.
+    #[default]
+    Union,
+    /// A part of the solid without a surface of its own.
+    Merge,
+    /// Cut out of the solid.
+    Difference,
+    /// The whole solid.
+    Intersection,
 }
 
 /// The roots on one ray.
@@ -70,13 +88,21 @@ struct Segment {
 }
 
 impl Torus {
-    /// Reads `major radius, minor radius [sturm]`.
+    /// Reads `major radius, minor radius [union | merge | difference | intersection] [sturm]`.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters.
+    /// Malformed or non-finite parameters; a mode before version 3.8.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
         let major = read::number(args, "the major radius of the torus")?;
         let minor = read::number(args, "the minor radius of the torus")?;
+        let spindle = Spindle::read(args)?;
+        if spindle == Spindle::Intersection && minor <= major {
+            args.warn(Diagnostic::warning(
+                at.to(args.last_span()),
+                "a torus with a hole has no spindle: its `intersection` is empty",
+            ));
+        }
         if args.accept(Word::Sturm)? {
             args.float_or(1.0)?;
         }
@@ -84,11 +110,13 @@ impl Torus {
             centre: DVec3::ZERO,
             major,
             minor,
+            spindle,
         })
     }
 
     fn is_empty(&self) -> bool {
-        self.major < 0.0 || self.minor <= 0.0
+        let has_no_spindle = self.spindle == Spindle::Intersection && self.minor <= self.major;
+        self.major < 0.0 || self.minor <= 0.0 || has_no_spindle
     }
 
     /// The upper corner of its bounds around its centre.
@@ -142,6 +170,7 @@ impl Torus {
             centre: DVec3::ZERO,
             major: self.major / rescaled.size,
             minor: self.minor / rescaled.size,
+            spindle: self.spindle,
         };
         let mut roots = small.comfortable_crossings(&rescaled.ray);
         for root in &mut roots {
@@ -157,6 +186,9 @@ impl Torus {
     fn comfortable_crossings(&self, ray: &Ray) -> Crossings {
         let mut roots = Crossings::new();
         if self.major < SPHERE_RATIO * self.minor {
+            if self.spindle == Spindle::Difference {
+                return roots;
+            }
             if let Some((enter, leave)) = sphere_span(ray.origin, ray.dir, self.minor) {
                 roots.push(root(enter, Crossing::Enter, TUBE));
                 roots.push(root(leave, Crossing::Leave, TUBE));
@@ -234,13 +266,36 @@ impl Torus {
         let count = params.len();
         let has_lemon = count == 4 && segment.is_in_lemon(0.5 * (params[1] + params[2]));
         for i in 0..count {
-            let (crossing, face) = match i {
-                1 | 2 if has_lemon => (Crossing::Touch, LEMON),
-                _ if i % 2 == 0 => (Crossing::Enter, TUBE),
-                _ => (Crossing::Leave, TUBE),
+            let is_lemon = has_lemon && (i == 1 || i == 2);
+            let alternating = [Crossing::Enter, Crossing::Leave][i % 2];
+            let crossing = match (self.spindle, is_lemon) {
+                (Spindle::Merge, true) | (Spindle::Intersection, false) => continue,
+                (Spindle::Union, true) => Crossing::Touch,
+                (Spindle::Intersection, true) if i == 1 => Crossing::Enter,
+                (Spindle::Intersection, true) => Crossing::Leave,
+                (Spindle::Difference, _) | (_, false) => alternating,
             };
-            roots.push(root(t(i), crossing, face));
+            roots.push(root(t(i), crossing, if is_lemon { LEMON } else { TUBE }));
         }
+    }
+}
+
+impl Spindle {
+    /// Reads the mode, if there is one.
+    fn read(args: &mut dyn Args) -> Parse<Self> {
+        let modes = [
+            (Word::Union, Spindle::Union),
+            (Word::Merge, Spindle::Merge),
+            (Word::Difference, Spindle::Difference),
+            (Word::Intersection, Spindle::Intersection),
+        ];
+        for (word, spindle) in modes {
+            if args.accept(word)? {
+                since_3_8(args, word, Word::Torus)?;
+                return Ok(spindle);
+            }
+        }
+        Ok(Spindle::Union)
     }
 }
 
@@ -385,7 +440,10 @@ impl Geometry for Torus {
         } else {
             self.major
         };
-        let normal = p - major * outward;
+        let normal = match (self.spindle, face) {
+            (Spindle::Difference, LEMON) => major * outward - p,
+            _ => p - major * outward,
+        };
         // Zero only in the point where a horn torus touches itself.
         if normal == DVec3::ZERO {
             DVec3::Y
@@ -394,13 +452,26 @@ impl Geometry for Torus {
         }
     }
 
+    /// The side of the lemon towards its inside has the `interior_texture`, cut out or not.
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
+        let is_turned = self.spindle == Spindle::Difference && face == LEMON;
+        is_turned.then(|| -self.normal(point, face))
+    }
+
     fn contains(&self, point: DVec3) -> bool {
         if self.is_empty() {
             return false;
         }
         let p = (point - self.centre) / self.minor;
-        let across = p.x.hypot(p.z) - self.major / self.minor;
-        across * across + p.y * p.y <= 1.0
+        let is_within = |major: f64| {
+            let across = p.x.hypot(p.z) - major / self.minor;
+            across * across + p.y * p.y <= 1.0
+        };
+        match self.spindle {
+            Spindle::Union | Spindle::Merge => is_within(self.major),
+            Spindle::Difference => is_within(self.major) && !is_within(-self.major),
+            Spindle::Intersection => is_within(-self.major),
+        }
     }
 
     fn bounds(&self) -> Bounds {
@@ -461,6 +532,26 @@ mod tests {
             centre: DVec3::ZERO,
             major,
             minor,
+            spindle: Spindle::Union,
+        }
+    }
+
+    #[test]
+    fn spindle_modes_are_solids_and_differ_in_the_lemon() {
+        let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
+        for (mode, depths, holds_centre) in [
+            ("union", vec![3.5, 4.5, 5.5, 6.5], true),
+            ("merge", vec![3.5, 6.5], true),
+            ("difference", vec![3.5, 4.5, 5.5, 6.5], false),
+            ("intersection", vec![4.5, 5.5], true),
+        ] {
+            let text = format!("0.5, 1 {mode}");
+            let spindle = Torus::read(&mut TextArgs::new(&text).at_version(3.8)).unwrap();
+            check::solid(&spindle);
+            let roots = spindle.crossings(&ray);
+            assert_eq!(roots.iter().map(|root| root.t).collect::<Vec<_>>(), depths);
+            assert_eq!(spindle.contains(DVec3::ZERO), holds_centre);
+            assert!(Torus::read(&mut TextArgs::new(&text)).is_err());
         }
     }
 

@@ -613,7 +613,7 @@ mod tests {
     use super::*;
     use crate::base::math::Ray;
     use crate::base::math::sampling::random::Random;
-    use crate::scene::shape::Geometry;
+    use crate::scene::shape::{Geometry, Spindle};
     use glam::DVec3;
 
     /// Rays at a torus: mostly through its tube, from near and far.
@@ -641,6 +641,7 @@ mod tests {
                 centre: DVec3::ZERO,
                 major,
                 minor,
+                spindle: Spindle::default(),
             };
             let (mut unknown, mut crossed, mut twice) = (0, 0, 0);
             for ray in rays(&torus, &mut rng) {
@@ -673,6 +674,7 @@ mod tests {
             centre: DVec3::new(0.5, -1.0, 2.0),
             major: 1.0,
             minor: 0.4,
+            spindle: Spindle::default(),
         };
         let mut rng = Random::new(42);
         let (mut left, mut hits) = (0, 0);

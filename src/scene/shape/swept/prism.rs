@@ -13,6 +13,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use crate::scene::shape::solid::axial::Slab;
 use crate::scene::shape::{Geometry, Root, Start, read};
 use glam::{DAffine3, DVec2, DVec3};
@@ -27,6 +28,16 @@ pub struct Prism {
     low: f64,
     high: f64,
     is_open: bool,
+    side: Side,
+}
+
+/// The direction of the normals of the sides, which tells outside from inside for `interior_texture`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    /// Out of the outline.
+    Outward,
+    /// To the right of the outline's direction, seen from above with z up: from version 3.8 on.
+    Right,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +102,11 @@ impl Prism {
             low: height.min(other),
             high: height.max(other),
             is_open,
+            side: if has_syntax_of_3_8(args.version()) {
+                Side::Right
+            } else {
+                Side::Outward
+            },
         })
     }
 
@@ -195,7 +211,7 @@ impl Prism {
         self.outline.contains(across)
     }
 
-    fn side_normal(&self, point: DVec3) -> DVec3 {
+    fn side_normal(&self, point: DVec3, toward: Side) -> DVec3 {
         let scale = match self.sweep {
             Sweep::Linear => 1.0,
             Sweep::Conic => point.y,
@@ -206,7 +222,12 @@ impl Prism {
         };
         let segment = &self.outline[number];
         let on_curve = segment.at(x);
-        let normal = self.outline.outward(on_curve, segment.tangent(x).perp());
+        let left = segment.tangent(x).perp();
+        let outward = self.outline.outward(on_curve, left);
+        let normal = match toward {
+            Side::Right if outward.dot(left) > 0.0 => -outward,
+            Side::Right | Side::Outward => outward,
+        };
         match self.sweep {
             Sweep::Linear => DVec3::new(normal.x, 0.0, normal.y),
             Sweep::Conic => DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum(),
@@ -382,8 +403,13 @@ impl Geometry for Prism {
         match face {
             crate::scene::shape::solid::axial::BASE => DVec3::NEG_Y,
             crate::scene::shape::solid::axial::APEX => DVec3::Y,
-            _ => self.side_normal(point),
+            _ => self.side_normal(point, Side::Outward),
         }
+    }
+
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
+        let is_turned = self.side == Side::Right && face == crate::scene::shape::solid::axial::SIDE;
+        is_turned.then(|| self.side_normal(point, Side::Right))
     }
 
     fn contains(&self, point: DVec3) -> bool {

@@ -8,7 +8,7 @@
 use crate::base::math::Ray;
 use crate::base::math::exact::{Exact, shift, to_integer};
 use crate::base::math::sampling::random::Random;
-use crate::scene::shape::{Geometry, Root, Sphere, Torus};
+use crate::scene::shape::{Geometry, Root, Sphere, Spindle, Torus};
 use dashu_int::IBig;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -112,6 +112,7 @@ fn try_torus(major: f64, minor: f64, mut ray: impl FnMut(&mut Random) -> Ray) {
         centre: DVec3::ZERO,
         major,
         minor,
+        spindle: Spindle::default(),
     };
     let mut hits = 0;
     for _ in 0..RAYS {
@@ -219,6 +220,7 @@ fn tangents_of_the_top_circle_leave_pairs_or_nothing() {
         centre: DVec3::ZERO,
         major: 1.0,
         minor: 0.25,
+        spindle: Spindle::default(),
     };
     let mut rng = Random::new(22);
     for _ in 0..RAYS {

@@ -1,7 +1,7 @@
 use super::*;
 use crate::base::args::text::TextArgs;
 use crate::scene::shape::tests::check;
-use crate::scene::shape::{Quadric, Torus};
+use crate::scene::shape::{Quadric, Spindle, Torus};
 
 fn poly(order: usize, terms: &[([usize; 3], f64)]) -> Poly {
     let mut c = Vec::new();
@@ -89,6 +89,7 @@ fn the_quartic_of_a_torus_has_the_roots_of_a_torus() {
             centre: DVec3::ZERO,
             major: 1.0,
             minor: 0.3,
+            spindle: Spindle::default(),
         },
     );
     let mut rng = check::Random::new(41);
