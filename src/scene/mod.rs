@@ -5,6 +5,7 @@ pub mod atmosphere;
 pub mod camera;
 mod default_texture;
 mod extent;
+mod field;
 pub mod function;
 mod globals;
 pub mod interior;
@@ -19,6 +20,7 @@ mod translation;
 mod visibility_box;
 
 pub use extent::ExtentBox;
+pub use field::ObjectField;
 pub use globals::{Charset, PhotonDensity, Photons, RadiositySettings, Subsurface};
 pub use object::{
     Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,

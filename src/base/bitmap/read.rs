@@ -9,6 +9,7 @@ use super::{Bitmap, Mapping, Samples};
 use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::{Diagnostic, Span};
+use crate::base::version::has_syntax_of_3_8;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -29,6 +30,8 @@ pub struct AddedTransparency {
     pub filter: f32,
     /// Added to the transmit of every pixel.
     pub transmit: f32,
+    /// True if both apply to the opaque share of a pixel alone, as from version 3.8 on.
+    pub scales_by_alpha: bool,
 }
 
 /// A bitmap with its mapping to space and the parameters of its block.
@@ -59,8 +62,18 @@ impl MappedBitmap {
                 transmit: 1.0,
             };
         };
-        color.filter += self.added.filter;
-        color.transmit += self.added.transmit;
+        let AddedTransparency {
+            filter,
+            transmit,
+            scales_by_alpha,
+        } = self.added;
+        let share = if scales_by_alpha {
+            1.0 - color.transmit
+        } else {
+            1.0
+        };
+        color.filter += filter * share;
+        color.transmit += transmit * share;
         color
     }
 
@@ -106,7 +119,8 @@ impl MappedBitmap {
     #[must_use]
     pub fn can_be_transparent(&self) -> bool {
         self.mapping.is_once
-            || self.added != AddedTransparency::default()
+            || self.added.filter != 0.0
+            || self.added.transmit != 0.0
             || self.bitmap.has_alpha()
             || self.bitmap.has_transparent_colors()
     }
@@ -142,7 +156,10 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         handling.working = None;
     }
     let mut mapping = Mapping::default();
-    let mut added = AddedTransparency::default();
+    let mut added = AddedTransparency {
+        scales_by_alpha: has_syntax_of_3_8(args.version()),
+        ..AddedTransparency::default()
+    };
     let mut alpha = Alpha::Ignored;
     let mut uses_index = false;
     let mut bump_size = None;

@@ -9,8 +9,10 @@ use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
 use crate::scene;
+use crate::scene::pattern::Field;
 use crate::scene::shape::{MeshInstance, Shape};
 use crate::scene::texture::{Layer, Normal, Pigment, Texture};
+use crate::scene::{Object, ObjectField};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -120,6 +122,18 @@ impl Args for Reader<'_> {
         }
         let message = "this is not a mesh".to_owned();
         Err(self.with_trace(Diagnostic::error(at, message)))
+    }
+
+    fn field_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let object = self.transformed_object_any()?;
+        let Some(object) = object.downcast_ref::<Object>() else {
+            return Ok(object);
+        };
+        let field = ObjectField::new(object);
+        Ok(match field {
+            Some(field) => Arc::new(Arc::new(field) as Arc<dyn Field>),
+            None => Arc::new(()),
+        })
     }
 
     fn working_gamma(&self) -> Option<Gamma> {

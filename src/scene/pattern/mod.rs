@@ -44,6 +44,7 @@ mod lookup {
     pub(super) mod function;
     pub(super) mod image_pattern;
     pub(super) mod object;
+    pub(super) mod potential;
     pub(super) mod slope;
 }
 mod map;
@@ -68,6 +69,7 @@ mod wave;
 
 pub use chain::{NormalTransforms, PreparedWarpChain, WarpChain};
 pub use field::{ReadPattern, read_field};
+pub use lookup::potential::Field;
 pub(crate) use map::Blend;
 pub use map::{Between, Keys, MAX_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
@@ -123,6 +125,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Onion, geometric::onion::new),
     (Word::Pavement, block::pavement::new),
     (Word::Planar, geometric::planar::new),
+    (Word::Potential, lookup::potential::new),
     (Word::Quilted, geometric::quilted::new),
     (Word::Radial, geometric::radial::new),
     (Word::Ripples, noise::ripples::ripples),

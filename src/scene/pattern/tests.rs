@@ -150,11 +150,12 @@ fn turbulence_acts_before_transforms_wherever_it_is_written() {
 }
 
 /// Patterns that need a file, a function or an object.
-const NEEDS_MORE: [Word; 4] = [
+const NEEDS_MORE: [Word; 5] = [
     Word::DensityFile,
     Word::Function,
     Word::ImagePattern,
     Word::Object,
+    Word::Potential,
 ];
 
 #[test]

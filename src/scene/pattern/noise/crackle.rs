@@ -3,12 +3,13 @@
 
 mod metric;
 
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, since_3_8};
 use crate::base::math::noise::NoiseGenerator;
 use crate::base::math::powers::{POWER_ERROR, power};
 use crate::base::math::sampling::hash::hashed_cell;
 use crate::base::math::sampling::mersenne;
 use crate::base::math::simd::{F64Lanes, SimdKernel, with_widest};
+use crate::base::source::Diagnostic;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use metric::Metric;
@@ -27,13 +28,21 @@ struct Crackle {
     offset: f64,
     /// True if each cell has one value.
     is_solid: bool,
+    period: Period,
 }
+
+/// Numbers of cells after which the pattern repeats along the axes; 0 along axes without repetition.
+type Period = [i64; 3];
+
+/// The period of a pattern that does not repeat.
+const ENDLESS: Period = [0; 3];
 
 #[derive(Debug)]
 struct Prepared {
     form: DVec3,
     metric: Metric,
     is_solid: bool,
+    period: Period,
     noise: NoiseGenerator,
 }
 
@@ -43,6 +52,7 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         metric: 2.0,
         offset: 0.0,
         is_solid: false,
+        period: ENDLESS,
     }))
 }
 
@@ -53,6 +63,7 @@ impl Pattern for Crackle {
             metric,
             offset,
             is_solid,
+            period,
         } = *self;
         let metric = if metric == 2.0 {
             Metric::Euclidean(offset * offset)
@@ -65,6 +76,7 @@ impl Pattern for Crackle {
             form,
             metric,
             is_solid,
+            period,
             noise: context.noise,
         })
     }
@@ -84,10 +96,32 @@ impl Pattern for Crackle {
                 self.offset = args.float()?;
             }
             Word::Solid => self.is_solid = args.accept(word)?,
+            Word::Repeat => {
+                args.accept(word)?;
+                since_3_8(args, word, Word::Crackle)?;
+                self.period = read_period(args)?;
+            }
             _ => return Ok(false),
         }
         Ok(true)
     }
+}
+
+/// Reads the vector after `repeat`, whose components are rounded down.
+#[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
+fn read_period(args: &mut dyn Args) -> Parse<Period> {
+    let at = args.span();
+    let period = args.vector()?;
+    if period.min_element() < 0.0 {
+        let error = Diagnostic::error(
+            at.to(args.last_span()),
+            "the components of `repeat` in `crackle` must not be negative",
+        );
+        return Err(Box::new(
+            error.with_hint("0 means no repetition along that axis."),
+        ));
+    }
+    Ok(period.to_array().map(|cells| cells as i64))
 }
 
 impl PatternEval for Prepared {
@@ -98,10 +132,13 @@ impl PatternEval for Prepared {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let metric = &self.metric;
         if self.is_solid {
-            return self.noise.noise(nearest_point(point, metric));
+            let nearest = nearest_point(point, metric, self.period);
+            return self
+                .noise
+                .noise(nearest + to_first_period(point, self.period));
         }
         let needed = metric.needed(self.form);
-        let [d1, d2, d3] = metric.distances(nearest(point, metric, needed), needed);
+        let [d1, d2, d3] = metric.distances(nearest(point, metric, needed, self.period), needed);
         (self.form.x * d1 + self.form.y * d2 + self.form.z * d3).clamp(0.0, 1.0)
     }
 }
@@ -132,14 +169,14 @@ impl Neighbourhood {
         points: [[f64::INFINITY; CELLS + 1]; 3],
     };
 
-    fn new(cell: [i64; 3]) -> Neighbourhood {
+    fn new(cell: [i64; 3], period: Period) -> Neighbourhood {
         let mut neighbourhood = Neighbourhood {
             cell,
             ..Neighbourhood::UNUSED
         };
         for number in 0..CELLS {
             let step = [number / 9, number / 3 % 3, number % 3].map(|step| step as i64 - 1);
-            let point = point_of(offset_cell(cell, step));
+            let point = point_of(offset_cell(cell, step), period);
             for axis in 0..3 {
                 neighbourhood.points[axis][number] = point[axis];
             }
@@ -152,15 +189,18 @@ impl Neighbourhood {
         DVec3::new(x[number], y[number], z[number])
     }
 
-    /// Calls `visit` with the neighbourhood of a cell, from the cache of the thread.
-    fn with<R>(cell: [i64; 3], visit: impl FnOnce(&Neighbourhood) -> R) -> R {
+    /// Calls `visit` with the neighbourhood of a cell, from the cache of the thread if the pattern does not repeat.
+    fn with<R>(cell: [i64; 3], period: Period, visit: impl FnOnce(&Neighbourhood) -> R) -> R {
+        if period != ENDLESS {
+            return visit(&Neighbourhood::new(cell, period));
+        }
         CACHE.with_borrow_mut(|entries| {
             if entries.is_empty() {
                 entries.resize(CACHED_CELLS, Neighbourhood::UNUSED);
             }
             let neighbourhood = &mut entries[hashed_cell(cell) as usize % CACHED_CELLS];
             if neighbourhood.cell != cell || cell == Neighbourhood::UNUSED.cell {
-                *neighbourhood = Neighbourhood::new(cell);
+                *neighbourhood = Neighbourhood::new(cell, ENDLESS);
             }
             visit(neighbourhood)
         })
@@ -265,9 +305,9 @@ fn insert(smallest: &mut [f64; 3], length: f64) {
 
 /// The three smallest lengths from a point to feature points, of which only the first `needed` are exact. Searches all
 /// cells within one step along each axis, and those two steps away along one axis.
-fn nearest(point: DVec3, metric: &Metric, needed: usize) -> [f64; 3] {
+fn nearest(point: DVec3, metric: &Metric, needed: usize, period: Period) -> [f64; 3] {
     let cell = crate::scene::pattern::cell(point - NUDGE);
-    let mut smallest = Neighbourhood::with(cell, |neighbourhood| {
+    let mut smallest = Neighbourhood::with(cell, period, |neighbourhood| {
         let least = LengthKernel {
             neighbourhood,
             point,
@@ -287,15 +327,9 @@ fn nearest(point: DVec3, metric: &Metric, needed: usize) -> [f64; 3] {
     let is_near = |gap: DVec3, smallest: &[f64; 3]| {
         gap.max_element() <= max_component && metric.lower_bound(gap) < smallest[last]
     };
-    next_layer(
-        cell,
-        point,
-        &mut smallest,
-        is_near,
-        |smallest, candidate| {
-            insert(smallest, metric.length(candidate - point));
-        },
-    );
+    next_layer(cell, point, &mut smallest, is_near, |smallest, cell| {
+        insert(smallest, metric.length(point_of(cell, period) - point));
+    });
     smallest
 }
 
@@ -330,7 +364,7 @@ impl LengthKernel<'_> {
 }
 
 /// The nearest feature point.
-fn nearest_point(point: DVec3, metric: &Metric) -> DVec3 {
+fn nearest_point(point: DVec3, metric: &Metric, period: Period) -> DVec3 {
     let cell = crate::scene::pattern::cell(point - NUDGE);
     let mut best = (f64::INFINITY, DVec3::ZERO);
     let offer = |best: &mut (f64, DVec3), candidate: DVec3| {
@@ -339,22 +373,24 @@ fn nearest_point(point: DVec3, metric: &Metric) -> DVec3 {
             *best = (length, candidate);
         }
     };
-    Neighbourhood::with(cell, |neighbourhood| {
+    Neighbourhood::with(cell, period, |neighbourhood| {
         (0..CELLS).for_each(|number| offer(&mut best, neighbourhood.point(number)));
     });
     let is_near = |gap, best: &(f64, DVec3)| metric.lower_bound(gap) < best.0;
-    next_layer(cell, point, &mut best, is_near, offer);
+    next_layer(cell, point, &mut best, is_near, |best, cell| {
+        offer(best, point_of(cell, period));
+    });
     best.1
 }
 
-/// Offers the points of the cells two steps away along one axis, for each side of the neighbourhood that is near enough
+/// Offers the cells two steps away along one axis, for each side of the neighbourhood that is near enough
 /// to matter.
 fn next_layer<T>(
     cell: [i64; 3],
     point: DVec3,
     best: &mut T,
     is_near: impl Fn(DVec3, &T) -> bool,
-    offer: impl Fn(&mut T, DVec3),
+    offer: impl Fn(&mut T, [i64; 3]),
 ) {
     for axis in 0..3 {
         for two_steps in [-2, 2] {
@@ -369,7 +405,7 @@ fn next_layer<T>(
             for number in 0..9 {
                 step[(axis + 1) % 3] = number / 3 - 1;
                 step[(axis + 2) % 3] = number % 3 - 1;
-                offer(best, point_of(offset_cell(cell, step)));
+                offer(best, offset_cell(cell, step));
             }
         }
     }
@@ -389,19 +425,43 @@ fn offset_cell(cell: [i64; 3], step: [i64; 3]) -> [i64; 3] {
 #[must_use]
 pub fn nearest_feature(point: DVec3, metric: f64) -> DVec3 {
     if metric == 2.0 {
-        nearest_point(point, &Metric::Euclidean(0.0))
+        nearest_point(point, &Metric::Euclidean(0.0), ENDLESS)
     } else if metric == 1.0 {
-        nearest_point(point, &Metric::SignedSum)
+        nearest_point(point, &Metric::SignedSum, ENDLESS)
     } else {
-        nearest_point(point, &Metric::Minkowski(metric, 0.0))
+        nearest_point(point, &Metric::Minkowski(metric, 0.0), ENDLESS)
     }
 }
 
 /// The feature point of a cell.
 #[inline]
-fn point_of(cell: [i64; 3]) -> DVec3 {
+fn point_of(cell: [i64; 3], period: Period) -> DVec3 {
     let corner = DVec3::from(cell.map(|c| c as f64));
-    corner + DVec3::from(mersenne::random_triple(hashed_cell(cell)))
+    let number = if period == ENDLESS {
+        hashed_cell(cell)
+    } else {
+        hashed_cell(wrapped(cell, period))
+    };
+    corner + DVec3::from(mersenne::random_triple(number))
+}
+
+/// The equal cell of the first period.
+fn wrapped(cell: [i64; 3], period: Period) -> [i64; 3] {
+    std::array::from_fn(|axis| match period[axis] {
+        0 => cell[axis],
+        cells => cell[axis].rem_euclid(cells),
+    })
+}
+
+/// The offset from the period of a point to the first. POV-Ray moves the point there, and the feature points with it: those
+/// beyond the border of a period have another noise than the equal ones within it.
+fn to_first_period(point: DVec3, period: Period) -> DVec3 {
+    if period == ENDLESS {
+        return DVec3::ZERO;
+    }
+    let cell = crate::scene::pattern::cell(point - NUDGE);
+    let corner = |cell: [i64; 3]| DVec3::from(cell.map(|c| c as f64));
+    corner(wrapped(cell, period)) - corner(cell)
 }
 
 #[cfg(test)]
@@ -418,7 +478,7 @@ mod tests {
             if step.iter().filter(|step: &&i64| step.abs() == 2).count() < 2 {
                 insert(
                     &mut smallest,
-                    metric.length(point_of(offset_cell(cell, step)) - point),
+                    metric.length(point_of(offset_cell(cell, step), ENDLESS) - point),
                 );
             }
         }
@@ -443,11 +503,11 @@ mod tests {
                 let all = all_lengths(point, &metric);
                 let least = if metric.has_estimates() { 1 } else { 3 };
                 for needed in least..=3 {
-                    let smallest = nearest(point, &metric, needed);
+                    let smallest = nearest(point, &metric, needed, ENDLESS);
                     assert_eq!(smallest[..needed], all[..needed], "{point}");
                 }
             }
-            let nearest = nearest_point(point, &Metric::Euclidean(0.0));
+            let nearest = nearest_point(point, &Metric::Euclidean(0.0), ENDLESS);
             let [least, ..] = all_lengths(point, &Metric::Euclidean(0.0));
             assert_eq!((nearest - point).length_squared(), least);
         }

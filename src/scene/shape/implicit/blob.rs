@@ -99,6 +99,19 @@ impl Blob {
         Ok(Blob::new(components, textures, threshold))
     }
 
+    /// The sum of the fields of all components at a point.
+    pub(crate) fn field(&self, point: DVec3) -> f64 {
+        let mut field = 0.0;
+        self.0
+            .around(point, |component| field += component.field(point));
+        field
+    }
+
+    /// The field on the surface.
+    pub(crate) fn threshold(&self) -> f64 {
+        self.0.threshold
+    }
+
     fn new(components: Vec<Component>, textures: Vec<FaceTexture>, threshold: f64) -> Self {
         let boxes: Vec<Bounds> = components.iter().map(Component::bounds).collect();
         let union_of = |sign: f64| {
@@ -404,10 +417,7 @@ impl Geometry for Blob {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        let mut field = 0.0;
-        self.0
-            .around(point, |component| field += component.field(point));
-        self.0.is_inside(field)
+        self.0.is_inside(self.field(point))
     }
 
     fn surface_side(&self) -> SurfaceSide {

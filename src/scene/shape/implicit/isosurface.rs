@@ -110,6 +110,16 @@ impl Isosurface {
         while read_word(args, &mut solid)? {}
         Ok(Isosurface(Arc::new(solid)))
     }
+
+    /// The function at a point, within the container or not.
+    pub(crate) fn function_value(&self, point: DVec3) -> f64 {
+        self.0.function.eval(&point.to_array())
+    }
+
+    /// The value of the function on the surface.
+    pub(crate) fn threshold(&self) -> f64 {
+        self.0.threshold
+    }
 }
 
 /// Reads one of the keywords that may come in any order; false if none is next.
