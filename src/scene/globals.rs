@@ -37,6 +37,8 @@ pub struct RadiositySettings {
     pub maximum_reuse: f64,
     /// Smallest reuse radius, in the same unit.
     pub minimum_reuse: f64,
+    /// True if the `brilliance` of a finish shapes its indirect light as it does direct light.
+    pub has_brilliance: bool,
     /// True if sample rays include media.
     pub has_media: bool,
     /// True if samples use perturbed normals.
@@ -69,6 +71,7 @@ impl Default for RadiositySettings {
             max_sample: -1.0,
             maximum_reuse: 0.2,
             minimum_reuse: 0.015,
+            has_brilliance: false,
             has_media: false,
             has_normals: false,
             has_subsurface: false,

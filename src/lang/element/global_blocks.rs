@@ -1,6 +1,6 @@
 //! The blocks of `global_settings`: radiosity, photons and subsurface, read and checked as POV-Ray does.
 
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, since_3_8};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::reader::Reader;
 use crate::scene::light::photon_file;
@@ -70,6 +70,7 @@ impl Reader<'_> {
             Word::AdcBailout,
             Word::AlwaysSample,
             Word::Brightness,
+            Word::Brilliance,
             Word::Count,
             Word::ErrorBound,
             Word::GrayThreshold,
@@ -93,6 +94,10 @@ impl Reader<'_> {
             Word::AdcBailout => settings.adc_bailout = self.float()?,
             Word::AlwaysSample => settings.always_sample = self.float()? != 0.0,
             Word::Brightness => settings.brightness = self.float()?,
+            Word::Brilliance => {
+                since_3_8(self, word, Word::Radiosity)?;
+                settings.has_brilliance = self.float()? != 0.0;
+            }
             Word::Count => {
                 settings.count = count(self.checked(&POSITIVE)?);
                 if self.has_next_value()? {
@@ -347,6 +352,7 @@ mod tests {
             max_sample: 3.0,
             maximum_reuse: 0.3,
             minimum_reuse: 0.01,
+            has_brilliance: false,
             has_media: true,
             has_normals: true,
             has_subsurface: true,
@@ -383,6 +389,8 @@ mod tests {
             "minimum_reuse .5 maximum_reuse .2",
             "importance .5",
             "always_sample",
+            // A word of version 3.8.
+            "brilliance on",
         ] {
             assert!(
                 globals(&format!("radiosity {{ {text} }}")).is_err(),

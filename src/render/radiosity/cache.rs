@@ -262,6 +262,7 @@ mod tests {
                 normal: DVec3::Y,
                 error: if number % 7 == 0 { 1.5 } else { 1.2 },
                 depth: usize::from(depth == 1),
+                brilliance: if number % 11 == 0 { 2.0 } else { 1.0 },
                 is_smooth: number % 3 == 0,
             };
             let mean = lists.mean(&cache, &query);
@@ -279,7 +280,13 @@ mod tests {
                 let depth = usize::from(number % 5 == 1);
                 let reach = radius * if depth == 0 { 1.5 } else { 1.5 / 8.0 };
                 let sample = sample(point, radius);
-                cache.add(IrradianceSample { depth, ..sample }, reach);
+                let brilliance = if number % 3 == 0 { 2.0 } else { 1.0 };
+                let sample = IrradianceSample {
+                    depth,
+                    brilliance,
+                    ..sample
+                };
+                cache.add(sample, reach);
             }
         }
     }

@@ -23,6 +23,17 @@ fn direction(number: u32) -> DVec3 {
     DVec3::new(radius * cos, (1.0 - radius * radius).sqrt(), radius * sin)
 }
 
+/// The direction about y that stands for a cosine-weighted one where the weight is the cosine to the power of `brilliance`.
+pub(super) fn of_brilliance(dir: DVec3, brilliance: f32) -> DVec3 {
+    let across = (1.0 - dir.y * dir.y).sqrt();
+    if brilliance == 1.0 || across == 0.0 {
+        return dir;
+    }
+    let cosine = dir.y.powf(2.0 / (1.0 + f64::from(brilliance)));
+    let scale = (1.0 - cosine * cosine).max(0.0).sqrt() / across;
+    DVec3::new(scale * dir.x, cosine, scale * dir.z)
+}
+
 /// The axes of the hemisphere about a normal, in POV-Ray's orientation.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
@@ -82,6 +93,22 @@ mod tests {
             0.75f64.sqrt() * 0.5f64.sqrt(),
         );
         assert!((pool[0] - first).length() < 1e-12, "{}", pool[0]);
+    }
+
+    #[test]
+    fn directions_follow_the_brilliance() {
+        for (brilliance, exponent) in [(0.5, 0.5), (1.0, 1.0), (3.0, 3.0)] {
+            let of_pool = pool(DEFAULT_COUNT)
+                .into_iter()
+                .map(|dir| of_brilliance(dir, brilliance));
+            let cosines: Vec<f64> = of_pool
+                .inspect(|dir| assert!((dir.length() - 1.0).abs() < 1e-12))
+                .map(|dir| dir.y)
+                .collect();
+            let mean: f64 = cosines.iter().sum::<f64>() / f64::from(DEFAULT_COUNT);
+            let expected = (exponent + 1.0) / (exponent + 2.0);
+            assert!((mean - expected).abs() < 1e-3, "{brilliance}: {mean}");
+        }
     }
 
     #[test]

@@ -42,6 +42,7 @@ struct List {
     /// The centre of the box and half its edge, in units of the scene's unit.
     area: [DVec3; 2],
     depth: usize,
+    brilliance: f32,
     /// The largest error of lookups.
     error: f64,
     /// The number of samples in the cache that the list was made or checked with.
@@ -114,6 +115,7 @@ impl List {
         let [centre, half] = self.area;
         let is_made_for = self.root == cache.root()
             && self.depth == query.depth
+            && self.brilliance == query.brilliance
             && query.error <= self.error
             && (point - centre).abs().cmple(half).all();
         let mut since = cache.samples().iter().skip(self.samples);
@@ -136,6 +138,7 @@ impl List {
         self.samples = cache.samples().len();
         self.root = cache.root();
         self.depth = query.depth;
+        self.brilliance = query.brilliance;
         self.error = query.error;
         self.count = 0;
         self.blocks.clear();
@@ -146,7 +149,7 @@ impl List {
         }
         cache.visit(query.depth, self.area, &mut |number, cube| {
             let sample = &cache.samples()[number as usize];
-            if !self.may_use(sample, cache.unit()) {
+            if sample.brilliance != query.brilliance || !self.may_use(sample, cache.unit()) {
                 return;
             }
             let at = self.count % BLOCK;

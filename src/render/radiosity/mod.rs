@@ -207,21 +207,22 @@ impl Session {
         }
     }
 
-    /// The cache query at a point for a ray of a weight.
+    /// The cache query at a point with its normal for a ray of a weight.
     #[must_use]
     pub fn query(
         &self,
         radiosity: &Radiosity,
-        point: DVec3,
-        normal: DVec3,
+        [point, normal]: [DVec3; 2],
         depth: usize,
         weight: f64,
+        brilliance: f32,
     ) -> CacheQuery {
         CacheQuery {
             point,
             normal,
             error: radiosity.error(depth, weight, self.is_final),
             depth,
+            brilliance,
             is_smooth: self.is_final && depth == 0,
         }
     }
@@ -268,14 +269,14 @@ impl Session {
         }
     }
 
-    /// The next direction about y.
-    pub fn direction(&mut self, radiosity: &Radiosity, depth: usize) -> DVec3 {
+    /// The next direction about y, for a sample with this exponent of the cosine.
+    pub fn direction(&mut self, radiosity: &Radiosity, depth: usize, brilliance: f32) -> DVec3 {
         let Some(next) = self.next.get_mut(depth) else {
             return DVec3::Y;
         };
         let at = *next % radiosity.directions.len();
         *next = at + 1;
-        radiosity.directions[at]
+        directions::of_brilliance(radiosity.directions[at], brilliance)
     }
 
     /// Stores a sample, in mode `Store`.

@@ -21,7 +21,7 @@ pub struct IrradianceSample {
     pub point: DVec3,
     /// The unit normal on the receiving side.
     pub normal: DVec3,
-    /// The cosine-weighted mean of the light over the hemisphere.
+    /// The mean of the light over the hemisphere, weighted by the cosine to the power of `brilliance`.
     pub light: Rgb,
     /// The harmonic mean distance of the hits, within the limits of reuse.
     pub radius: f64,
@@ -33,6 +33,8 @@ pub struct IrradianceSample {
     pub quality: f64,
     /// The number of diffuse reflections before it.
     pub depth: usize,
+    /// The exponent of the cosine by which the light is weighted.
+    pub brilliance: f32,
 }
 
 /// A lookup of irradiance at a point.
@@ -46,6 +48,8 @@ pub struct CacheQuery {
     pub error: f64,
     /// The depth of the samples.
     pub depth: usize,
+    /// The brilliance of the samples.
+    pub brilliance: f32,
     /// Weights fall off smoothly rather than linearly.
     pub is_smooth: bool,
 }
@@ -64,6 +68,9 @@ impl IrradianceSample {
     /// The weight of the sample at a point; 0 where it does not count. `unit` is the length of the scene's unit.
     #[must_use]
     pub fn weight_at(&self, query: &CacheQuery, unit: f64) -> f64 {
+        if self.brilliance != query.brilliance {
+            return 0.0;
+        }
         let lanes = SampleLanes {
             point: self.point.to_array(),
             normal: self.normal.to_array(),
@@ -77,7 +84,7 @@ impl IrradianceSample {
 }
 
 impl<F: F64Lanes> SampleLanes<F> {
-    /// [`IrradianceSample::weight_at`] in lanes.
+    /// [`IrradianceSample::weight_at`] in lanes, of samples of the query's brilliance.
     #[inline(always)]
     pub(super) fn weights(&self, query: &CacheQuery, unit: f64) -> F {
         let (zero, one, two) = (F::splat(0.0), F::splat(1.0), F::splat(2.0));
@@ -139,6 +146,7 @@ pub(super) mod tests {
             to_nearest: DVec3::Y,
             quality: 1.0,
             depth: 0,
+            brilliance: 1.0,
         }
     }
 
@@ -148,6 +156,7 @@ pub(super) mod tests {
             normal: DVec3::Y,
             error: 1.5,
             depth: 0,
+            brilliance: 1.0,
             is_smooth: false,
         }
     }

@@ -377,7 +377,8 @@ impl<'w> Tracer<'w> {
                 own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
             }
             if let Some(radiosity) = self.radiosity.as_ref().filter(|_| is_lit_by_radiosity) {
-                let irradiance_point = IrradiancePoint::new(radiosity, &lit, flat);
+                let irradiance_point =
+                    IrradiancePoint::new(radiosity, &lit, flat, layer.finish.brilliance);
                 own += self.irradiance_radiance(
                     &irradiance_point,
                     layer,

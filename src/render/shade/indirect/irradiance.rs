@@ -88,7 +88,7 @@ impl Tracer<'_> {
         } = irradiance_point;
         let count = radiosity.rays(depth);
         let mut directions =
-            HemisphereSampler::new(cache_query.normal, side * irradiance_point.flat, count);
+            HemisphereSampler::new(cache_query, side * irradiance_point.flat, count);
         let mut sum = IrradianceSum {
             light: Rgb::BLACK,
             qualities: 0.0,
@@ -127,6 +127,7 @@ impl Tracer<'_> {
             to_nearest: sum.to_nearest,
             quality: sum.qualities / sum.weights,
             depth,
+            brilliance: cache_query.brilliance,
         };
         (sample, sum.nearest > TOO_NEAR * most)
     }
@@ -289,6 +290,7 @@ fn limited(light: Rgb, radiosity: &Radiosity) -> Rgb {
 /// Chooses the ray directions of a sample.
 struct HemisphereSampler {
     frame: Frame,
+    brilliance: f32,
     flat: DVec3,
     /// The number of directions below the surface that may still be rejected; none are rejected without bump mapping.
     skips: Option<u32>,
@@ -298,9 +300,13 @@ struct HemisphereSampler {
 const TRIES: u32 = 5;
 
 impl HemisphereSampler {
-    fn new(normal: DVec3, flat: DVec3, count: u32) -> Self {
+    fn new(cache_query: &CacheQuery, flat: DVec3, count: u32) -> Self {
+        let &CacheQuery {
+            normal, brilliance, ..
+        } = cache_query;
         HemisphereSampler {
             frame: Frame::about(normal),
+            brilliance,
             flat,
             skips: (normal != flat).then(|| count.saturating_mul(TRIES)),
         }
@@ -309,7 +315,9 @@ impl HemisphereSampler {
     fn next(&mut self, radiosity: &Radiosity, depth: usize, scratch: &mut Scratch) -> DVec3 {
         loop {
             let session = scratch.radiosity.as_deref_mut();
-            let dir = session.map_or(DVec3::Y, |session| session.direction(radiosity, depth));
+            let dir = session.map_or(DVec3::Y, |session| {
+                session.direction(radiosity, depth, self.brilliance)
+            });
             let dir = self.frame.turned(dir);
             let Some(skips) = &mut self.skips else {
                 return dir;

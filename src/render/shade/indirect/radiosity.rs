@@ -7,13 +7,15 @@ use crate::render::radiosity::{CachedLight, Mode, Radiosity};
 use crate::render::shade::Scratch;
 use crate::render::shade::shading_point::ShadingPoint;
 use crate::render::shade::{Path, Sample, Tracer, begin_sample};
+use crate::scene::RadiositySettings;
 use crate::scene::texture::PreparedLayer;
 use crate::world::SpawnSurface;
 use glam::DVec3;
 
-/// Irradiance on the front and the back of a surface, where computed.
+/// Irradiance of one brilliance on the front and the back of a surface, where computed.
 #[derive(Clone, Copy, Default)]
 pub(in crate::render::shade) struct Irradiance {
+    brilliance: f32,
     front: Option<Rgb>,
     back: Option<Rgb>,
 }
@@ -30,16 +32,24 @@ pub(in crate::render::shade) struct IrradiancePoint<'r> {
     pub(in crate::render::shade) subsurface_depth: u8,
     /// The weight of the ray that hit the point.
     weight: f64,
+    /// The exponent of the cosine of the light, not negative.
+    brilliance: f32,
 }
 
 impl<'r> IrradiancePoint<'r> {
-    /// The shading point of a ray on a surface with this normal before bump mapping.
+    /// The shading point of a ray on a surface with this normal before bump mapping. The `brilliance` of its finish counts
+    /// if the scene asks for that.
     pub(in crate::render::shade) fn new(
         radiosity: &'r Radiosity,
         lit: &ShadingPoint,
         flat: DVec3,
+        brilliance: f32,
     ) -> Self {
-        let has_normals = radiosity.settings.has_normals;
+        let &RadiositySettings {
+            has_normals,
+            has_brilliance,
+            ..
+        } = &radiosity.settings;
         IrradiancePoint {
             radiosity,
             point: lit.at.point,
@@ -49,6 +59,11 @@ impl<'r> IrradiancePoint<'r> {
             depth: lit.path.irradiance_depth,
             subsurface_depth: lit.path.subsurface_depth,
             weight: lit.path.weight,
+            brilliance: if has_brilliance {
+                brilliance.max(0.0)
+            } else {
+                1.0
+            },
         }
     }
 
@@ -119,7 +134,20 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         }
         let (_, bsdf) = self.layer_bsdf(layer, color);
-        let [front, back] = layer.finish.diffuse_without_albedo;
+        let brilliance = irradiance_point.brilliance;
+        if known.brilliance != brilliance {
+            *known = Irradiance {
+                brilliance,
+                ..Irradiance::default()
+            };
+        }
+        let [front, back] = if irradiance_point.radiosity.settings.has_brilliance {
+            // Relative to light from everywhere, which a higher brilliance reflects less of.
+            let share = 2.0 / (1.0 + brilliance);
+            [layer.finish.diffuse, layer.finish.diffuse_back].map(|diffuse| diffuse * share)
+        } else {
+            layer.finish.diffuse_without_albedo
+        };
         let mut sum = Rgb::BLACK;
         let sides = [
             (front, &mut known.front, 1.0),
@@ -170,7 +198,8 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         let (point, normal) = (irradiance_point.point, side * irradiance_point.normal);
-        let cache_query = session.query(radiosity, point, normal, depth, weight);
+        let brilliance = irradiance_point.brilliance;
+        let cache_query = session.query(radiosity, [point, normal], depth, weight, brilliance);
         let mut mean = match session.known(radiosity, &cache_query) {
             CachedLight::Unknown => return Rgb::BLACK,
             CachedLight::Enough(mean) => mean,

@@ -224,7 +224,7 @@ impl Tracer<'_> {
         if exit.transport.has_radiosity
             && let Some(radiosity) = &self.radiosity
         {
-            let point = IrradiancePoint::new(radiosity, &lit, entry.shading_normal);
+            let point = IrradiancePoint::new(radiosity, &lit, entry.shading_normal, 1.0);
             let light = self.irradiance_below(&point, area, scratch);
             *sum += scaled(light, factors(1.0));
         }
