@@ -23,7 +23,7 @@ use glam::{DVec3, Vec3};
 /// Minimum cosine between a ray and the axis of the bundle; a wider frustum culls nothing.
 const MIN_COSINE: f32 = 0.2;
 /// Maximum distance of the origin, in sizes of the tree: from farther away single precision cannot separate its items.
-pub(super) const MAX_DISTANCE: f64 = 256.0;
+const MAX_DISTANCE: f64 = 256.0;
 
 /// Number of nodes and single items that may be visited per ray of a bundle; items of a node that are tested together
 /// cost little more than the node. A single ray visits some twenty, each of which costs about as much.

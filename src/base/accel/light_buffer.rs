@@ -12,7 +12,6 @@ pub(super) mod projection;
 use super::Bvh;
 use super::bounding_cylinder::{BoundingCylinder, ViewedCylinder};
 use super::bounding_sphere::{BoundingSphere, ViewedSphere};
-use super::bundle::MAX_DISTANCE;
 use super::light_buffer::grid::{CellGrid, Rect, SlopeRange};
 use super::light_buffer::projection::{Projection, ViewExtent};
 use super::node::Frame;
@@ -157,9 +156,8 @@ impl LightBuffer {
         cylinders: impl Fn(u32) -> Option<BoundingCylinder>,
         pixel_block: Option<[f64; 2]>,
     ) -> Option<LightBuffer> {
-        let is_near = view.origin.abs().max_element() < MAX_DISTANCE;
         let are_finite = view.axes.iter().all(|axis| axis.is_finite());
-        if !is_near || !are_finite || !tree.frame.scale().is_normal() {
+        if !view.origin.is_finite() || !are_finite || !tree.frame.scale().is_normal() {
             return None;
         }
         let axes = view.axes.map(|axis| [axis.x, axis.y, axis.z].map(nearest));
@@ -245,10 +243,13 @@ impl LightBuffer {
             return None;
         }
         let window = window.unwrap_or(seen);
-        let cell_grid = CellGrid::new(rects, |item| proxies[item].near, window, pixel_block)?;
-        if !view.is_sharp(&window, &cell_grid.grid) {
-            return None;
-        }
+        let cell_grid = CellGrid::new(
+            rects,
+            |item| proxies[item].near,
+            window,
+            pixel_block,
+            |grid| view.is_sharp(&window, grid),
+        )?;
         for proxy in &mut proxies {
             proxy.near = cell_grid.rounded(proxy.near);
         }

@@ -462,8 +462,8 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
             };
             let mut rng = Random::new(29);
             let (mut seen, mut blocked, mut free) = (0, 0, 0);
-            for _ in 0..200 {
-                let from = at + rng.vector(1.0).normalize() * 6.0 * size;
+            for round in 0..200 {
+                let mut from = at + rng.vector(1.0).normalize() * 6.0 * size;
                 let along = (at - from).normalize();
                 let (right, up) = along.any_orthonormal_pair();
                 let axes = [right, up, along];
@@ -478,13 +478,15 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                     assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
                     seen += u32::from(best.is_some());
                 }
+                // Like the sun.
+                from = at - along * [6.0, 600.0, 6000.0][round % 3] * size;
                 let light = LightBuffer::for_light(&tree, from, cylinder).unwrap();
                 // Behind some sphere, or just beside it.
                 let points = [(); 8].map(|()| {
                     let pick = usize::try_from(rng.bits() % 700).expect("small");
                     let sphere = &spheres[pick];
                     let aim = sphere.centre + 1.2 * rng.vector(sphere.radius);
-                    from + 2.0 * (aim - from)
+                    aim + 6.0 * size * (aim - from).normalize()
                 });
                 let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
                 let ends = points.map(|point| point.distance(from));

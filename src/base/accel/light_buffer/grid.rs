@@ -243,12 +243,14 @@ impl Grid {
 
 impl CellGrid {
     /// Builds the grid over a window from the slopes of each item, empty if it is out of view, and its distance. Cells
-    /// are multiples of `pixel_block` if that is given. `None` if no item is in view.
+    /// are multiples of `pixel_block` if that is given, and large enough for `is_sharp`. `None` if no item is in view, or
+    /// no grid is sharp.
     pub(crate) fn new(
         rects: Vec<SlopeRange>,
         near: impl Fn(usize) -> f32,
         window: Rect,
         pixel_block: Option<[f64; 2]>,
+        is_sharp: impl Fn(&Grid) -> bool,
     ) -> Option<CellGrid> {
         let mut sum = [0.0; 2];
         let mut seen = 0usize;
@@ -281,8 +283,11 @@ impl CellGrid {
                 let entries = grid.assign_cells(&rects, &mut cell_ranges);
                 entries <= ENTRIES_PER_ITEM * seen + EXTRA_ENTRIES
             };
-            if is_sparse || is_single {
+            if (is_sparse || is_single) && is_sharp(&grid) {
                 break;
+            }
+            if is_single {
+                return None;
             }
             let factor = if is_dense {
                 excess.sqrt().max(1.1)
