@@ -92,7 +92,10 @@ impl Model {
     pub(super) fn suits_packets(&self, item: Item) -> bool {
         match item {
             Item::Program(program) => self.packet_strategy(program) != PacketStrategy::Scalar,
-            Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_nearest_packet(),
+            Item::Leaf(leaf) => {
+                let shape = &self.leaves[leaf as usize].shape;
+                shape.has_nearest_packet() || matches!(shape, Shape::Mesh(mesh) if mesh.is_patch())
+            }
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
     }

@@ -622,6 +622,13 @@ impl World {
                 Item::Program(program) => self.packet4_program::<NEEDS_FACE>(
                     lanes, program, packet, query, scratch, &mut take,
                 ),
+                Item::Leaf(leaf) if let Some(mesh) = self.mesh_of_leaf(leaf) => {
+                    if NEEDS_FACE {
+                        self.packet4_mesh::<false>(&mesh, packet, query, &mut take)
+                    } else {
+                        self.packet4_mesh::<true>(&mesh, packet, query, &mut take)
+                    }
+                }
                 Item::Leaf(leaf) if NEEDS_FACE => {
                     let roots = &mut scratch.roots;
                     self.packet4_primitive::<false>(lanes, leaf, packet, query, roots, &mut take)

@@ -1,11 +1,12 @@
 //! Large meshes and ray bundles: the rays traverse the BVH of the mesh together.
 
-use super::bundle::{PointBundle, each_bit};
+use super::bundle::{PointBundle, StreamPacket, each_bit};
+use super::csg_packet::may_be_self_hit;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::accel::Bundle;
 use crate::base::math::Ray;
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot, scale, splat, sub, to_arrays};
-use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
 use crate::base::math::watertight::{RayFrame, RayFrames4};
 use crate::scene::shape::{Mesh, Shape};
 use crate::world::compiled::World;
@@ -53,20 +54,53 @@ struct MeshPacket {
     distance: [f64; 4],
 }
 
-impl MeshPacket {
-    fn frames(&self) -> TriangleFrames {
-        let one_of = |of: &[[f64; 4]; 3], lane: usize| of.map(|axis| axis[lane]).into();
-        let frame = |lane| {
-            RayFrame::new(&Ray::new(
-                one_of(&self.origin, lane),
-                one_of(&self.dir, lane),
-            ))
-        };
-        let each = [frame(0), frame(1), frame(2), frame(3)];
+/// The rays of a packet.
+#[inline(always)]
+fn rays_of(origin: &[[f64; 4]; 3], dir: &[[f64; 4]; 3]) -> [Ray; 4] {
+    let one_of =
+        |of: &[[f64; 4]; 3], lane: usize| DVec3::new(of[0][lane], of[1][lane], of[2][lane]);
+    let ray = |lane| Ray::new(one_of(origin, lane), one_of(dir, lane));
+    [ray(0), ray(1), ray(2), ray(3)]
+}
+
+impl TriangleFrames {
+    fn new(rays: &[Ray; 4]) -> Self {
+        let [a, b, c, d] = rays;
+        let each = [
+            RayFrame::new(a),
+            RayFrame::new(b),
+            RayFrame::new(c),
+            RayFrame::new(d),
+        ];
         TriangleFrames {
             packet: RayFrames4::new(&each),
             each,
         }
+    }
+
+    /// Calls `take` with the lane and the parameter of each active ray whose line hits a triangle.
+    #[inline(always)]
+    fn intersect(
+        &self,
+        lanes: SimdLevel,
+        mesh: &Mesh,
+        face: u32,
+        active: u32,
+        mut take: impl FnMut(usize, f64),
+    ) {
+        let mut scalar = active;
+        if let Some(packet) = &self.packet
+            && !active.is_power_of_two()
+        {
+            let hits = mesh.intersect_triangle_packet(lanes, packet, face);
+            scalar &= hits.unknown;
+            each_bit(hits.hit_mask & active, |lane| take(lane, hits.t[lane % 4]));
+        }
+        each_bit(scalar, |lane| {
+            if let Some(t) = mesh.intersect_triangle(&self.each[lane % 4], face) {
+                take(lane, t);
+            }
+        });
     }
 }
 
@@ -75,7 +109,8 @@ impl MeshScratch {
     #[inline(always)]
     fn ready(&mut self, number: usize) -> &TriangleFrames {
         let rays = &self.rays[number];
-        self.frames[number].get_or_insert_with(|| rays.frames())
+        self.frames[number]
+            .get_or_insert_with(|| TriangleFrames::new(&rays_of(&rays.origin, &rays.dir)))
     }
 }
 
@@ -112,6 +147,25 @@ impl SimdKernel for MeshEntry<'_> {
     }
 }
 
+/// Transforms a ray packet to the object space of a leaf.
+struct ObjectRays<'a> {
+    queries: &'a RayPacket4,
+    leaf: &'a Leaf,
+}
+
+impl SimdKernel for ObjectRays<'_> {
+    type Output = [Ray; 4];
+
+    #[inline(always)]
+    fn run<F: F64Lanes>(self) -> [Ray; 4] {
+        let mut rays = self.queries.load::<F>();
+        if let Some(matrix) = &self.leaf.object_from_world {
+            rays = rays.to_object(matrix);
+        }
+        rays_of(&to_arrays(rays.origin), &to_arrays(rays.dir))
+    }
+}
+
 /// The common point of a bundle's rays, which start there (`sign` 1) or end there (`sign` -1).
 #[derive(Clone, Copy)]
 struct CommonPoint {
@@ -129,8 +183,18 @@ struct TriangleRays {
     active: u32,
 }
 
-/// A mesh item, for bundles.
-struct MeshQuery<'w> {
+/// Index of no triangle.
+const NO_FACE: u32 = u32::MAX;
+
+/// The first hits of four rays on a mesh.
+struct NearestTriangles {
+    t: [f64; 4],
+    /// The triangles; [`NO_FACE`] for rays that hit none.
+    face: [u32; 4],
+}
+
+/// A mesh item.
+pub(in crate::world) struct MeshQuery<'w> {
     number: u32,
     leaf: &'w Leaf,
     mesh: &'w Mesh,
@@ -144,9 +208,7 @@ impl World {
         }
         let is_large = |item: &&IndexedItem| {
             let mesh_query = self.mesh_query(**item);
-            mesh_query.is_some_and(|mesh_query| {
-                mesh_query.mesh.is_patch() && mesh_query.mesh.len() >= MIN_TRIANGLES
-            })
+            mesh_query.is_some_and(|mesh_query| mesh_query.mesh.len() >= MIN_TRIANGLES)
         };
         let meshes: Vec<IndexedItem> = self
             .bvh()
@@ -172,9 +234,15 @@ impl World {
         let Item::Leaf(number) = item.item else {
             return None;
         };
+        self.mesh_of_leaf(number)
+    }
+
+    /// A leaf, if it is a mesh without an inside.
+    #[inline(always)]
+    pub(in crate::world) fn mesh_of_leaf(&self, number: u32) -> Option<MeshQuery<'_>> {
         let leaf = &self.model.leaves[number as usize];
         match &leaf.shape {
-            Shape::Mesh(mesh) => Some(MeshQuery { number, leaf, mesh }),
+            Shape::Mesh(mesh) if mesh.is_patch() => Some(MeshQuery { number, leaf, mesh }),
             _ => None,
         }
     }
@@ -349,6 +417,45 @@ impl World {
         true
     }
 
+    /// Intersects four rays, which start at index `start`, with a mesh without an inside up to and including their far
+    /// limits, and calls `take` for each ray that hits. With `ANY` (occlusion) the hit need not be the first. Returns the
+    /// lanes that need the scalar path.
+    #[inline(always)]
+    pub(in crate::world) fn packet4_mesh<const ANY: bool>(
+        &self,
+        mesh_query: &MeshQuery,
+        packet: StreamPacket,
+        query: impl Fn(usize) -> Query,
+        take: &mut impl FnMut(&mut RayStream, usize, RawHit),
+    ) -> u32 {
+        let StreamPacket {
+            stream,
+            start,
+            active,
+        } = packet;
+        let rays = stream.packet(start);
+        let from = rays.t_min;
+        let mut left = [NO_FACE; 4];
+        each_bit(rays.start_on(mesh_query.number) & active, |lane| {
+            let origin = query(start + lane).origin_surface;
+            left[lane % 4] = origin.map_or(NO_FACE, |origin| origin.face);
+        });
+        let nearest = mesh_query.nearest_packet::<ANY>(rays, left, active);
+        let mut unknown = 0;
+        for (lane, from) in from.into_iter().enumerate() {
+            let (t, face) = (nearest.t[lane], nearest.face[lane]);
+            if face == NO_FACE {
+                continue;
+            }
+            if may_be_self_hit(from, t) {
+                unknown |= 1 << lane;
+            } else {
+                take(stream, start + lane, mesh_query.hit(t, face));
+            }
+        }
+        unknown
+    }
+
     fn may_meet(&self, bundle: &Bundle, item: IndexedItem) -> bool {
         let bounds = self.boxes[item.number as usize].bounds();
         bundle.may_hit(&self.bvh().tree, &bounds)
@@ -424,33 +531,62 @@ impl MeshQuery<'_> {
             let start = rays.first + half as usize;
             let speed = buffers.rays[start / 4].speed;
             let frames = buffers.ready(start / 4);
-            let mut scalar = some;
-            if let Some(packet) = &frames.packet
-                && !some.is_power_of_two()
-            {
-                let hits = self
-                    .mesh
-                    .intersect_triangle_packet(lanes, packet, rays.face);
-                scalar &= hits.unknown;
-                each_bit(hits.hit_mask & some, |lane| {
-                    let (ray, t) = (start + lane, hits.t[lane % 4]);
-                    if stream.t_min(ray) < t && t <= stream.t_max(ray) {
-                        take(stream, ray, t, speed[lane % 4]);
-                    }
-                });
-            }
-            each_bit(scalar, |lane| {
+            frames.intersect(lanes, self.mesh, rays.face, some, |lane, t| {
                 let ray = start + lane;
-                if let Some(t) = self
-                    .mesh
-                    .intersect_triangle(&frames.each[lane % 4], rays.face)
-                    && stream.t_min(ray) < t
-                    && t <= stream.t_max(ray)
-                {
+                if stream.t_min(ray) < t && t <= stream.t_max(ray) {
                     take(stream, ray, t, speed[lane % 4]);
                 }
             });
         }
+    }
+
+    /// The first hits of the active rays within their limits, except on the triangle that each has left. With `ANY` a
+    /// hit before the far limit ends the search.
+    #[inline(never)]
+    fn nearest_packet<const ANY: bool>(
+        &self,
+        rays: &RayPacket4,
+        left: [u32; 4],
+        active: u32,
+    ) -> NearestTriangles {
+        let RayPacket4 { t_min, t_max, .. } = rays;
+        let mut nearest = NearestTriangles {
+            t: *t_max,
+            face: [NO_FACE; 4],
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                let own = lanes.run(ObjectRays {
+                    queries: rays,
+                    leaf: self.leaf,
+                });
+                let frames = TriangleFrames::new(&own);
+                self.mesh.tree().traverse_stream(
+                    lanes,
+                    active,
+                    #[inline(always)]
+                    |lane| (own[lane % 4], t_max[lane % 4]),
+                    #[inline(always)]
+                    |face, active, ended| {
+                        frames.intersect(lanes, self.mesh, face, active, |lane, t| {
+                            let lane = lane % 4;
+                            // Of several triangles at the same distance, the first in the list wins.
+                            let nearest = (&mut nearest.t[lane], &mut nearest.face[lane]);
+                            if face != left[lane]
+                                && t_min[lane] < t
+                                && (t, face) < (*nearest.0, *nearest.1)
+                            {
+                                (*nearest.0, *nearest.1) = (t, face);
+                                let is_done = ANY && t < t_max[lane];
+                                ended.set(lane, if is_done { f64::NEG_INFINITY } else { t });
+                            }
+                        });
+                    },
+                );
+            },
+        );
+        nearest
     }
 
     #[inline(always)]
@@ -460,5 +596,78 @@ impl MeshQuery<'_> {
             leaf: self.number,
             surface: self.leaf.surface,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::math::sampling::random::Random;
+    use crate::base::math::{Bounds, Step};
+    use crate::scene::shape::MeshLists;
+    use crate::world::primitive::{Absorb, Extent};
+    use crate::world::ray::RayKind;
+
+    #[test]
+    fn packets_hit_what_single_rays_hit() {
+        let mut rng = Random::new(5);
+        let vertices: Vec<DVec3> = (0..30).map(|_| rng.vector(1.0)).collect();
+        // Each triangle is there twice, so that hits tie.
+        let faces: Vec<[u32; 3]> = (0..40u32)
+            .map(|i| [i % 20, i % 20 + 3, i % 20 + 7])
+            .collect();
+        let lists = MeshLists {
+            vertices: &vertices,
+            faces: &faces,
+            ..MeshLists::default()
+        };
+        let shape = Shape::Mesh(Mesh::from_lists(&lists).unwrap());
+        let turned = [
+            Step::Rotate(DVec3::new(20.0, 30.0, 40.0)),
+            Step::Scale(DVec3::new(1.0, 2.0, 0.5)),
+        ];
+        let bounds = Bounds::new(DVec3::NEG_ONE, DVec3::ONE);
+        let mut stream = RayStream::default();
+        let mut hit_count = 0;
+        for case in 0..8000 {
+            let steps = [&[][..], &turned][case % 2];
+            let (leaf, _) = Leaf::new(shape.clone(), steps, Absorb::AllItCan, 0, Extent::Surface);
+            let Shape::Mesh(mesh) = &leaf.shape else {
+                panic!("a mesh stays one");
+            };
+            let mesh_query = MeshQuery {
+                number: 0,
+                leaf: &leaf,
+                mesh,
+            };
+            let rays = [(); 4].map(|()| rng.ray_near(&bounds));
+            let [from, far] = [0.2, if case % 3 == 0 { 1.5 } else { f64::INFINITY }];
+            let query = |ray: usize| Query {
+                ray: rays[ray],
+                origin_surface: None,
+                t_max: far,
+                kind: RayKind::Camera,
+            };
+            let alone = |lane: usize, left: u32| leaf.nearest_beside(&rays[lane], from, far, left);
+            // Half of the rays start on the triangle that they would hit.
+            let left = [0, 1, 2, 3].map(|lane| match alone(lane, NO_FACE) {
+                Some(root) if lane % 2 == 0 => root.face,
+                _ => NO_FACE,
+            });
+            stream.load_rays(4, query, |_| from);
+            let packet = stream.packet(0);
+            let nearest = mesh_query.nearest_packet::<false>(packet, left, 0b1110);
+            let any = mesh_query.nearest_packet::<true>(packet, left, 0b1110);
+            assert_eq!((nearest.face[0], any.face[0]), (NO_FACE, NO_FACE));
+            for lane in [1, 2, 3] {
+                let hit = (nearest.face[lane] != NO_FACE)
+                    .then_some((nearest.t[lane], nearest.face[lane]));
+                let expected = alone(lane, left[lane]).map(|root| (root.t, root.face));
+                assert_eq!(hit, expected);
+                assert_eq!(any.face[lane] != NO_FACE, expected.is_some());
+                hit_count += u32::from(hit.is_some());
+            }
+        }
+        assert!(hit_count > 2000, "{hit_count}");
     }
 }
