@@ -21,7 +21,7 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
 /// The modules by layer, lowest first. Modules of one layer do not use each other, except for [`SIBLINGS`]; files of one
 /// module may.
 const LAYERS: &[&[&str]] = &[
-    &["base::file", "base::sync", "base::version"],
+    &["base::file", "base::nearest", "base::sync", "base::version"],
     &[
         "base::math",
         "base::source",
@@ -43,7 +43,7 @@ const LAYERS: &[&[&str]] = &[
         "scene::texture",
         "scene::function",
     ],
-    &["output", "app::picture_file", "app::program"],
+    &["output", "app::page", "app::picture_file", "app::program"],
     &["app::compare"],
     &["scene"],
     &["lang", "world::ray", "world::index"],

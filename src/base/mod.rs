@@ -10,6 +10,7 @@ pub mod file;
 pub mod film;
 pub mod math;
 pub mod memory;
+pub(crate) mod nearest;
 pub mod options;
 pub mod source;
 pub(crate) mod sync;

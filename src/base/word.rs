@@ -89,6 +89,12 @@ impl Word {
         WORDS[self as usize].2
     }
 
+    /// Returns true if an expression may begin with this word.
+    #[must_use]
+    pub fn is_value(self) -> bool {
+        matches!(self.class(), Class::Value | Class::Function)
+    }
+
     /// Returns true if an expression that begins with this word begins with a float.
     #[must_use]
     pub fn gives_float(self) -> bool {
@@ -117,10 +123,7 @@ impl Word {
             self,
             Chr | Concat | Datetime | Str | Strlwr | Strupr | Substr | Vstr
         );
-        matches!(self.class(), Class::Value | Class::Function)
-            && !is_vector
-            && !is_string
-            && !matches!(self, Function | Internal)
+        self.is_value() && !is_vector && !is_string && !matches!(self, Function | Internal)
     }
 
     /// All words of POV-Ray 3.7 in the grammar's order, which is the order of `self as usize`.

@@ -315,7 +315,7 @@ impl Reader<'_> {
             diagnostic.code = Some(Code::Undeclared);
         }
         if let Some(remedy) = self.remedy(token, what) {
-            diagnostic = diagnostic.with_hint(remedy);
+            diagnostic = remedy.added_to(diagnostic);
         }
         if let Some(&open) = self.blocks.last()
             && (token.kind == Kind::End || what.contains("`}`"))

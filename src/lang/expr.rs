@@ -49,13 +49,14 @@ impl Reader<'_> {
         if number.len == 1 {
             return Ok(number.v[0]);
         }
-        Err(self.with_trace(
-            Diagnostic::error(
-                self.span_from(start),
-                format!("expected a number, found {}", number.kind()),
-            )
-            .with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
-        ))
+        let span = self.span_from(start);
+        let error = Diagnostic::error(span, format!("expected a number, found {}", number.kind()));
+        Err(
+            self.with_trace(match self.source_text(span).starts_with('<') {
+                true => error,
+                false => error.with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
+            }),
+        )
     }
 
     /// The value of a condition: comparisons of numbers or of strings, logic, `? :`.

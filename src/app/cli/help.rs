@@ -1,6 +1,7 @@
 //! `povr help`: the same as `povr --help`, and `povr help COMMAND` as `povr COMMAND --help`.
 
 use crate::app::cli::options::command_line;
+use crate::base::nearest::nearest;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
@@ -8,7 +9,6 @@ use clap::{CommandFactory, Parser};
 use super::draw::report::say;
 use super::options::environment::Environment;
 use super::options::error::CliError;
-use super::options::nearest::nearest;
 use super::{COMMANDS, Command, draw};
 
 pub(super) const COMMAND: Command = Command {

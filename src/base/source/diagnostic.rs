@@ -52,6 +52,15 @@ pub struct Label {
     pub text: String,
 }
 
+/// A change to a text that certainly mends it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// The text to replace; empty to insert before its start.
+    pub span: Span,
+    /// The replacement.
+    pub text: String,
+}
+
 /// An error or warning about a scene. Messages start in lower case and end without a full stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -67,6 +76,8 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// Remedies, without the word "hint". They are shown as sentences, with a capital and a full stop.
     pub hints: Vec<String>,
+    /// The change that the last hint describes, where it is certain.
+    pub fix: Option<Box<Fix>>,
     /// The calls and includes that led here, innermost first: "in the macro `Leg`, called here".
     pub trace: Vec<Label>,
 }
@@ -92,6 +103,7 @@ impl Diagnostic {
             span,
             labels: Vec::new(),
             hints: Vec::new(),
+            fix: None,
             trace: Vec::new(),
         }
     }
@@ -118,6 +130,13 @@ impl Diagnostic {
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
         self
+    }
+
+    /// Adds a remedy and the change that it describes.
+    #[must_use]
+    pub fn with_fix(mut self, hint: impl Into<String>, fix: Fix) -> Self {
+        self.fix = Some(Box::new(fix));
+        self.with_hint(hint)
     }
 }
 

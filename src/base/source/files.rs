@@ -212,26 +212,6 @@ impl Sources {
         })
     }
 
-    /// The names of all include files that `#include` in a file can name, without those in subfolders.
-    #[must_use]
-    pub fn include_files(&self, including_file: FileId) -> Vec<String> {
-        let folders = self.folders(including_file);
-        let entries = folders.iter().filter_map(|folder| {
-            fs::read_dir(if folder.as_os_str().is_empty() {
-                Path::new(".")
-            } else {
-                folder
-            })
-            .ok()
-        });
-        entries
-            .flatten()
-            .flatten()
-            .map(|entry| entry.file_name().to_string_lossy().into_owned())
-            .filter(|name| name.ends_with(".inc"))
-            .collect()
-    }
-
     /// Folders in which include files are searched, in order; an empty path is the current folder.
     pub(super) fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
         let including = self.path(including_file).and_then(Path::parent);

@@ -26,6 +26,9 @@ pub struct Message {
     pub trace: Vec<Note>,
     /// Remedies, as sentences.
     pub hints: Vec<String>,
+    /// The change that the last hint describes, where it is certain: the text to write instead of what is there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fix: Option<Note>,
     /// The diagnostic as one line in POV-Ray's form.
     #[serde(skip)]
     pub pov_line: String,
@@ -85,6 +88,10 @@ impl Message {
             labels: diagnostic.labels.iter().map(note).collect(),
             trace: diagnostic.trace.iter().map(note).collect(),
             hints: diagnostic.hints.iter().map(|hint| sentence(hint)).collect(),
+            fix: diagnostic.fix.as_ref().map(|fix| Note {
+                text: fix.text.clone(),
+                location: location(fix.span, sources),
+            }),
             pov_line: pov_line(diagnostic, sources),
             excerpt: annotated(diagnostic, sources, Styling::Plain),
             colored: annotated(diagnostic, sources, Styling::Colored),

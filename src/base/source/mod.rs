@@ -18,7 +18,7 @@ mod text;
 mod written_files;
 
 pub use dependency::Dependency;
-pub use diagnostic::{Code, Diagnostic, Label, Severity};
+pub use diagnostic::{Code, Diagnostic, Fix, Label, Severity};
 pub use files::{Declared, Sources};
 pub(crate) use held_file::HeldFile;
 pub use message::{Location, Message, Note, Position};

@@ -2,8 +2,9 @@
 
 use super::diagnostic::sentence;
 use super::files::char_start;
-use super::{Diagnostic, Label, Severity, Sources, Span};
-use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+use super::{Diagnostic, FileId, Fix, Label, Severity, Sources, Span};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
+use std::iter;
 use std::ops::Range;
 
 /// Use of the escape codes of a colour terminal.
@@ -48,10 +49,15 @@ pub fn annotated(diagnostic: &Diagnostic, sources: &Sources, styling: Styling) -
     let mut group = level
         .primary_title(clean(&diagnostic.message))
         .elements(snippets(diagnostic, sources));
-    for hint in &diagnostic.hints {
+    let (hints, fix) = match (&diagnostic.fix, diagnostic.hints.split_last()) {
+        (Some(fix), Some((last, others))) => (others, Some((last, fix))),
+        _ => (diagnostic.hints.as_slice(), None),
+    };
+    for hint in hints {
         group = group.element(Level::HELP.message(clean(&sentence(hint))));
     }
     let mut groups = vec![group];
+    groups.extend(fix.map(|(hint, fix)| change(hint, fix, sources)));
     groups.extend(trace(&diagnostic.trace, sources));
     let renderer = match styling {
         Styling::Plain => Renderer::plain(),
@@ -98,21 +104,20 @@ fn is_near(first: &Mark, other: &Mark, sources: &Sources) -> bool {
     first.span.file == other.span.file && line(first).abs_diff(line(other)) <= NEAR_LINES
 }
 
+/// The lines of a fix as a difference, with the hint that describes it.
+fn change(hint: &str, fix: &Fix, sources: &Sources) -> Group<'static> {
+    let range = visible(fix.span, sources);
+    let (first_line, start, lines) = lines(fix.span.file, iter::once(range.clone()), sources);
+    let patch = Patch::new(range.start - start..range.end - start, clean(&fix.text));
+    let title = Level::HELP.secondary_title(clean(&sentence(hint)));
+    title.element(Snippet::source(lines).line_start(first_line).patch(patch))
+}
+
 /// A snippet with all marks, which are near each other in one file.
 fn snippet<'a>(marks: &[Mark], sources: &'a Sources) -> Snippet<'a, Annotation<'a>> {
     let file = marks[0].span.file;
-    let ranges: Vec<Range<usize>> = marks
-        .iter()
-        .map(|mark| visible(mark.span, sources))
-        .collect();
-    let start = ranges.iter().map(|range| range.start).min().unwrap_or(0);
-    let end = ranges.iter().map(|range| range.end).max().unwrap_or(start);
-    let (first_line, start) = sources.line_of(file, start);
-    let end = sources.line_start(file, sources.line_of(file, end).0 + 1);
-    // The renderer only recognises line feeds. The replacements keep the length, so offsets stay valid.
-    let lines = sources.text(file)[start..end]
-        .replace("\r\n", " \n")
-        .replace('\r', "\n");
+    let ranges = marks.iter().map(|mark| visible(mark.span, sources));
+    let (first_line, start, lines) = lines(file, ranges.clone(), sources);
     let annotations = marks.iter().zip(ranges).map(|(mark, range)| {
         let annotation = mark.kind.span(range.start - start..range.end - start);
         annotation.label(mark.text.map(clean))
@@ -121,6 +126,23 @@ fn snippet<'a>(marks: &[Mark], sources: &'a Sources) -> Snippet<'a, Annotation<'
         .line_start(first_line)
         .path(sources.name(file))
         .annotations(annotations)
+}
+
+/// The lines that hold byte ranges of a file: the number of the first, its first byte, and the text.
+fn lines(
+    file: FileId,
+    ranges: impl Iterator<Item = Range<usize>> + Clone,
+    sources: &Sources,
+) -> (usize, usize, String) {
+    let start = ranges.clone().map(|range| range.start).min().unwrap_or(0);
+    let end = ranges.map(|range| range.end).max().unwrap_or(start);
+    let (first_line, start) = sources.line_of(file, start);
+    let end = sources.line_start(file, sources.line_of(file, end).0 + 1);
+    // The renderer only recognises line feeds. The replacements keep the length, so offsets stay valid.
+    let lines = sources.text(file)[start..end]
+        .replace("\r\n", " \n")
+        .replace('\r', "\n");
+    (first_line, start, lines)
 }
 
 /// The byte range of a span, cut off after [`NEAR_LINES`] lines.

@@ -2,11 +2,15 @@
 
 use super::{Diagnostic, Sources};
 use crate::base::file::Folders;
+use crate::base::nearest::nearest;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Endings that POV-Ray tries for the name of an include file, in this order.
 pub(super) const INCLUDES: [&str; 3] = ["", ".inc", ".INC"];
+
+/// Folders with more entries are not fully searched for a similar name.
+const MAX_ENTRIES: usize = 10_000;
 
 /// Candidate paths of a file, in search order.
 pub(super) fn candidates(
@@ -39,6 +43,11 @@ impl Sources {
         if name.contains('\\') {
             error = error.with_hint("Write `/` between folders, not `\\`.");
         }
+        if error.hints.is_empty()
+            && let Some(near) = self.nearest_file(name, folders)
+        {
+            error = error.with_hint(format!("Did you mean `{near}`?"));
+        }
         if error.hints.is_empty() && !Path::new(name).is_absolute() {
             error = error
                 .with_hint("Put the file into one of these folders, or name its folder with `+L`.");
@@ -55,22 +64,12 @@ impl Sources {
 
     /// Files in the searched folders whose names differ from `name` only in case, each with the name to write instead.
     fn other_cases(&self, name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
-        let (inner, last) = match name.rfind('/') {
-            Some(slash) => name.split_at(slash + 1),
-            None => ("", name),
-        };
+        let (inner, last) = in_folder(name);
         let wanted = INCLUDES.map(|extension| format!("{last}{extension}").to_lowercase());
         let mut cases = Vec::new();
         for folder in folders {
             let folder = folder.join(inner);
-            let listed = if folder.as_os_str().is_empty() {
-                Path::new(".")
-            } else {
-                &folder
-            };
-            let entries = fs::read_dir(listed).into_iter().flatten().flatten();
-            let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-            let mut names: Vec<String> = names
+            let mut names: Vec<String> = entries(&folder)
                 .filter(|name| wanted.contains(&name.to_lowercase()))
                 .collect();
             names.sort();
@@ -84,6 +83,56 @@ impl Sources {
         cases.dedup();
         cases
     }
+
+    /// The file in the searched folders whose name is nearest to a missing one. The extension is the same, that of
+    /// include files where `name` has none, or all that differs.
+    fn nearest_file(&self, name: &str, folders: &[PathBuf]) -> Option<String> {
+        let (inner, last) = in_folder(name);
+        let (stem, extension) = last.rsplit_once('.').unwrap_or((last, "inc"));
+        let mut other_type = None;
+        let mut similar = Vec::new();
+        for folder in folders {
+            let folder = folder.join(inner);
+            for name in entries(&folder) {
+                let Some((its_stem, its_extension)) = name.rsplit_once('.') else {
+                    continue;
+                };
+                let is_same_type = its_extension.eq_ignore_ascii_case(extension);
+                if !is_same_type && its_stem != stem
+                    || !self.limits.folders.hold(&folder.join(&name))
+                {
+                    continue;
+                }
+                if is_same_type {
+                    similar.push((its_stem.to_owned(), name));
+                } else {
+                    other_type = other_type.max(Some(name));
+                }
+            }
+        }
+        let near = nearest(stem, similar.iter().map(|(stem, _)| stem.as_str()));
+        let near = near.and_then(|near| similar.iter().find(|(stem, _)| stem == near));
+        let near = near.map(|(_, name)| name.clone()).or(other_type)?;
+        Some(format!("{inner}{near}"))
+    }
+}
+
+/// The folder of a name, with its `/`, and the rest.
+fn in_folder(name: &str) -> (&str, &str) {
+    name.split_at(name.rfind('/').map_or(0, |slash| slash + 1))
+}
+
+/// The names in a folder, of at most [`MAX_ENTRIES`]; an empty path is the current folder.
+fn entries(folder: &Path) -> impl Iterator<Item = String> {
+    let listed = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let entries = fs::read_dir(listed).into_iter().flatten().flatten();
+    entries
+        .take(MAX_ENTRIES)
+        .filter_map(|entry| entry.file_name().into_string().ok())
 }
 
 fn folder_name(folder: &Path) -> String {

@@ -1,8 +1,10 @@
 //! Hints for tokens that do not belong where they stand.
 
 use crate::base::args::Word;
+use crate::base::nearest::nearest;
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::diagnose::other_dialects;
+use crate::lang::diagnose::rewrite::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
@@ -12,8 +14,11 @@ const INCLUDE_FILES: usize = 200;
 
 impl Reader<'_> {
     /// A hint for the next token, which cannot stand where `wanted` is expected.
-    pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<String> {
-        match token.kind {
+    pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        if let Some(rewritten) = self.rewritten(token, wanted) {
+            return Some(rewritten);
+        }
+        let hint = match token.kind {
             Kind::Name => self.remedy_of_name(Symbol(token.value), wanted),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
             Kind::Word => self
@@ -21,6 +26,28 @@ impl Reader<'_> {
                 .or_else(|| remedy_of_word(token.word()?, wanted))
                 .or_else(|| self.remedy_of_no_value(wanted)),
             Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.to_owned()),
+            _ => None,
+        };
+        hint.map(Remedy::from)
+    }
+
+    /// A remedy that rewrites the text around the next token.
+    fn rewritten(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        let is_statement = wanted.contains("statement");
+        match token.kind {
+            _ if wanted.starts_with("`(` after") => self.argument_without_parentheses(),
+            Kind::Mark | Kind::Name | Kind::Word if wanted == "a string" => self.unquoted_string(),
+            Kind::Name => (is_statement.then(|| self.assignment()).flatten())
+                .or_else(|| self.keyword_in_capitals(Symbol(token.value), wanted)),
+            Kind::Mark if is_statement && token.is_mark('{') => self.braces_of_other_languages(),
+            Kind::Mark if is_statement && token.is_mark('-') && self.raw_ahead(1).is_mark('-') => {
+                self.comment_of_other_languages()
+            }
+            Kind::Mark if wants_value(wanted) => self.vector_in_brackets(self.here.at),
+            Kind::Number | Kind::Word if wanted.contains("`}`") => self
+                .axis_and_number()
+                .or_else(|| (token.kind == Kind::Number).then(|| self.numbers_in_a_row())?),
+            Kind::Mark if token.is_mark(',') && wanted.contains("`}`") => self.numbers_in_a_row(),
             _ => None,
         }
     }
@@ -35,9 +62,9 @@ impl Reader<'_> {
 
     /// A word whose value is missing: `rotate }`.
     fn remedy_of_no_value(&self, wanted: &str) -> Option<String> {
-        let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?].word()?;
-        let is_value = matches!(before.class(), Class::Value | Class::Function);
-        (wants_value(wanted) && !is_value).then(|| format!("Write a value after `{before}`."))
+        let before = self.word_back(1)?;
+        (wants_value(wanted) && !before.is_value())
+            .then(|| format!("Write a value after `{before}`."))
     }
 
     fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
@@ -47,6 +74,10 @@ impl Reader<'_> {
             '&' if before == Some('&') => "One `&` means \"and\".",
             '|' if before == Some('|') => "One `|` means \"or\".",
             '[' => "Only an array has items in `[` and `]`.",
+            '*' if before == Some('*') => "A power is `pow(a, b)`.",
+            ')' if before == Some('(') && self.word_back(2) == Some(Word::Rand) => {
+                "`rand(stream)` draws a number; `#declare stream = seed(1);` makes the stream."
+            }
             '+' if self.is_after_string() => "Strings are joined by `concat(a, b)`.",
             '%' => "The remainder of a division is `mod(a, b)`.",
             '^' => "A power is `pow(a, b)`.",
@@ -69,7 +100,7 @@ impl Reader<'_> {
                 "Parameters belong in `{` and `}`, or in no brackets at all."
             }
             '}' => return self.remedy_of_no_value(wanted),
-            '=' | ':' if wants_word(wanted) || self.is_after_word() => {
+            '=' | ':' if wants_word(wanted) || self.word_back(1).is_some() => {
                 "A value follows its word without a sign: `ambient 0.2`."
             }
             _ => return None,
@@ -94,9 +125,9 @@ impl Reader<'_> {
         before == Some(Kind::Number) && (behind.kind == Kind::Number || is_signed)
     }
 
-    fn is_after_word(&self) -> bool {
-        let before = self.here.at.checked_sub(1);
-        before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::Word)
+    /// The reserved word that is this many tokens before the next one.
+    fn word_back(&self, back: usize) -> Option<Word> {
+        self.here.tokens.tokens[self.here.at.checked_sub(back)?].word()
     }
 
     fn is_after_string(&self) -> bool {
@@ -119,19 +150,6 @@ impl Reader<'_> {
                 "`{name}` is a word of HG-POV, which POV-Ray does not read either."
             ));
         }
-        let small = name.to_lowercase();
-        // `Red` is the colour of that name, not the word `red`.
-        let is_part_of_color = |word| {
-            matches!(
-                word,
-                Word::Red | Word::Green | Word::Blue | Word::Gray | Word::Filter | Word::Transmit
-            )
-        };
-        if Word::from_spelling(&small)
-            .is_some_and(|word| fits(word, wanted) && !is_part_of_color(word))
-        {
-            return Some(format!("Keywords are lower case: `{small}`."));
-        }
         if let Some(line) = self.declared_further_down(symbol) {
             return Some(format!(
                 "`{name}` is declared only in line {line}: move that above this."
@@ -147,15 +165,61 @@ impl Reader<'_> {
                 false => format!("{include}."),
             });
         }
-        if let Some(near) = self.similar_name(name, wanted) {
-            return Some(format!("Did you mean `{near}`?"));
+        if wanted.contains("statement") && self.raw_ahead(1).is_mark('(') {
+            return Some(match self.similar_name(name, wanted) {
+                Some(near) => format!("Did you mean `{near}`?"),
+                None => format!("Define the macro `{name}` above, or include the file that does."),
+            });
         }
-        if let Some(translated) = super::other_dialects::translated(name, wants_value(wanted)) {
-            return Some(translated);
+        if self.is_loop_variable() {
+            return Some("Write `#for (I, first, last)`.".to_owned());
+        }
+        let translated = other_dialects::translated(name, wants_value(wanted))
+            .or_else(|| other_dialects::translated(name, wanted == "a value"));
+        // A capital begins a name of the author's own.
+        let is_own = name.starts_with(char::is_uppercase);
+        let similar = || {
+            let near = self.similar_name(name, wanted)?;
+            Some(format!("Did you mean `{near}`?"))
+        };
+        let hint = match is_own {
+            true => similar().or(translated),
+            false => translated.or_else(similar),
+        };
+        if hint.is_some() {
+            return hint;
         }
         Some(match wants_word(wanted) && !wanted.contains("statement") {
             true => format!("There is no word `{name}`, and nothing of that name is declared."),
             false => format!("Declare `{name}` above, or include the file that does."),
+        })
+    }
+
+    /// A keyword with capitals, which is an undeclared name.
+    fn keyword_in_capitals(&self, name: Symbol, wanted: &str) -> Option<Remedy> {
+        let word = Word::from_spelling(&self.names.spelling(name).to_lowercase())?;
+        // `Red` is the colour of that name, not the word `red`.
+        let is_part_of_color = matches!(
+            word,
+            Word::Red | Word::Green | Word::Blue | Word::Gray | Word::Filter | Word::Transmit
+        );
+        if self.scopes.get(name).is_some() || is_part_of_color || !fits(word, wanted) {
+            return None;
+        }
+        let hint = format!("Keywords are lower case: `{word}`.");
+        Some(Remedy::fix(hint, self.here_span(), word.spelling()))
+    }
+
+    /// True if the next token is the variable of a `#for` without `(`.
+    fn is_loop_variable(&self) -> bool {
+        let before = self
+            .here
+            .at
+            .checked_sub(1)
+            .map(|at| self.here.tokens.tokens[at]);
+        before.is_some_and(|before| {
+            before.kind == Kind::Directive
+                && self.here.tokens.directives[before.value as usize].word == Some(Word::For)
         })
     }
 
@@ -184,25 +248,13 @@ impl Reader<'_> {
         let mut known: Vec<&str> = words.map(Word::spelling).collect();
         let declared = self.scopes.defined();
         known.extend(declared.map(|symbol| self.names.spelling(symbol)));
-        super::did_you_mean::nearest(name, known.into_iter()).map(str::to_owned)
-    }
-
-    /// Suggests the include file whose name is nearest to the missing one.
-    pub(crate) fn suggest_include(&self, error: &mut Diagnostic, name: &str) {
-        let files = self.sources.include_files(self.here.tokens.file);
-        let bare = |name: &str| name.strip_suffix(".inc").unwrap_or(name).to_owned();
-        let names: Vec<String> = files.iter().map(|file| bare(file)).collect();
-        let near = super::did_you_mean::nearest(&bare(name), names.iter().map(String::as_str));
-        // A name that differs only in case has been reported.
-        if let Some(near) = near.filter(|near| !near.eq_ignore_ascii_case(&bare(name))) {
-            error.hints = vec![format!("Did you mean `{near}.inc`?")];
-        }
+        nearest(name, known).map(str::to_owned)
     }
 
     /// The directive whose spelling is nearest.
     pub(crate) fn similar_directive(wanted: &str) -> Option<&'static str> {
         let words = Word::all().filter(|word| word.class() == Class::Directive);
-        super::did_you_mean::nearest(wanted, words.map(Word::spelling))
+        nearest(wanted, words.map(Word::spelling))
     }
 
     /// A sign in the parameters of the block at this depth that was probably meant to begin a value: `<0, 0, 0> -1`.
@@ -258,6 +310,7 @@ impl Reader<'_> {
             Word::SmoothTriangle => {
                 "`smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> ... }`"
             }
+            Word::Text => "`text { ttf \"cyrvetic.ttf\" \"words\" thickness, <offset> ... }`",
             Word::LightSource => "`light_source { <location>, colour ... }`",
             _ => return None,
         })
@@ -358,11 +411,12 @@ fn wants_value(wanted: &str) -> bool {
 
 /// True if a word may stand where `wanted` is expected, as far as its class shows.
 fn fits(word: Word, wanted: &str) -> bool {
-    let is_value = matches!(word.class(), Class::Value | Class::Function);
+    let is_value = word.is_value();
     if wants_value(wanted) {
         is_value
-    } else if wanted.contains("statement") {
-        matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+    } else if wanted.starts_with("an object") {
+        let is_object = matches!(word.class(), Class::Shape | Class::Csg);
+        is_object || wanted.contains("statement") && word.class() == Class::Statement
     } else {
         !wants_word(wanted) || !is_value && word.class() != Class::Directive
     }
@@ -373,8 +427,21 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
         return Some(format!("Directives begin with `#`: `#{word}`."));
     }
-    if let Some(translated) = super::other_dialects::translated(word.spelling(), false) {
+    if let Some(translated) = other_dialects::translated(word.spelling(), false) {
         return Some(translated);
+    }
+    if let Some(block) = block_of(word)
+        && (wanted.starts_with("a modifier") || wanted.ends_with("`pigment`"))
+        && !is_in(&format!("`{block}`"))
+    {
+        return Some(match wanted.starts_with("a modifier") {
+            true => format!("`{word}` belongs in `{block} {{ }}`."),
+            false => {
+                format!(
+                    "`{word}` belongs in `{block} {{ }}`, beside this block: close it with `}}` first."
+                )
+            }
+        });
     }
     if word.class() == Class::Color && is_in("`texture`") {
         return Some("A colour belongs in `pigment { }`.".to_owned());
@@ -389,4 +456,19 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
         ));
     }
     None
+}
+
+/// The block of a texture that a word belongs in.
+fn block_of(word: Word) -> Option<&'static str> {
+    use Word::{
+        Ambient, Brilliance, Bumps, Crand, Dents, Diffuse, Emission, Irid, Metallic, Phong,
+        PhongSize, Reflection, Ripples, Roughness, Specular, Waves, Wrinkles,
+    };
+    match word {
+        Ambient | Brilliance | Crand | Diffuse | Emission | Irid | Metallic | Phong | PhongSize
+        | Reflection | Roughness | Specular => Some("finish"),
+        Bumps | Dents | Ripples | Waves | Wrinkles => Some("normal"),
+        _ if word.class() == Class::Pattern => Some("pigment"),
+        _ => None,
+    }
 }

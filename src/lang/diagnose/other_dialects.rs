@@ -4,20 +4,27 @@
 ///
 /// `is_value` is true in expressions, where other words are meant than in a block.
 pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
-    let bare: String = name
-        .chars()
-        .filter(|&c| c != '_')
-        .map(|c| c.to_ascii_lowercase())
-        .collect();
-    let words = if is_value { VALUES } else { WORDS };
-    let (_, instead) = words
-        .iter()
-        .find(|(words, _)| words.split(' ').any(|word| word == bare))?;
+    let instead = equivalent(name, if is_value { VALUES } else { WORDS })?;
     Some(if instead.contains(' ') {
         format!("{instead}.")
     } else {
         format!("The scene language says `{instead}`.")
     })
+}
+
+/// The directive that is meant by a foreign one, written without `#`.
+pub(crate) fn directive(name: &str) -> Option<&'static str> {
+    equivalent(name, WORDS).filter(|instead| instead.starts_with('#'))
+}
+
+fn equivalent(name: &str, words: &[(&str, &'static str)]) -> Option<&'static str> {
+    let bare: String = name
+        .chars()
+        .filter(|&c| c != '_')
+        .map(|c| c.to_ascii_lowercase())
+        .collect();
+    let is_it = |(words, _): &&(&str, &str)| words.split(' ').any(|word| word == bare);
+    words.iter().find(is_it).map(|&(_, instead)| instead)
 }
 
 /// True for a word of HG-POV, a program with a larger language than POV-Ray's.
@@ -90,6 +97,15 @@ const WORDS: &[(&str, &str)] = &[
     ("func sub proc", "#macro"),
     ("import require use", "#include"),
     ("print printf echo log", "#debug"),
+    (
+        "then begin",
+        "Remove it: the text after the `)` of a directive is what it decides about",
+    ),
+    (
+        "return",
+        "A macro returns what it writes last: `#macro Double(X) (2*X) #end`",
+    ),
+    ("deg degree", "Remove it: `rotate` takes degrees"),
 ];
 
 /// The same in expressions.
@@ -104,6 +120,7 @@ const VALUES: &[(&str, &str)] = &[
         "`rand(stream)` draws a number; `#declare stream = seed(1);` makes the stream",
     ),
     ("ceiling", "ceil"),
+    ("math", "Functions have no prefix: write `sin(x)`"),
     ("round", "`int(value + 0.5)` rounds"),
     (
         "null none nil",

@@ -1,6 +1,8 @@
 //! Messages about a `{`, `(` or `<` that is missing, or open where it should not be.
 
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::rewrite::Remedy;
+use crate::lang::expr::value::Value;
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token};
@@ -52,7 +54,14 @@ impl Reader<'_> {
     /// The `{` after a word is missing.
     pub(crate) fn no_block(&mut self, element: Span) -> Box<Diagnostic> {
         let after = self.source_text(element).to_owned();
+        let name = self.raw().symbol().and_then(|name| self.scopes.get(name));
+        let is_value = matches!(name, Some(Value::Element(element)) if element.name == after);
         let mut error = self.expected_after(element, &format!("`{{` after `{after}`"));
+        if is_value {
+            let block = format!("{{ {} }}", self.source_text(self.here_span()));
+            let hint = format!("Write `{after} {block}`.");
+            return Box::new(Remedy::fix(hint, self.here_span(), block).added_to(*error));
+        }
         if error.hints.is_empty() {
             error.hints.push(format!("Write `{after} {{`."));
         }
@@ -92,6 +101,17 @@ impl Reader<'_> {
             if before.and_then(|at| text.get(at)) == Some(&b'<') {
                 error.hints.push("One `<` compares two values.".to_owned());
                 return Box::new(error);
+            }
+            if mark == ')'
+                && self.raw().is_mark(',')
+                && let Some(remedy) = self.vector_in_parentheses(open)
+            {
+                return Box::new(remedy.added_to(error));
+            }
+            if mark == '>' && self.raw().is_mark(';') {
+                let hint = "Components are separated by `,`.";
+                let remedy = Remedy::fix(hint, self.here_span(), ",");
+                return Box::new(remedy.added_to(error));
             }
             let found = self.source_text(self.here_span());
             let line = found.lines().next().unwrap_or_default();

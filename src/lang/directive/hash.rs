@@ -5,6 +5,8 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::other_dialects;
+use crate::lang::diagnose::rewrite::Remedy;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
@@ -29,15 +31,21 @@ impl Reader<'_> {
 
     fn no_directive(&self, hash: Span, name: Span) -> Box<Diagnostic> {
         let found = self.source_text(name).to_owned();
-        let hint = match Self::similar_directive(&found) {
-            Some(near) => format!("Did you mean `#{near}`?"),
-            None => {
-                "Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."
-                    .to_owned()
-            }
+        let both = hash.to(name);
+        let error = Diagnostic::error(both, format!("`#{found}` is not a directive"));
+        let remedy = if let Some(near) = Self::similar_directive(&found) {
+            format!("Did you mean `#{near}`?").into()
+        } else if hash.end < name.start {
+            Remedy::fix("Comments begin with `//`.", hash, "//")
+        } else if let Some([red, green, blue]) = hexadecimal_color(&found) {
+            let color = format!("srgb <{red}, {green}, {blue}>/255");
+            Remedy::fix(format!("Write the colour as `{color}`."), both, color)
+        } else if let Some(directive) = other_dialects::directive(&found) {
+            Remedy::fix(format!("Write `{directive}`."), both, directive)
+        } else {
+            "Comments begin with `//`; directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like.".into()
         };
-        let error = Diagnostic::error(hash.to(name), format!("`#{found}` is not a directive"));
-        self.with_trace(error.with_hint(hint))
+        self.with_trace(remedy.added_to(error))
     }
 
     /// True if a float begins with this token.
@@ -67,6 +75,13 @@ impl Reader<'_> {
             self.pass_hash();
         }
     }
+}
+
+/// The channels of a colour in HTML's form, without its `#`.
+fn hexadecimal_color(digits: &str) -> Option<[u8; 3]> {
+    let value = u32::from_str_radix(digits, 16).ok()?;
+    let [_, color @ ..] = value.to_be_bytes();
+    (digits.len() == 6).then_some(color)
 }
 
 /// The sort of floats in arrays.

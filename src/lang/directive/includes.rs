@@ -41,7 +41,6 @@ impl Reader<'_> {
                 self.usage.lacks_file = true;
                 error.span = Some(from);
                 error.code = Some(Code::MissingFile);
-                self.suggest_include(&mut error, &name);
                 return Err(self.with_trace(*error));
             }
         };

@@ -5,7 +5,7 @@
 //! `#macro M() #declare A = 1 #end  M();`, but no directive may stand before it.
 
 use crate::base::args::Parse;
-use crate::base::source::{Diagnostic, Span};
+use crate::base::source::{Diagnostic, Fix, Span};
 use crate::lang::expr::value::Value;
 use crate::lang::frame::{Declaring, Entered, Frame};
 use crate::lang::reader::Reader;
@@ -141,6 +141,13 @@ impl Reader<'_> {
         {
             return Err(self.expected_here("an operator or `;` after the value"));
         }
+        if self.draft.version >= 3.5
+            && self.statement.without_semicolon.is_none()
+            && self.is_factor_in_the_same_line(next)
+        {
+            let error = self.expected_here("an operator or `;` after the value");
+            return Err(Box::new(error.with_hint("Write `*` between factors.")));
+        }
         let last = match self.statement.without_semicolon.take() {
             Some((last, position, frames)) => {
                 // The directive ran without the value; from here on the value is there.
@@ -156,12 +163,28 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// True if the next token is a number or the name of one, and the line of the last one goes on with it.
+    fn is_factor_in_the_same_line(&self, next: Token) -> bool {
+        let name = next.symbol().and_then(|name| self.scopes.get(name));
+        let is_factor = next.kind == Kind::Number || matches!(name, Some(Value::Number(_)));
+        let (last, here) = (self.taken_span(), self.here_span());
+        let between = Span::new(here.file, last.end, here.start);
+        is_factor
+            && last.file == here.file
+            && last.end < here.start
+            && !self.source_text(between).contains(['\n', '\r'])
+    }
+
     /// Reports a missing `;` after a number.
     pub(crate) fn report_missing_semicolon(&mut self, last: Span) {
         let behind = Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.draft.version >= 3.5 {
-            let error = Diagnostic::error(behind, message).with_hint("Add `;` here.");
+            let end = Fix {
+                span: Span::new(last.file, last.end, last.end),
+                text: ";".to_owned(),
+            };
+            let error = Diagnostic::error(behind, message).with_fix("Add `;` here.", end);
             self.record(*self.with_trace(error));
         } else {
             self.warning(Diagnostic::warning(behind, message));

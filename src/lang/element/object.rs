@@ -183,7 +183,8 @@ impl Reader<'_> {
         let is_ours = self.blocks.len() == depth
             && error.message.starts_with("expected")
             && error.hints.is_empty()
-            && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+            && (matches!(self.raw().kind, Tok::Word | Tok::String)
+                || ['}', ','].iter().any(|&mark| self.raw().is_mark(mark)));
         if !is_ours {
             return error;
         }

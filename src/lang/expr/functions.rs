@@ -289,7 +289,9 @@ impl Reader<'_> {
         };
         let handle = self.number_at_sum()?;
         let Some(stream) = self.streams.find(handle) else {
-            return Err(self.error_taken("this is not a stream of `seed`"));
+            let error = self.error_taken("this is not a stream of `seed`");
+            let hint = "`#declare stream = seed(1);` makes a stream, `rand(stream)` draws from it.";
+            return Err(Box::new(error.with_hint(hint)));
         };
         let close = self.start_taken();
         Ok(Number::float(if opens_stream {

@@ -5,13 +5,13 @@
 
 use super::arg_words::{assignment, has_ending};
 use super::error::CliError;
-use super::nearest::nearest;
 use super::raw_args::RawArgs;
 use super::values::unquoted;
 use super::{arg_words, keys, switches};
 use crate::app::cli::COMMANDS;
 use crate::app::cli::options::ini;
 use crate::base::file::{FileLimits, Named, read_limited, read_regular};
+use crate::base::nearest::nearest;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

@@ -4,12 +4,12 @@
 //! the options that the program of 3.7.0.10 accepts.
 
 use super::error::CliError;
-use super::nearest::nearest;
 use super::raw_args::{Output, RawArgs, Shellout, Unbuilt};
 use super::values::{
     duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
 };
 use crate::app::cli::options::output_kinds::Stream;
+use crate::base::nearest::nearest;
 use crate::base::options::Method;
 
 /// The effect of an option with its value. The third text is the word as typed, for messages.

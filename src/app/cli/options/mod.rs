@@ -9,7 +9,6 @@ pub(super) mod error;
 pub(super) mod ini;
 pub(super) mod keys;
 pub(super) mod long_options;
-pub(super) mod nearest;
 pub(crate) mod output_kinds;
 pub(super) mod raw_args;
 pub(super) mod safety;

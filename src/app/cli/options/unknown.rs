@@ -4,9 +4,9 @@ use clap::CommandFactory;
 
 use super::error::CliError;
 use super::long_options::LongOptions;
-use super::nearest::nearest;
 use super::{keys, switches};
 use crate::app::cli::COMMANDS;
+use crate::base::nearest::nearest;
 
 /// The error for a long option that `own` does not have. `option` is the option as typed, with or without a value after
 /// `=`.

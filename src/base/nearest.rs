@@ -1,18 +1,25 @@
 //! Spelling suggestions for unknown words.
 
-/// The candidate that differs from `word` in the fewest letters: at most two, and less than half of them.
+/// The candidate that differs from `word` in the fewest letters, of any case: at most one in words of three to five
+/// letters, two in longer ones. Words of up to four letters begin alike.
 pub(crate) fn nearest<T: AsRef<str>>(
     word: &str,
     candidates: impl IntoIterator<Item = T>,
 ) -> Option<T> {
-    let word = word.to_ascii_lowercase();
+    let word = word.to_lowercase();
+    let limit = match word.len() {
+        0..=2 => return None,
+        3..=5 => 1,
+        _ => 2,
+    };
+    let begins_alike = |name: &str| word.len() > 4 || name.chars().next() == word.chars().next();
     candidates
         .into_iter()
-        .map(|candidate| {
-            let name = candidate.as_ref().to_ascii_lowercase();
-            (distance(&word, &name), name, candidate)
-        })
-        .filter(|(distance, name, _)| *distance <= 2 && 2 * *distance < name.len())
+        .filter(|candidate| candidate.as_ref().len().abs_diff(word.len()) <= limit)
+        .map(|candidate| (candidate.as_ref().to_lowercase(), candidate))
+        .filter(|(name, _)| begins_alike(name))
+        .map(|(name, candidate)| (distance(&word, &name), name, candidate))
+        .filter(|(distance, ..)| *distance <= limit)
         .min_by(|(a, first, _), (b, second, _)| (a, first).cmp(&(b, second)))
         .map(|(_, _, candidate)| candidate)
 }
@@ -53,6 +60,7 @@ mod tests {
             ("gears", None),
             ("m", None),
             ("", None),
+            ("mnaw", None),
         ] {
             assert_eq!(nearest(word, commands), expected, "{word}");
         }

@@ -1,0 +1,323 @@
+//! Remedies that rewrite what was written: vectors without `<` and `>`, assignments without `#declare`, axes beside
+//! numbers, strings without quotes.
+
+use crate::base::args::Word;
+use crate::base::source::{Diagnostic, Fix, Span};
+use crate::lang::expr::value::Value;
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind, Token};
+use std::ops::Range;
+
+/// Most tokens that a rewritten vector spans.
+const VECTOR_TOKENS: usize = 64;
+
+/// What the author can do, and the change of the text where it is certain.
+pub(crate) struct Remedy {
+    hint: String,
+    fix: Option<Fix>,
+}
+
+impl Remedy {
+    /// A hint that writes `text` in place of `span`.
+    pub(crate) fn fix(hint: impl Into<String>, span: Span, text: impl Into<String>) -> Self {
+        Remedy {
+            hint: hint.into(),
+            fix: Some(Fix {
+                span,
+                text: text.into(),
+            }),
+        }
+    }
+
+    /// The same without the change.
+    fn uncertain(self) -> Self {
+        Remedy { fix: None, ..self }
+    }
+
+    /// Adds it to an error.
+    pub(crate) fn added_to(self, error: Diagnostic) -> Diagnostic {
+        match self.fix {
+            Some(fix) => error.with_fix(self.hint, fix),
+            None => error.with_hint(self.hint),
+        }
+    }
+}
+
+impl<T: Into<String>> From<T> for Remedy {
+    fn from(hint: T) -> Self {
+        Remedy {
+            hint: hint.into(),
+            fix: None,
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// A token of the current text.
+    fn token(&self, at: usize) -> Option<Token> {
+        self.here.tokens.tokens.get(at).copied()
+    }
+
+    /// The tokens of a range as a span.
+    fn tokens_span(&self, range: Range<usize>) -> Span {
+        let tokens = &self.here.tokens;
+        tokens.span(range.start).to(tokens.span(range.end - 1))
+    }
+
+    /// The text from a token to the end of its line.
+    fn rest_of_line(&self, at: usize) -> &str {
+        let start = self.here.tokens.span(at).start as usize;
+        let text = self.sources.text(self.here.tokens.file);
+        let rest = text.get(start..).unwrap_or_default();
+        rest.lines().next().unwrap_or_default()
+    }
+
+    /// The span of the first bytes of a token and what follows it.
+    fn bytes_from(&self, at: usize, len: usize) -> Span {
+        let span = self.here.tokens.span(at);
+        Span::new(
+            span.file,
+            span.start,
+            span.start + u32::try_from(len).unwrap_or(0),
+        )
+    }
+
+    /// A vector in the brackets that open at a token: `(1, 0, 0)`.
+    pub(crate) fn vector_in_brackets(&self, open: usize) -> Option<Remedy> {
+        let close = match char::from_u32(self.token(open)?.value)? {
+            '(' => ')',
+            '[' => ']',
+            '{' => '}',
+            _ => return None,
+        };
+        let mut depth = 0;
+        let mut commas = 0;
+        for at in open + 1..open + VECTOR_TOKENS {
+            let token = self.token(at)?;
+            match (token.kind, char::from_u32(token.value)?) {
+                (Kind::Mark, mark) if depth == 0 && mark == close => {
+                    let span = self.tokens_span(open..at + 1);
+                    let inner = self.source_text(span);
+                    let inner = inner.get(1..inner.len() - 1)?.trim();
+                    let is_short = inner.len() <= limits::QUOTED && !inner.contains(['\n', '\r']);
+                    return ((1..=4).contains(&commas) && is_short).then(|| {
+                        let vector = format!("<{inner}>");
+                        Remedy::fix(format!("Write a vector as `{vector}`."), span, vector)
+                    });
+                }
+                (Kind::Mark, '(') => depth += 1,
+                (Kind::Mark, ')') => depth -= 1,
+                (Kind::Mark, ',') if depth == 0 => commas += 1,
+                (Kind::Mark, '+' | '-' | '*' | '/' | '.' | ',') => {}
+                (Kind::Number | Kind::Name, _) => {}
+                (Kind::Word, _) if token.word()?.is_value() => {}
+                _ => return None,
+            }
+        }
+        None
+    }
+
+    /// The same for the `(` of a span in the current text.
+    pub(crate) fn vector_in_parentheses(&self, open: Span) -> Option<Remedy> {
+        let tokens = &self.here.tokens;
+        let at = tokens
+            .tokens
+            .partition_point(|token| token.start < open.start);
+        (tokens.file == open.file)
+            .then(|| self.vector_in_brackets(at))
+            .flatten()
+    }
+
+    /// `N = N + 1;`, `N += 1;` or `N++;` at the next token, a name, without `#declare`.
+    pub(crate) fn assignment(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let name = self.source_text(self.here_span());
+        let is_mark = |ahead: usize, mark| self.raw_ahead(ahead).is_mark(mark);
+        let line = self.rest_of_line(at);
+        let statement = line.split_inclusive(';').next()?;
+        let operator = ['+', '-', '*', '/']
+            .into_iter()
+            .find(|&mark| is_mark(1, mark));
+        let (length, start) = match operator {
+            None if is_mark(1, '=') && !is_mark(2, '=') => (0, "#declare ".to_owned()),
+            Some(mark) if is_mark(2, '=') => (3, format!("#declare {name} = {name} {mark}")),
+            Some(mark @ ('+' | '-')) if is_mark(2, mark) => {
+                (3, format!("#declare {name} = {name} {mark} 1"))
+            }
+            _ => return None,
+        };
+        let span = match length {
+            0 => self.bytes_from(at, 0),
+            _ => self.tokens_span(at..at + length),
+        };
+        let rest = statement.get((span.end - span.start) as usize..)?;
+        let whole = format!("{start}{rest}");
+        if !whole.ends_with(';') || whole.len() > limits::QUOTED {
+            return Some("A name gets its value by `#declare NAME = value;`.".into());
+        }
+        let hint = format!("A name gets its value by `#declare`: `{whole}`.");
+        Some(Remedy::fix(hint, span, start))
+    }
+
+    /// An axis and a number side by side after a transform, of which the next token is the second: `rotate y 45`.
+    pub(crate) fn axis_and_number(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let is_number = |at: usize| {
+            self.token(at)
+                .is_some_and(|token| token.kind == Kind::Number)
+        };
+        let axis_at = |at: usize| {
+            let word = self.token(at)?.word();
+            word.filter(|word| matches!(word, Word::X | Word::Y | Word::Z))
+        };
+        let first = at.checked_sub(1)?;
+        let (axis, number) = match (axis_at(first), axis_at(at)) {
+            (Some(axis), None) if is_number(at) => (axis, at),
+            (None, Some(axis)) if is_number(first) => (axis, first),
+            _ => return None,
+        };
+        let has_sign = first > 0 && self.token(first - 1)?.is_mark('-');
+        let start = first - usize::from(has_sign);
+        let transform = self.token(start.checked_sub(1)?)?.word()?;
+        let sign = if has_sign { "-" } else { "" };
+        let number = self.source_text(self.here.tokens.span(number));
+        let vector = match transform {
+            Word::Rotate | Word::Translate => format!("{sign}{number}*{axis}"),
+            Word::Scale => match axis {
+                Word::X => format!("<{sign}{number}, 1, 1>"),
+                Word::Y => format!("<1, {sign}{number}, 1>"),
+                _ => format!("<1, 1, {sign}{number}>"),
+            },
+            _ => return None,
+        };
+        let hint = format!("Write `{transform} {vector}`.");
+        Some(Remedy::fix(hint, self.tokens_span(start..at + 1), vector))
+    }
+
+    /// Numbers in a row around the next token that should be one vector, or one number with a decimal comma.
+    pub(crate) fn numbers_in_a_row(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let is_part = |at: usize| {
+            let token = self.token(at)?;
+            let is_part = token.kind == Kind::Number || token.is_mark(',') || token.is_mark('-');
+            is_part.then_some(token)
+        };
+        let mut start = at;
+        while start > at.saturating_sub(VECTOR_TOKENS) && is_part(start - 1).is_some() {
+            start -= 1;
+        }
+        // The comma after a vector that precedes the numbers.
+        let is_after_comma = self.token(start)?.is_mark(',');
+        start += usize::from(is_after_comma);
+        let mut end = at;
+        while end < at + VECTOR_TOKENS && is_part(end).is_some() {
+            end += 1;
+        }
+        let mut numbers = Vec::new();
+        let mut sign = "";
+        for at in start..end {
+            let token = self.token(at)?;
+            if token.is_mark('-') {
+                sign = "-";
+            } else if token.kind == Kind::Number {
+                let number = self.source_text(self.here.tokens.span(at));
+                numbers.push(format!("{sign}{number}"));
+                sign = "";
+            }
+        }
+        let span = self.tokens_span(start..end.max(start + 1));
+        let before = self.token(start.checked_sub(1)?)?.word();
+        if let [whole, fraction] = numbers.as_slice() {
+            let is_one = self.source_text(span) == format!("{whole},{fraction}");
+            return (is_one && self.token(at)?.is_mark(',') && !whole.contains('.')).then(|| {
+                let number = format!("{whole}.{fraction}");
+                let hint = format!("The decimal point is `.`: write `{number}`.");
+                Remedy::fix(hint, span, number).uncertain()
+            });
+        }
+        if !(3..=5).contains(&numbers.len()) || before.is_none() && !is_after_comma {
+            return None;
+        }
+        let vector = format!("<{}>", numbers.join(", "));
+        let remedy = Remedy::fix(format!("Write a vector as `{vector}`."), span, vector);
+        Some(match before {
+            Some(word) if numbers.len() == 3 && !word.is_value() => remedy,
+            _ => remedy.uncertain(),
+        })
+    }
+
+    /// A string without quotes, in `'` or in `<` and `>`, at the next token.
+    pub(crate) fn unquoted_string(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let line = self.rest_of_line(at);
+        let is_name = |text: &str| {
+            let is_part = |c: char| c.is_alphanumeric() || "_-./ ".contains(c);
+            !text.is_empty() && text.chars().all(is_part)
+        };
+        let in_marks = |open: char, close: char| {
+            let text = line.strip_prefix(open)?.split(close).next()?;
+            let len = text.len() + 2;
+            (is_name(text) && line.len() >= len).then_some((text, len))
+        };
+        let word = line
+            .split(|c: char| c.is_whitespace() || ";}{,".contains(c))
+            .next()?;
+        let bare = (is_name(word) && word.contains('.')).then_some((word, word.len()));
+        let (text, len) = in_marks('\'', '\'')
+            .or_else(|| in_marks('<', '>'))
+            .or(bare)?;
+        let string = format!("\"{text}\"");
+        let hint = format!("Strings stand in double quotes: `{string}`.");
+        Some(Remedy::fix(hint, self.bytes_from(at, len), string))
+    }
+
+    /// The argument of a function without parentheses: `sin 30`.
+    pub(crate) fn argument_without_parentheses(&self) -> Option<Remedy> {
+        let function = self.token(self.here.at.checked_sub(1)?)?.word()?;
+        let is_argument = matches!(self.raw().kind, Kind::Number | Kind::Name)
+            || self
+                .raw()
+                .word()
+                .is_some_and(|word| word.class() == Class::Value);
+        let argument = self.source_text(self.here_span());
+        (function.class() == Class::Function && is_argument).then(|| {
+            let hint = format!("Arguments stand in parentheses: `{function}({argument})`.");
+            Remedy::fix(hint, self.here_span(), format!("({argument})"))
+        })
+    }
+
+    /// `--` where a statement is expected.
+    pub(crate) fn comment_of_other_languages(&self) -> Option<Remedy> {
+        let (at, hint) = (self.here.at, "Comments begin with `//`.");
+        Some(Remedy::fix(hint, self.tokens_span(at..at + 2), "//"))
+    }
+
+    /// A `{` where a statement is expected: after the head of a directive, or after the name of an object.
+    pub(crate) fn braces_of_other_languages(&self) -> Option<Remedy> {
+        let before = self.here.at.checked_sub(1)?;
+        if let Some(name) = self.token(before)?.symbol()
+            && matches!(self.scopes.get(name), Some(Value::Object(_)))
+        {
+            let span = self.tokens_span(before..before + 2);
+            let name = self.source_text(self.here.tokens.span(before));
+            let changed = format!("object {{ {name}");
+            let hint = format!("Write `{changed} ... }}`.");
+            return Some(Remedy::fix(hint, span, changed));
+        }
+        let mut depth = 0;
+        let open = (0..=before).rev().find(|&at| {
+            let Some(token) = self.token(at) else {
+                return false;
+            };
+            depth += i32::from(token.is_mark(')')) - i32::from(token.is_mark('('));
+            depth == 0
+        })?;
+        let is_directive = |back: usize| {
+            let token = open.checked_sub(back).and_then(|at| self.token(at));
+            token.is_some_and(|token| token.kind == Kind::Directive)
+        };
+        (self.token(open)?.is_mark('(') && (is_directive(1) || is_directive(2)))
+            .then(|| "Directives take no `{` and `}`: write `#end` where they end.".into())
+    }
+}

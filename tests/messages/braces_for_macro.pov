@@ -1,0 +1,3 @@
+// mistake in line 2: braces around a macro
+#macro A(X) { #end
+A(0)

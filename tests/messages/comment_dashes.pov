@@ -1,0 +1,2 @@
+// mistake in line 2: a comment of other languages
+-- the floor

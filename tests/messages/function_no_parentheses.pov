@@ -1,0 +1,2 @@
+// mistake in line 2: a function without parentheses
+#declare A = sin 30;

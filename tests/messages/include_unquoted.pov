@@ -1,0 +1,2 @@
+// mistake in line 2: a file without quotes
+#include colors.inc

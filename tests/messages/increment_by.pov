@@ -1,0 +1,3 @@
+// mistake in line 3: an increment of other languages
+#declare I = 0;
+I += 2;

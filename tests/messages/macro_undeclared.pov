@@ -1,0 +1,2 @@
+// mistake in line 2: an undeclared macro
+Chair(0, 1)

@@ -1,0 +1,2 @@
+// mistake in line 2: an undeclared object
+object { Foo translate x }

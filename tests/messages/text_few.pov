@@ -1,0 +1,2 @@
+// mistake in line 2: a text without a font
+text { "Hi" }

@@ -1,0 +1,2 @@
+// mistake in line 2: semicolons between components
+sphere { <0; 0; 0>, 1 }
