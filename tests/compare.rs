@@ -12,7 +12,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
-use support::browser::{browser, shown};
+use support::browser::{WINDOWS, browser, expect, shown, write_probed};
 
 const HEAD: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 50 }
@@ -172,36 +172,47 @@ fn scenes_are_compared_with_povray() {
     assert_eq!(hasty.status.code(), Some(4));
 }
 
-/// Appended to a copy of the page: writes its appearance and behaviour into attributes of the body.
-const PROBE: &str = "<script>addEventListener('load', () => setTimeout(async () => {
-  const told = document.body.dataset;
-  const names = () => [...document.querySelectorAll('.scenes tbody tr')].filter(row => !row.hidden).map(row => row.dataset.name).join();
+/// Uses the page, and writes its appearance and behaviour into attributes of the body.
+const PROBE: &str = "
+  const names = () => [...document.querySelectorAll('.wide tbody tr')].filter(row => !row.hidden).map(row => row.dataset.name).join();
+  const wait = time => new Promise(done => setTimeout(done, time));
+  const pointer = (target, kind, x) => target.dispatchEvent(new PointerEvent(kind, { bubbles: true, button: 0, clientX: x, clientY: 300 }));
+  const set = (name, value, kind) => { const one = document.querySelector(name); one.value = value; one.dispatchEvent(new Event(kind)); };
   await Promise.all([...document.images].map(image => image.decode()));
   told.images = [...document.images].filter(image => image.naturalWidth === 80).length;
+  told.tiles = [...document.querySelectorAll('.tiles tr')].map(row => row.dataset.name).join();
   told.painted = document.querySelectorAll('canvas.painted').length;
+  document.querySelector('#grid').click();
   told.first = names();
   document.querySelector('th[data-key=name] button').click(); told.byName = names();
-  document.querySelector('#order').value = 'rms-'; document.querySelector('#order').dispatchEvent(new Event('change')); told.byRms = names();
-  document.querySelector('#search').value = 'AGAIN'; document.querySelector('#search').dispatchEvent(new Event('input')); told.searched = names();
-  document.querySelector('#search').value = ''; document.querySelector('#search').dispatchEvent(new Event('input'));
+  set('#order', 'rms-', 'change'); told.byRms = names();
+  set('#search', 'AGAIN', 'input'); told.searched = names();
+  set('#search', '', 'input');
   document.querySelector('.chip.pass').click(); told.withoutPass = names();
   document.querySelector('.chip.pass').click();
-  told.overflow = document.documentElement.scrollWidth > innerWidth;
   const boxes = [...document.querySelectorAll('tbody tr:not([hidden]) .pictures button, .name, td[data-label]')].map(one => one.getBoundingClientRect());
   told.overlaps = boxes.some((a, i) => boxes.slice(i + 1).some(b =>
     a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
-  const picture = document.querySelector('[data-name=random] .pictures button');
-  picture.click();
-  told.slider = document.querySelectorAll('.stage canvas').length === 2 && document.querySelector('.stage .over').style.clipPath.includes('50%');
+  document.querySelector('[data-name=random] .pictures button').click();
+  await wait(100);
+  told.address = location.hash;
+  const pane = document.querySelector('.window'), over = () => document.querySelector('.over').style.clipPath;
+  told.slider = document.querySelectorAll('.stage canvas').length === 2 && over().includes('50%');
+  const wide = pane.getBoundingClientRect();
+  pointer(pane, 'pointerdown', wide.left + wide.width / 2); pointer(window, 'pointermove', wide.left + wide.width / 4); pointer(window, 'pointerup', 0);
+  told.dragged = over().includes('25%') && document.querySelector('.line').style.left.startsWith('25');
+  pane.dispatchEvent(new WheelEvent('wheel', { bubbles: true, cancelable: true, deltaY: -1, clientX: wide.left + 5, clientY: wide.top + 5 }));
+  told.enlarged = new Set([...document.querySelectorAll('.stage canvas')].map(one => one.style.transform)).size === 1 && lens.factor > lens.fit;
   document.querySelector('[data-mode=difference]').click();
   told.marked = document.querySelectorAll('.stage .mark').length;
   const box = document.querySelector('dialog').getBoundingClientRect();
   told.fits = box.left >= 0 && box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1;
   document.querySelector('[data-mode=beside]').click();
   told.beside = document.querySelectorAll('.stage figure').length;
-  told.elsewhere = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length;
-  told.done = true;
-}, 300));</script>";
+  const key = name => document.querySelector('dialog').dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true }));
+  key('4'); told.byKey = document.querySelectorAll('.stage .mark').length;
+  key('ArrowRight'); await wait(100); told.next = document.querySelector('dialog h2').textContent;
+";
 
 #[test]
 fn a_browser_shows_sorts_and_filters_the_report() {
@@ -219,48 +230,43 @@ fn a_browser_shows_sorts_and_filters_the_report() {
         "+H60",
     ];
     assert_eq!(exit(here, &strict), Some(2));
-    let page = fs::read_to_string(here.join("report.html")).expect("a page");
     let Some(browser) = browser() else {
         println!("skipped: there is no Chromium; `tools/test` installs it");
         return;
     };
     let probed = here.join("probed.html");
-    fs::write(&probed, page.replace("</body>", &format!("{PROBE}</body>"))).expect("a page");
-    for width in [1400, 500] {
+    write_probed(&here.join("report.html"), &probed, PROBE);
+    for window in WINDOWS {
         // A browser whose clock runs ahead of its decoding gives up early, or before it has painted.
         let mut dump = String::new();
         for _ in 0..8 {
-            dump = shown(browser, &probed, width);
-            let is_done = ["data-done=\"true\"", "data-painted=\"3\""];
+            dump = shown(browser, &probed, window.0, window.1);
+            let is_done = ["data-done=\"true\"", "data-painted=\"1\""];
             if is_done.iter().all(|fact| dump.contains(fact)) {
                 break;
             }
         }
-        for fact in [
+        assert!(dump.contains("<title>2 of 4 match · "), "{window:?}");
+        let facts = [
             "data-images=\"9\"",
-            "data-painted=\"3\"",
+            "data-tiles=\"deep/again,equal\"",
+            "data-painted=\"1\"",
             "data-first=\"random,deep/again,equal,faulty\"",
             "data-by-name=\"deep/again,equal,faulty,random\"",
             "data-by-rms=\"random,deep/again,equal,faulty\"",
             "data-searched=\"deep/again\"",
             "data-without-pass=\"random,faulty\"",
-            "data-overflow=\"false\"",
             "data-overlaps=\"false\"",
+            "data-address=\"#random\"",
             "data-slider=\"true\"",
+            "data-dragged=\"true\"",
+            "data-enlarged=\"true\"",
             "data-marked=\"1\"",
             "data-fits=\"true\"",
             "data-beside=\"2\"",
-            "data-elsewhere=\"0\"",
-            "data-done=\"true\"",
-        ] {
-            assert!(
-                dump.contains(fact),
-                "{fact} at {width}: {}",
-                &dump[dump.find("<body").unwrap_or(0)..]
-                    .chars()
-                    .take(700)
-                    .collect::<String>()
-            );
-        }
+            "data-by-key=\"1\"",
+            "data-next=\"deep/again\"",
+        ];
+        expect(&dump, &facts, window);
     }
 }

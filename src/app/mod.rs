@@ -4,6 +4,7 @@ pub mod batch;
 pub mod cli;
 pub mod compare;
 pub mod curve;
+pub(crate) mod page;
 pub mod picture_file;
 pub mod program;
 pub(crate) mod server;

@@ -2,18 +2,23 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use image::codecs::png::CompressionType;
 use image::imageops::{self, FilterType};
 use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
 use super::BatchError;
+use crate::app::page::{FILTER, GALLERY, Page, escaped, png_url};
 use crate::app::picture_file::{self, png};
 
+const STYLE: &str = "\
+.failures { display: grid; gap: 1rem; }
+figure.wrong { border-left: 4px solid var(--failure); padding-left: 0.8rem; }
+.stage { display: grid; place-items: center; }
+.stage img { max-width: 100%; max-height: 100%; object-fit: contain; }
+";
 /// Pictures in a row.
 const COLUMNS: u32 = 8;
 /// The gap between pictures.
@@ -28,19 +33,6 @@ const NOTHING: Rgb<u8> = Rgb([225, 225, 225]);
 /// Upper limit of pictures on one sheet; the page has all.
 const MOST: usize = 2000;
 
-const STYLE: &str = "\
-body { font: 14px/1.4 sans-serif; margin: 2em; color: #222; background: #fff }
-main { display: flex; flex-wrap: wrap; gap: 1em }
-figure { margin: 0; max-width: 20em; overflow-wrap: anywhere }
-figure.overview { max-width: 100%; flex-basis: 100% }
-img { max-width: 100%; display: block; border: 1px solid #ccc }
-figure.wrong img { border: 3px solid #d00 }
-figcaption b { display: block }
-code { color: #555 }
-small { color: #777 }
-figure.wrong small { color: #b00 }
-";
-
 /// A picture of a batch on its sheet.
 #[derive(Clone, Debug)]
 pub struct Figure {
@@ -48,7 +40,11 @@ pub struct Figure {
     pub name: String,
     /// Its file, relative to the folder of the sheet.
     pub file: PathBuf,
-    /// The reason if it is missing.
+    /// Its scene.
+    pub scene: PathBuf,
+    /// Seconds that it took, if this run drew it.
+    pub seconds: Option<f64>,
+    /// The reason if it is missing: lines of text.
     pub missing: Option<String>,
 }
 
@@ -67,19 +63,55 @@ pub fn write_index(folder: &Path, figures: &[Figure]) -> Result<(), BatchError> 
     let texts: Vec<String> = figures
         .par_iter()
         .zip(&cells)
-        .map(|(figure, (cell, _))| text(figure, cell))
+        .map(|(figure, (cell, _))| text(folder, figure, cell))
         .collect();
-    let missing = figures.iter().filter(|figure| figure.missing.is_some());
-    let about = format!("{} pictures, {} missing.", figures.len(), missing.count());
     put(
         &folder.join("index.html"),
-        page("Pictures", &about, &texts.concat()).as_bytes(),
+        html(folder, figures, &texts).as_bytes(),
     )?;
     let sheet = pasted(&cells[..cells.len().min(MOST)], CELL.0);
     put(
         &folder.join("contact.png"),
         &png(&sheet, CompressionType::Default),
     )
+}
+
+/// The page of all pictures, those that failed first.
+fn html(folder: &Path, figures: &[Figure], texts: &[String]) -> String {
+    let of = |is_missing: bool| {
+        let both = figures.iter().zip(texts);
+        both.filter(move |(figure, _)| figure.missing.is_some() == is_missing)
+            .map(|(_, text)| text.as_str())
+    };
+    let failed = of(true).count();
+    let count = figures.len() - failed;
+    let noun = if count == 1 { "picture" } else { "pictures" };
+    let headline = match failed {
+        0 => format!("{count} {noun}"),
+        _ => format!("{count} {noun}, {failed} failed"),
+    };
+    let name = absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    let name = escaped(&name.display().to_string());
+    let mut body = format!(
+        "<h1>{headline}</h1>\n<p class=\"quiet\"><code>{name}</code> <time id=\"when\"></time></p>\n\
+         <div class=\"bar\">{FILTER}</div>\n"
+    );
+    for (title, is_missing) in [("Failed", true), ("Pictures", false)] {
+        let figures: String = of(is_missing).collect();
+        if !figures.is_empty() {
+            let class = if is_missing { "failures" } else { "gallery" };
+            body += &format!(
+                "<section class=\"group\"><h2>{title}</h2>\n<div class=\"{class}\">\n{figures}</div></section>\n"
+            );
+        }
+    }
+    body += GALLERY;
+    Page {
+        title: &format!("{headline} – povr batch"),
+        style: STYLE,
+        body: &body,
+    }
+    .html()
 }
 
 /// Writes a file atomically: another part of the run may be writing the same one.
@@ -107,30 +139,55 @@ fn small(folder: &Path, figure: &Figure) -> Option<RgbImage> {
 }
 
 /// The HTML of a figure. A browser loads the picture itself, if it can show it.
-fn text(figure: &Figure, cell: &RgbImage) -> String {
+fn text(folder: &Path, figure: &Figure, cell: &RgbImage) -> String {
     let name = escaped(&figure.name);
-    let address = address(&figure.file);
+    let scene = format!(
+        "<a href=\"{}\">scene</a>",
+        address(&from_folder(folder, &figure.scene))
+    );
     if let Some(why) = &figure.missing {
         let why = escaped(why);
         return format!(
-            "<figure class=\"wrong\"><figcaption><b>{name}</b><small>{why}</small></figcaption></figure>\n"
+            "<figure id=\"{name}\" class=\"wrong\"><figcaption><b>{name}</b> {scene}<pre>{why}</pre></figcaption></figure>\n"
         );
     }
+    let file = address(&figure.file);
     let ending = figure.file.extension().unwrap_or_default();
     let is_shown = ["png", "jpg", "bmp"].iter().any(|known| ending == *known);
     let source = if is_shown {
-        address.clone()
+        file.clone()
     } else {
-        format!(
-            "data:image/png;base64,{}",
-            STANDARD.encode(png(cell, CompressionType::Default))
-        )
+        png_url(&png(cell, CompressionType::Default))
     };
+    let time = figure
+        .seconds
+        .map_or_else(|| "up to date".to_owned(), |s| format!("{s:.2} s"));
+    let path = folder.join(&figure.file);
+    let size = image::image_dimensions(&path).map_or_else(
+        |_| String::new(),
+        |(width, height)| format!(" · {width} × {height}"),
+    );
+    let kilobytes = fs::metadata(&path).map_or(0, |file| file.len().div_ceil(1000));
     format!(
-        "<figure><a href=\"{address}\"><img loading=\"lazy\" alt=\"{name}\" src=\"{source}\" width=\"{}\"></a>\
-         <figcaption><b>{name}</b></figcaption></figure>\n",
-        2 * CELL.0
+        "<figure id=\"{name}\"><a class=\"shot\" href=\"{file}\"><img loading=\"lazy\" alt=\"{name}\" src=\"{source}\"></a>\
+         <figcaption><b>{name}</b> <span>{time}{size} · {kilobytes} kB</span> <a href=\"{file}\">file</a> {scene}</figcaption></figure>\n"
     )
+}
+
+/// The path of a scene as seen from a folder.
+fn from_folder(folder: &Path, scene: &Path) -> PathBuf {
+    let (Ok(folder), Ok(scene)) = (absolute(folder), absolute(scene)) else {
+        return scene.to_owned();
+    };
+    let parts = |path: &Path| {
+        path.components()
+            .map(|c| c.as_os_str().to_owned())
+            .collect::<Vec<_>>()
+    };
+    let (from, to) = (parts(&folder), parts(&scene));
+    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let up = from[common..].iter().map(|_| "..".into());
+    up.chain(to[common..].iter().cloned()).collect()
 }
 
 /// A relative URL for a path.
@@ -145,25 +202,6 @@ fn address(path: &Path) -> String {
         }
     }
     address
-}
-
-/// A page of figures.
-#[must_use]
-pub fn page(title: &str, about: &str, figures: &str) -> String {
-    let title = escaped(title);
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>\n\
-         <style>\n{STYLE}</style></head>\n<body><h1>{title}</h1><p>{about}</p>\n<main>\n{figures}</main></body></html>\n"
-    )
-}
-
-/// Escapes a text for HTML.
-#[must_use]
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 /// Pastes pictures of one size into rows of `width` pictures, with a frame around those that are wrong.
@@ -214,8 +252,31 @@ mod tests {
     }
 
     #[test]
-    fn transforms_are_text_in_a_page() {
-        assert_eq!(escaped("scale <1, 2, 3>"), "scale &lt;1, 2, 3&gt;");
+    fn scenes_are_linked_from_the_folder_of_the_page() {
+        let linked = |folder, scene| from_folder(Path::new(folder), Path::new(scene));
+        assert_eq!(linked("/a/out", "/a/in/x.pov"), Path::new("../in/x.pov"));
+        assert_eq!(linked("out/deep", "x.pov"), Path::new("../../x.pov"));
+    }
+
+    #[test]
+    fn failures_come_first_and_are_counted() {
+        let figure = |name: &str, missing: Option<&str>| Figure {
+            name: name.to_owned(),
+            file: PathBuf::from(name),
+            scene: PathBuf::from(name),
+            seconds: None,
+            missing: missing.map(str::to_owned),
+        };
+        let figures = [figure("a", None), figure("b", Some("error: <b>"))];
+        let texts = figures
+            .clone()
+            .map(|one| text(Path::new("."), &one, &RgbImage::new(1, 1)));
+        let page = html(Path::new("."), &figures, &texts);
+        assert!(page.contains("<title>1 picture, 1 failed – povr batch</title>"));
+        assert!(
+            page.find("error: &lt;b&gt;") < page.find("id=\"a\""),
+            "{page}"
+        );
     }
 
     #[test]

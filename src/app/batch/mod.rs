@@ -16,7 +16,7 @@ mod run;
 mod shard;
 mod watchdog;
 
-pub use contact::{Figure, escaped, page, pasted, write_index};
+pub use contact::{Figure, pasted, write_index};
 pub use error::BatchError;
 pub use find::{Globs, scenes_below};
 pub use message_buffer::MessageBuffer;

@@ -29,7 +29,7 @@ use crate::app::batch::{self, Batch, Figure, Shard};
 
 pub(super) const COMMAND: Command = Command {
     name: "batch",
-    about: "render every scene in a folder, skipping those already up to date",
+    about: "render every scene of a folder that is not up to date",
     run,
     options: <CommandOptions as clap::CommandFactory>::command,
 };
@@ -39,6 +39,12 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr batch",
     override_usage = "povr batch [OPTIONS] [+/-SWITCHES] [Key=Value] FOLDER|PATTERN|SCENE... -o OUT",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr batch scenes -o pictures            all scenes of a folder
+  povr batch scenes -o pictures --sheet    with a page of all pictures
+  povr batch 'scenes/**/*.pov' -o pictures +W640 +H480 +A0.3",
     after_help = "\
 `FOLDER/a/b.pov` becomes `OUT/a/b.png`; with several folders, `OUT/FOLDER/a/b.png`. Patterns: `*`, `?`, `[ab]`, `{a,b}`, \
 and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command \
@@ -145,25 +151,31 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         return Ok(ran.map(|()| ExitCode::SUCCESS)?);
     }
     // Failures are reported even if the log could not be written at the end.
-    let failed = teller.finish();
+    let finished = teller.finish();
     ran?;
     if wanted.has_sheet {
-        let figures: Vec<Figure> = pictures
-            .iter()
-            .enumerate()
-            .map(|(index, picture)| Figure {
-                name: picture.output.with_extension("").display().to_string(),
-                file: picture.output.clone(),
-                missing: match failed.get(&index) {
-                    Some(why) => Some(why.clone()),
-                    None if wanted.batch.out.join(&picture.output).is_file() => None,
-                    None => Some("not drawn yet".to_owned()),
-                },
-            })
-            .collect();
+        let drawn = pictures.iter().enumerate().map(|(index, picture)| Figure {
+            name: picture.output.with_extension("").display().to_string(),
+            file: picture.output.clone(),
+            scene: picture.scene.clone(),
+            seconds: finished.seconds.get(&index).copied(),
+            missing: match finished.failed.get(&index) {
+                Some(why) => Some(why.clone()),
+                None if wanted.batch.out.join(&picture.output).is_file() => None,
+                None => Some("not drawn yet".to_owned()),
+            },
+        });
+        let undrawable = refused.iter().map(|(scene, refusal)| Figure {
+            name: scene.display().to_string(),
+            file: PathBuf::new(),
+            scene: scene.clone(),
+            seconds: None,
+            missing: Some(refusal.to_string()),
+        });
+        let figures: Vec<Figure> = drawn.chain(undrawable).collect();
         batch::write_index(&wanted.batch.out, &figures)?;
     }
-    Ok(if failed.is_empty() && refused.is_empty() {
+    Ok(if finished.failed.is_empty() && refused.is_empty() {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE

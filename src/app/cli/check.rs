@@ -40,6 +40,12 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr check",
     override_usage = "povr check [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE|FOLDER|-...",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr check scene.pov                     one scene
+  povr check scenes                        all scenes of a folder
+  povr check scene.pov --message-format short    for editors",
     after_help = "\
 In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
 that a scene writes are kept in memory.

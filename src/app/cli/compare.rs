@@ -8,6 +8,7 @@ mod row;
 mod table;
 
 use crate::app::cli::options::command_line;
+use crate::app::page::escaped;
 use std::fs;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -47,6 +48,12 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr compare",
     override_usage = "povr compare [OPTIONS] [+/-SWITCHES] SCENE.pov|FOLDER...\n       povr compare [OPTIONS] EXPECTED ACTUAL",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr compare scene.pov                   with POV-Ray's picture
+  povr compare scenes --html report.html   all scenes of a folder, as a page
+  povr compare a.png b.png                 two pictures",
     after_help = "\
 Scenes are drawn at 160x120 without antialiasing unless switches or comments in them (`// size:`, `// switches:`) say \
 otherwise; both renderers get the same switches and one thread. They PASS if at least 99.9 % of the pixels are equal and \
@@ -137,6 +144,11 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
             return Ok(ExitCode::SUCCESS);
         }
     };
+    if let Some(file) = &wanted.html {
+        // Comparing may take hours, and the page comes last.
+        let opened = fs::OpenOptions::new().create(true).append(true).open(file);
+        opened.map_err(|error| unwritten(file, &error))?;
+    }
     let is_scene = |name: &String| Path::new(name).is_dir() || arg_words::has_ending(name, ".pov");
     let (rows, about) = if wanted.names.iter().all(is_scene) {
         if wanted.output.is_some() {
@@ -167,6 +179,10 @@ fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     write_report(&wanted, rows, &about)
 }
 
+fn unwritten(file: &Path, error: &std::io::Error) -> CliError {
+    CliError::new(format!("cannot write `{}`: {error}", file.display()))
+}
+
 /// Sorts, writes the page, prints.
 fn write_report(
     wanted: &Wanted,
@@ -181,9 +197,7 @@ fn write_report(
     let total = Total::of(&rows);
     if let Some(file) = &wanted.html {
         let page = page::html(&rows, &total, about);
-        std::fs::write(file, page).map_err(|error| {
-            CliError::new(format!("cannot write `{}`: {error}", file.display()))
-        })?;
+        fs::write(file, page).map_err(|error| unwritten(file, &error))?;
     }
     let text = if wanted.is_json {
         table::json(&rows, &total)
@@ -293,11 +307,11 @@ fn pictures<'a>(
     );
     let thresholds = wanted.thresholds.unwrap_or_default();
     let about = About {
-        title: "Two pictures",
+        title: "povr compare",
         text: format!(
             "<code>{}</code> and <code>{}</code>",
-            page::escaped(expected),
-            page::escaped(actual)
+            escaped(expected),
+            escaped(actual)
         ),
         sides: (expected, actual),
     };
@@ -307,9 +321,8 @@ fn pictures<'a>(
     };
     if let Some(file) = &wanted.output {
         let sheet = compare::side_by_side(&first, &second);
-        fs::write(file, png(&sheet, CompressionType::Default)).map_err(|error| {
-            CliError::new(format!("cannot write `{}`: {error}", file.display()))
-        })?;
+        fs::write(file, png(&sheet, CompressionType::Default))
+            .map_err(|error| unwritten(file, &error))?;
     }
     let row = Row::of_pictures(&name, &first, &second, &compared, side);
     Ok((vec![row], about))
@@ -366,8 +379,8 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
         text: format!(
             "<code>povr compare {}</code>: same switches, one thread each. Differences in 1/255 \
              steps; times are wall-clock for the whole process, with other jobs running. {}",
-            page::escaped(&[names, wanted.switches.join(" ")].join(" ")),
-            page::escaped(&version)
+            escaped(&[names, wanted.switches.join(" ")].join(" ")),
+            escaped(&version)
         ),
         sides: ("POV-Ray", "povr"),
     };

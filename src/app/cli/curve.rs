@@ -33,6 +33,11 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr curve",
     override_usage = "povr curve [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr curve scene.pov                     writes scene-curve/index.html
+  povr curve scene.pov +W320 +H240 --settings \"--error 1; +A0.1 +AM1 +R3\"",
     after_help = "\
 POV-Ray's switches and ini files are accepted, except antialiasing switches: +W320 +H240, +LFOLDER, Declare=Name=1, ...
 Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, the pictures, and the \

@@ -198,7 +198,11 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let console = Console::new(verbosity);
     console.begin(settings);
     console.parsing();
-    let progress = Progress::new(progress_kind(verbosity), pixels(&settings.render));
+    let progress = Progress::new(
+        progress_kind(verbosity),
+        &settings.scene.name(),
+        pixels(&settings.render),
+    );
     let resumable = AtomicU64::new(0);
     let drawn = draw(&input, &settings.read, &render, &|event| match event {
         Event::Checkpointed(pixels) => resumable.store(pixels, Ordering::Relaxed),

@@ -16,7 +16,7 @@ use crate::app::program;
 
 pub(super) const COMMAND: Command = Command {
     name: "install-as-povray",
-    about: "make a link named povray, for programs that start POV-Ray",
+    about: "link povr as povray, for programs that start that",
     run,
     options: <CommandOptions as clap::CommandFactory>::command,
 };

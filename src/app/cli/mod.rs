@@ -62,6 +62,10 @@ const COMMANDS: &[Command] = &[
     watch::COMMAND,
 ];
 
+/// The order of the parts of a help text: examples, the `before_help` of a command, precede its options.
+const HELP_TEMPLATE: &str =
+    "{about-with-newline}\n{usage-heading} {usage}\n\n{before-help}{all-args}{after-help}";
+
 /// The exit code of a command that could not start.
 const MISUSED: u8 = 2;
 

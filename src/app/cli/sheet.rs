@@ -40,9 +40,14 @@ pub(super) const COMMAND: Command = Command {
 #[derive(Debug, Parser)]
 #[command(
     name = "povr sheet",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr sheet torus                         writes sheet/torus/sheet.html
+  povr sheet mine.pov --object Chair       an object of a file of your own",
     after_help = "\
 In DIR a folder for each shape gets a scene and a picture for each transform, `overview.pov` with all of them, \
-`sheet.png` and `sheet.html`. x is blue, y is yellow, z is red.
+`sheet.png` and `sheet.html`. x is red, y is green, z is blue.
 Exit code 0: all pictures agree with POV-Ray's, or it is not installed; 1: some do not; 2: the command line is at fault."
 )]
 struct CommandOptions {
@@ -68,10 +73,7 @@ struct CommandOptions {
 /// A picture of a sheet.
 struct Entry {
     folder: PathBuf,
-    /// The name of its files, without ending.
-    name: String,
-    /// The transform in the scene language.
-    text: String,
+    of: Move,
     verdict: Verdict,
 }
 
@@ -113,7 +115,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         for entry in &differing {
             say(format_args!(
                 "{}: {}: {}",
-                subject.name, entry.name, entry.verdict
+                subject.name, entry.of.name, entry.verdict
             ));
         }
         wrong += differing.len();
@@ -124,7 +126,7 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
             differing.len()
         ));
         contact::write(&folder, &subject.name, entries, options.size.0)?;
-        sheets.push(subject.name.clone());
+        sheets.push((subject.name.clone(), differing.len()));
     }
     if sheets.len() > 1 {
         contact::write_index(&options.output, &sheets)?;
@@ -244,15 +246,13 @@ fn compared(pictures: Vec<Drawn>, comparer: Option<&Comparer>) -> Result<Vec<Ent
         .build()
         .map_err(|error| CliError::new(format!("no threads to compare with: {error}")))?;
     let entry = |drawn: Drawn| {
-        let name = drawn.of.name;
         let verdict = match comparer.filter(|one| one.is_3_8() || !drawn.needs_3_8) {
-            Some(comparer) => comparer.compare(&drawn.folder, &name, drawn.size)?,
+            Some(comparer) => comparer.compare(&drawn.folder, &drawn.of.name, drawn.size)?,
             None => Verdict::NotCompared,
         };
         Ok(Entry {
             folder: drawn.folder,
-            name,
-            text: drawn.of.text,
+            of: drawn.of,
             verdict,
         })
     };

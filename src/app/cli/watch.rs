@@ -45,6 +45,11 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr watch",
     override_usage = "povr watch [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
+    help_template = super::HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr watch scene.pov                     shows it in the terminal
+  povr watch scene.pov --serve             on a page of this machine",
     after_help = "\
 All options and switches of drawing count: `povr watch scene.pov +W640 +H480 +A0.3 -o picture.png`. The picture is shown \
 where the terminal can draw (kitty, iTerm, sixel; elsewhere with half characters), and with --serve on a page that only \

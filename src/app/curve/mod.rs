@@ -189,7 +189,11 @@ impl Sweep {
         files::write(&self.folder.join("curve.svg"), svg.as_bytes())?;
         #[cfg(feature = "plot-png")]
         files::write(&self.folder.join("curve.png"), &plot::png(&svg)?)?;
-        let page = page::html(report, &svg, &self.folder.join("pictures"))?;
+        let page = page::html(
+            report,
+            &plot::panels(report)?,
+            &self.folder.join("pictures"),
+        )?;
         files::write(&self.folder.join("index.html"), page.as_bytes())
     }
 

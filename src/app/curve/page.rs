@@ -3,58 +3,86 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-
 use super::CurveError;
 use super::error::ENLARGED;
-use super::plot::best;
+use super::plot::{best, dots};
 use super::setting::Family;
 use super::store::{Measured, Report, Spread};
+use crate::app::page::{GALLERY, Page, escaped, png_url};
 
-const STYLE: &str = "
-:root { color-scheme: light; }
-body { margin: 0 auto; max-width: 1540px; padding: 1rem 1.5rem 4rem; color: #1c1c1c; background: #fff;
-  font: 16px/1.45 system-ui, 'DejaVu Sans', sans-serif; }
-h1 { font-size: 1.6rem; margin: 0.5rem 0; } h2 { font-size: 1.2rem; margin: 2rem 0 0.5rem; }
-.plot svg { width: 100%; height: auto; }
-.wide { overflow-x: auto; }
+const STYLE: &str = "\
+.plot { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 0.5rem; margin: 1rem 0; }
+.plot svg { width: 100%; height: auto; border-radius: 6px; }
+.plot circle.shot { cursor: pointer; stroke: transparent; stroke-width: 10; }
+.plot circle.shot:hover, .plot circle.shot:focus { r: 7; outline: none; stroke: #8888; }
+@media (prefers-color-scheme: dark) { .plot svg { filter: invert(0.9) hue-rotate(180deg); } }
+.wide { background: linear-gradient(to right, var(--paper) 30%, transparent) left / 40px 100% no-repeat local,
+  linear-gradient(to left, var(--paper) 30%, transparent) right / 40px 100% no-repeat local,
+  linear-gradient(to right, #8885, transparent) left / 14px 100% no-repeat, linear-gradient(to left, #8885, transparent) right / 14px 100% no-repeat; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.9rem; }
-th, td { padding: 0.25rem 0.6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #888; }
+th, td { padding: 0.25rem 0.6rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid var(--quiet); }
 td:first-child::before { content: ''; display: inline-block; width: 0.7em; height: 0.7em; border-radius: 50%;
   background: var(--family); margin-right: 0.5em; }
-code { font-family: 'DejaVu Sans Mono', ui-monospace, monospace; font-size: 0.9em; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 1.2rem; }
-figure { margin: 0; border-top: 3px solid var(--family, #888); padding-top: 0.4rem; }
-figure .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 4px; }
-img { width: 100%; height: auto; display: block; image-rendering: auto; background: #000; }
-figcaption { font-size: 0.85rem; margin-top: 0.3rem; overflow-wrap: anywhere; }
+.gallery { grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); }
+figure { border-top: 3px solid var(--family, var(--line)); padding-top: 0.4rem; }
+.pair { display: grid; grid-template-columns: 1fr 1fr; gap: 4px; }
+.pair img, .stage img { width: 100%; border: 0; border-radius: 0; }
+figcaption b { font-weight: 400; }
 .truth { max-width: 480px; margin-bottom: 24px; }
-@media (max-width: 700px) { body { padding: 0.5rem; } }
+.stage { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 300px), 1fr)); gap: 4px; align-content: center; }
+.stage img { object-fit: contain; max-height: 100%; }
+";
+/// Makes the dots of each plot show the picture of their setting: they are the first circles, in the order of
+/// `data-dots`.
+const DOTS: &str = "<script>
+for (const svg of document.querySelectorAll('.plot svg')) {
+  const circles = svg.querySelectorAll('circle');
+  document.querySelector('.plot').dataset.dots.split(' ').forEach((id, number) => {
+    const circle = circles[number], figure = document.getElementById(id);
+    if (!circle || !figure) return;
+    const title = document.createElementNS('http://www.w3.org/2000/svg', 'title');
+    title.textContent = figure.querySelector('figcaption').textContent;
+    circle.append(title);
+    circle.classList.add('shot');
+    circle.setAttribute('tabindex', '0');
+    circle.addEventListener('click', () => view(figure));
+    circle.addEventListener('keydown', event => { if (event.key === 'Enter') view(figure); });
+  });
+}
+</script>
 ";
 
 /// The page.
-pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String, CurveError> {
+pub(super) fn html(
+    report: &Report,
+    plots: &[String],
+    pictures: &Path,
+) -> Result<String, CurveError> {
     let truth = &report.truth;
-    let scene = escaped(&report.scene);
     let (width, height) = truth.size;
+    let headline = headline(report);
+    let threads = match report.threads {
+        1 => "one thread".to_owned(),
+        threads => format!("{threads} threads"),
+    };
     let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Error against run time: {scene}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
-         <h1>Error against run time: {scene}</h1>\n\
-         <p>{width} × {height} pixels, {} thread(s). Errors are in linear light from 0 (black) to 1 (white), against a \
+        "<h1>{headline}</h1>\n<p class=\"quiet\"><code>{}</code>, {width} × {height} pixels, {threads}. \
+         Each dot is one setting, and shows its picture: lower left is better. Lines join the settings that no other of their kind betters.</p>\n\
+         <section class=\"plot\" aria-label=\"plot\" data-dots=\"{}\">\n{}</section>\n\
+         <details><summary>How it is measured</summary>\n\
+         <p>Errors are in linear light from 0 (black) to 1 (white), against a \
          reference image with {:.0} samples per pixel, whose own error is estimated at {:.5} (root mean square). Times are \
          processor seconds of tracing, the median of the renders. POV-Ray's pictures are measured against povr's too: what \
-         the programs draw differently is a level below which its error does not fall.</p>\n{}\
-         <p>Each dot is one setting: time across, error up (both on log scales). Lower left is better. \
-         Lines join the settings that no other of their kind betters.</p>\n\
-         <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
-        report.threads,
+         the programs draw differently is a level below which its error does not fall.</p>\n\
+         <p><b>RMSE</b>: root mean square error. <b>99.9 %</b>: the error that 99.9 % of the pixels do not exceed; \
+         <b>max</b>: that of the worst. <b>FLIP</b>: how different a person finds both pictures, 0 for equal ones. \
+         <b>estimated</b>: povr's own estimate of its RMSE.</p>\n</details>\n",
+        escaped(&report.scene),
+        dots(report).collect::<Vec<_>>().join(" "),
+        plots.concat(),
         truth.samples_per_pixel,
         truth.rms,
-        summary(report),
     );
     // A single rendering has no spread.
     let has_spread = report.measured.iter().any(|m| m.processor.runs > 1);
@@ -65,21 +93,21 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     };
     let _ = writeln!(
         page,
-        "<h2>Table</h2>\n<p><b>RMSE</b>: root mean square error. <b>99.9 %</b>: the error that 99.9 % of the pixels do not exceed; \
-         <b>max</b>: that of the worst. <b>FLIP</b>: how different a person finds both pictures, 0 for equal ones. \
-         <b>estimated</b>: povr's own estimate of its RMSE.</p>\n\
-         <div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>{spread}<th>wall s</th>{spread}\
+        "<h2>Table</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>{spread}<th>wall s</th>{spread}\
          <th>samples per pixel</th><th>RMSE</th><th>estimated</th><th>99.9 %</th><th>max</th><th>FLIP</th></tr></thead>\n<tbody>"
     );
-    for m in &report.measured {
+    let mut rows: Vec<&Measured> = report.measured.iter().collect();
+    rows.sort_by_key(|m| m.family);
+    for m in rows {
         row(&mut page, m, has_spread);
     }
     page += "</tbody></table></div>\n<h2>Pictures</h2>\n";
     let _ = writeln!(
         page,
         "<p>Left: the image. Right: its error, amplified {ENLARGED:.0}×.</p>\n\
-         <figure class=\"truth\"><img alt=\"the reference image\" src=\"{}\"><figcaption>The reference image</figcaption></figure>\n\
-         <div class=\"pictures\">",
+         <figure class=\"truth\" id=\"truth\"><a class=\"shot\" href=\"#truth\"><img alt=\"the reference image\" src=\"{}\"></a>\
+         <figcaption><b>The reference image</b></figcaption></figure>\n\
+         <div class=\"gallery\">",
         embedded(&pictures.join("truth.png"))?
     );
     for m in &report.measured {
@@ -87,9 +115,9 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
         let stem = &m.file_stem;
         let _ = writeln!(
             page,
-            "<figure style=\"--family: {}\"><div class=\"pair\"><img alt=\"{name}\" src=\"{}\">\
-             <img alt=\"{name}: difference\" src=\"{}\"></div>\
-             <figcaption><code>{name}</code>: {:.3} s, RMSE {:.5}</figcaption></figure>",
+            "<figure id=\"{stem}\" style=\"--family: {}\"><a class=\"shot pair\" href=\"#{stem}\"><img alt=\"{name}\" src=\"{}\">\
+             <img alt=\"{name}: difference\" src=\"{}\"></a>\
+             <figcaption><b><code>{name}</code></b> {:.3} s, RMSE {:.5}</figcaption></figure>",
             color(m.family),
             embedded(&pictures.join(format!("{stem}.png")))?,
             embedded(&pictures.join(format!("{stem}-difference.png")))?,
@@ -97,12 +125,19 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
             m.errors.rmse
         );
     }
-    page += "</div>\n</body>\n</html>\n";
-    Ok(page)
+    page += "</div>\n";
+    page += GALLERY;
+    page += DOTS;
+    Ok(Page {
+        title: &format!("{headline} – {} – povr curve", report.scene),
+        style: STYLE,
+        body: &page,
+    }
+    .html())
 }
 
 /// The cost of povr's own method beside POV-Ray's best for the same error, if both were measured.
-fn summary(report: &Report) -> String {
+fn headline(report: &Report) -> String {
     let of = |family: Family| {
         let ours = report.measured.iter().filter(|m| m.family == family);
         let mut points: Vec<(f64, f64)> =
@@ -111,19 +146,17 @@ fn summary(report: &Report) -> String {
         best(&points)
     };
     let (ours, theirs) = (of(Family::Converging), of(Family::PovRay));
-    let reached = |points: &[(f64, f64)]| points.last().map(|&(_, error)| error);
-    let (Some(our_best), Some(their_best)) = (reached(&ours), reached(&theirs)) else {
-        return String::new();
+    let same_error = || {
+        let error = ours.last()?.1.max(theirs.last()?.1);
+        Some((cost(error, &ours)?, cost(error, &theirs)?))
     };
-    let error = our_best.max(their_best);
-    let (Some(our_cost), Some(their_cost)) = (cost(error, &ours), cost(error, &theirs)) else {
-        return String::new();
-    };
-    format!(
-        "<p>For a root mean square error of {error:.5} <code>povr --error</code> needs {our_cost:.3} processor seconds, POV-Ray \
-         with its best setting {their_cost:.3}: <b>{:.1} times</b> as many.</p>\n",
-        their_cost / our_cost.max(f64::MIN_POSITIVE)
-    )
+    match same_error() {
+        Some((our_cost, their_cost)) => format!(
+            "At equal error povr needs {our_cost:.2} s, POV-Ray {their_cost:.2} s ({:.1} ×)",
+            their_cost / our_cost.max(f64::MIN_POSITIVE)
+        ),
+        None => format!("Error against run time: {} settings", report.measured.len()),
+    }
 }
 
 /// The cost of an error on a line from fast to accurate: logarithmic interpolation between two points.
@@ -186,14 +219,7 @@ fn embedded(file: &Path) -> Result<String, CurveError> {
         CurveError::new(format!("cannot read `{}`: {error}", file.display()))
             .with_hint("Leave out what was measured before with `--fresh`.")
     })?;
-    Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    Ok(png_url(&bytes))
 }
 
 #[cfg(test)]

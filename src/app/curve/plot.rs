@@ -10,8 +10,8 @@ use super::CurveError;
 use super::setting::Family;
 use super::store::{Measured, Report};
 
-/// The size of the whole plot in pixels: three panels side by side.
-const SIZE: (u32, u32) = (1500, 560);
+/// The size of a panel in pixels.
+const PANEL: (u32, u32) = (500, 560);
 /// Lower limits of the plotted error and time.
 const MIN_ERROR: f64 = 1e-6;
 const MIN_TIME: f64 = 1e-4;
@@ -39,13 +39,43 @@ const PANELS: [Panel; 3] = [
     },
 ];
 
-/// The plot as SVG.
+/// The plot as SVG: all panels side by side.
 pub(super) fn svg(report: &Report) -> Result<String, CurveError> {
+    side_by_side(report, &PANELS)
+}
+
+/// Each panel of the plot as an SVG of its own.
+pub(super) fn panels(report: &Report) -> Result<Vec<String>, CurveError> {
+    PANELS
+        .iter()
+        .map(|&panel| side_by_side(report, &[panel]))
+        .collect()
+}
+
+/// The settings of the dots of a panel in the order in which they are drawn, by the names of their files.
+pub(super) fn dots(report: &Report) -> impl Iterator<Item = &str> {
+    let families = Family::ALL
+        .iter()
+        .flat_map(|&family| of_family(report, family));
+    families.map(|m| m.file_stem.as_str())
+}
+
+/// The measurements of a family from fast to slow.
+fn of_family(report: &Report, family: Family) -> Vec<&Measured> {
+    let measured = report.measured.iter().filter(|m| m.family == family);
+    let mut measured: Vec<&Measured> = measured.collect();
+    measured.sort_by(|a, b| a.processor.median.total_cmp(&b.processor.median));
+    measured
+}
+
+fn side_by_side(report: &Report, panels: &[Panel]) -> Result<String, CurveError> {
     let mut text = String::new();
+    let count = u32::try_from(panels.len()).unwrap_or(1);
     {
-        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let size = (PANEL.0 * count, PANEL.1);
+        let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
         root.fill(&WHITE).map_err(|error| refused(&error))?;
-        for (area, panel) in root.split_evenly((1, PANELS.len())).iter().zip(PANELS) {
+        for (area, &panel) in root.split_evenly((1, panels.len())).iter().zip(panels) {
             draw(area, report, panel).map_err(|error| refused(&error))?;
         }
         root.present().map_err(|error| refused(&error))?;
@@ -101,7 +131,7 @@ fn draw<'a>(
         )?;
     chart
         .configure_mesh()
-        .x_desc("processor seconds of tracing")
+        .x_desc("processor seconds of tracing (log scale)")
         .label_style((FONT, 13))
         .axis_desc_style((FONT, 14))
         .x_label_formatter(&|v| label(*v))
@@ -111,16 +141,11 @@ fn draw<'a>(
         .light_line_style(TRANSPARENT)
         .draw()?;
     for family in Family::ALL {
-        let mut points: Vec<(f64, f64)> = report
-            .measured
-            .iter()
-            .filter(|m| m.family == family)
-            .map(|m| (time(m), value(m)))
-            .collect();
+        let points = of_family(report, family);
+        let points: Vec<(f64, f64)> = points.iter().map(|m| (time(m), value(m))).collect();
         if points.is_empty() {
             continue;
         }
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (r, g, b) = family.color();
         let color = RGBColor(r, g, b);
         // POV-Ray's settings have three parameters; the line joins the Pareto-optimal points.
@@ -188,8 +213,9 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, CurveError> {
     };
     options.fontdb_mut().load_system_fonts();
     let tree = usvg::Tree::from_str(svg, &options).map_err(|error| refused(&error))?;
-    let mut pixmap =
-        tiny_skia::Pixmap::new(SIZE.0, SIZE.1).ok_or_else(|| refused(&"no memory for it"))?;
+    let size = tree.size().to_int_size();
+    let mut pixmap = tiny_skia::Pixmap::new(size.width(), size.height())
+        .ok_or_else(|| refused(&"no memory for it"))?;
     resvg::render(
         &tree,
         tiny_skia::Transform::identity(),

@@ -38,9 +38,18 @@ struct Tally {
     drawn: usize,
     up_to_date: usize,
     failed: BTreeMap<usize, Outcome>,
+    seconds: BTreeMap<usize, f64>,
     refused: usize,
     /// Reported parts of a sandbox that the kernel lacks.
     lacks: BTreeSet<String>,
+}
+
+/// The results of a batch by the number of the picture.
+pub(super) struct Finished {
+    /// The reasons of those that failed, as lines of text.
+    pub(super) failed: BTreeMap<usize, String>,
+    /// The times of those that were drawn.
+    pub(super) seconds: BTreeMap<usize, f64>,
 }
 
 /// A line of `--json`.
@@ -151,7 +160,10 @@ impl<'a> BatchReporter<'a> {
             errors: &outcome.messages,
         });
         match outcome.status {
-            Status::Drawn => tally.drawn += 1,
+            Status::Drawn => {
+                tally.drawn += 1;
+                tally.seconds.insert(outcome.picture, outcome.seconds);
+            }
             Status::UpToDate => tally.up_to_date += 1,
             Status::Failed(_) => drop(tally.failed.insert(outcome.picture, outcome.clone())),
         }
@@ -167,8 +179,8 @@ impl<'a> BatchReporter<'a> {
         self.lock().has_begun
     }
 
-    /// Reports failures and totals; returns the pictures that failed, with a one-line reason.
-    pub(super) fn finish(&self) -> BTreeMap<usize, String> {
+    /// Reports failures and totals.
+    pub(super) fn finish(&self) -> Finished {
         self.bar.finish_and_clear();
         let tally = self.lock();
         let mut failed = BTreeMap::new();
@@ -185,8 +197,12 @@ impl<'a> BatchReporter<'a> {
                     for message in &outcome.messages {
                         reporter.report(Event::Finding(message));
                     }
-                    let first = outcome.messages.first();
-                    first.map_or_else(|| "it cannot be drawn".to_owned(), Message::short)
+                    let texts: Vec<&str> = outcome
+                        .messages
+                        .iter()
+                        .map(|m| m.excerpt.as_str())
+                        .collect();
+                    texts.join("\n\n")
                 }
             };
             failed.insert(index, why);
@@ -206,7 +222,10 @@ impl<'a> BatchReporter<'a> {
                 failed.len() + tally.refused
             ));
         }
-        failed
+        Finished {
+            failed,
+            seconds: tally.seconds.clone(),
+        }
     }
 
     fn line(&self, line: &Line<'_>) {

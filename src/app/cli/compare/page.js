@@ -1,10 +1,12 @@
 'use strict';
 const table = document.querySelector('.scenes');
 const body = table.tBodies[0];
+const tiles = document.querySelector('.tiles').tBodies[0];
 const rows = [...body.rows];
 const search = document.querySelector('#search');
 const order = document.querySelector('#order');
 const chips = [...document.querySelectorAll('.chip')];
+const grid = document.querySelector('#grid');
 const heads = [...table.querySelectorAll('th[data-key]')];
 
 // ---- The scale of differences: every doubling is as far as every other, so that one step is seen beside many.
@@ -26,14 +28,26 @@ function canvasOf(image) {
   return canvas;
 }
 
-function colored(image) {
+// The differences in colour; each pixel shows the largest within `reach`, so that single ones are seen in small pictures.
+function colored(image, reach) {
   const canvas = canvasOf(image);
+  const { width, height } = canvas;
   const context = canvas.getContext('2d', { willReadFrequently: true });
-  const data = context.getImageData(0, 0, canvas.width, canvas.height);
-  for (let i = 0; i < data.data.length; i += 4) {
-    const [r, g, b] = COLORS[data.data[i]];
-    data.data[i] = r; data.data[i + 1] = g; data.data[i + 2] = b; data.data[i + 3] = 255;
+  const data = context.getImageData(0, 0, width, height);
+  const steps = Uint8Array.from({ length: width * height }, (_, at) => data.data[4 * at]);
+  const widened = steps.slice();
+  if (reach) {
+    steps.forEach((step, at) => {
+      if (step === 0) return;
+      const [x, y] = [at % width, Math.floor(at / width)];
+      for (let v = Math.max(0, y - reach); v <= Math.min(height - 1, y + reach); v++) {
+        for (let u = Math.max(0, x - reach); u <= Math.min(width - 1, x + reach); u++) {
+          widened[v * width + u] = Math.max(widened[v * width + u], step);
+        }
+      }
+    });
   }
+  widened.forEach((step, at) => data.data.set([...COLORS[step], 255], 4 * at));
   context.putImageData(data, 0, 0);
   return canvas;
 }
@@ -53,7 +67,7 @@ const paint = new IntersectionObserver(seen => {
     if (!isIntersecting) continue;
     paint.unobserve(target);
     target.decode().then(() => {
-      const canvas = colored(target);
+      const canvas = colored(target, 1);
       canvas.className = 'painted';
       target.hidden = true;
       target.after(canvas);
@@ -76,13 +90,21 @@ function sort(key, ascending) {
     if (isNaN(x) || isNaN(y)) return isNaN(x) - isNaN(y) || BY_NAME(a, b);
     return sign * (x - y) || BY_NAME(a, b);
   });
-  body.append(...rows);
+  arrange();
   for (const head of heads) {
     if (head.dataset.key === key) head.setAttribute('aria-sort', ascending ? 'ascending' : 'descending');
     else head.removeAttribute('aria-sort');
   }
   const option = [...order.options].find(option => option.value === `${key}${ascending ? '+' : '-'}`);
   order.value = option ? option.value : '';
+}
+
+// Scenes that pass are tiles below the rows, unless they are what the table is about.
+function arrange() {
+  const passes = row => grid.checked && row.dataset.status === 'pass';
+  body.append(...rows.filter(row => !passes(row)));
+  tiles.append(...rows.filter(passes));
+  table.hidden = !body.rows.length;
 }
 
 function choose() {
@@ -102,6 +124,7 @@ heads.forEach(head => head.querySelector('button').addEventListener('click', () 
   const key = head.dataset.key;
   sort(key, sorting.key === key ? !sorting.ascending : key === 'name' || key === 'psnr' || key === 'ratio');
 }));
+grid.addEventListener('change', arrange);
 order.addEventListener('change', () => sort(order.value.slice(0, -1), order.value.endsWith('+')));
 search.addEventListener('input', choose);
 chips.forEach(chip => chip.addEventListener('click', event => {
@@ -129,24 +152,44 @@ const slide = dialog.querySelector('#slide');
 const modes = [...dialog.querySelectorAll('[data-mode]')];
 const zoom = dialog.querySelector('#zoom');
 let viewed = null, mode = 'slider', flicker = 0;
+// All pictures are seen through windows of one size, enlarged and moved in step. `fit` is the factor that fills a window.
+const lens = { fit: 1, factor: 1, x: 0, y: 0 };
+let windows = [], update = () => {};
 
-function figure(title, canvas, factor) {
+function pane(title, canvas) {
   const figure = document.createElement('figure');
   const caption = document.createElement('figcaption');
   caption.textContent = title;
-  canvas.style.width = `${canvas.width * factor}px`;
-  const holder = document.createElement('div');
-  holder.style.position = 'relative';
-  holder.append(canvas);
-  figure.append(caption, holder);
+  const pane = document.createElement('div');
+  pane.className = 'window';
+  pane.style.width = `${Math.round(canvas.width * lens.fit)}px`;
+  pane.style.height = `${Math.round(canvas.height * lens.fit)}px`;
+  pane.append(canvas);
+  figure.append(caption, pane);
   stage.append(figure);
-  return { caption, holder };
+  windows.push(pane);
+  return { caption, pane };
 }
 
-function over(holder, canvas, factor) {
-  canvas.style.width = `${canvas.width * factor}px`;
-  canvas.className = 'over';
-  holder.append(canvas);
+function focus() {
+  const pane = windows[0];
+  if (!pane) return;
+  const canvas = pane.querySelector('canvas');
+  const limit = (offset, window, size) => Math.min(0, Math.max(window - size * lens.factor, offset));
+  lens.x = limit(lens.x, pane.clientWidth, canvas.width);
+  lens.y = limit(lens.y, pane.clientHeight, canvas.height);
+  for (const canvas of stage.querySelectorAll('canvas')) {
+    canvas.style.transform = `translate(${lens.x}px, ${lens.y}px) scale(${lens.factor})`;
+  }
+  update();
+}
+
+function magnify(factor, x, y) {
+  const next = Math.min(Math.max(factor, lens.fit), Math.max(64, lens.fit));
+  lens.x = x - (x - lens.x) * next / lens.factor;
+  lens.y = y - (y - lens.y) * next / lens.factor;
+  lens.factor = next;
+  focus();
 }
 
 async function view(row, wanted) {
@@ -154,11 +197,14 @@ async function view(row, wanted) {
   if (wanted) mode = wanted;
   clearInterval(flicker);
   stage.replaceChildren();
+  windows = [];
+  update = () => {};
   pixel.textContent = '';
   dialog.querySelector('h2').textContent = row.dataset.name;
   dialog.querySelector('#numbers').textContent = row.dataset.numbers;
   modes.forEach(button => button.setAttribute('aria-pressed', String(button.dataset.mode === mode)));
   if (!dialog.open) dialog.showModal();
+  history.replaceState(null, '', `#${encodeURIComponent(row.dataset.name)}`);
   const images = [...row.querySelectorAll('img')];
   // Pictures far down the page are read when they are first needed.
   images.forEach(image => { image.loading = 'eager'; });
@@ -168,63 +214,122 @@ async function view(row, wanted) {
   const [theirs, ours, steps] = ['theirs', 'ours', 'steps'].map(named);
   const first = theirs || ours;
   if (!first || viewed !== row) return;
-  const across = mode === 'beside' ? 2 : 1;
-  const room = [(stage.clientWidth - 24) / across - 8, stage.clientHeight - 48];
-  const fit = Math.min(room[0] / first.naturalWidth, room[1] / first.naturalHeight);
-  const factor = zoom.value === 'fit' ? (fit >= 1 ? Math.floor(fit) : fit) : Number(zoom.value);
+  const beside = mode === 'beside' && ours && theirs;
+  const room = [stage.clientWidth - 24, stage.clientHeight - 24];
+  const fits = (across, down) => Math.min((room[0] / across - 8) / first.naturalWidth, (room[1] / down - 28) / first.naturalHeight);
+  const fit = beside ? Math.max(fits(2, 1), fits(1, 2)) : fits(1, 1);
+  lens.fit = fit >= 1 ? Math.floor(fit) : Math.max(fit, 0.01);
+  lens.factor = zoom.value === 'fit' ? lens.fit : Math.max(Number(zoom.value), lens.fit);
+  lens.x = lens.y = 0;
   slide.hidden = mode !== 'slider' || !ours || !theirs;
   const [a, b] = [theirs, ours].map(image => image && canvasOf(image));
   if (mode === 'difference' && steps) {
-    const { holder } = figure('Difference: the most different channel', colored(steps), factor);
+    const { pane: holder } = pane('Difference: the most different channel', colored(steps, 0));
     if (row.dataset.x) {
       const mark = document.createElement('div');
       mark.className = 'mark';
       mark.title = 'the largest difference';
-      mark.style.left = `${(Number(row.dataset.x) + 0.5) * factor}px`;
-      mark.style.top = `${(Number(row.dataset.y) + 0.5) * factor}px`;
+      update = () => {
+        mark.style.left = `${lens.x + (Number(row.dataset.x) + 0.5) * lens.factor}px`;
+        mark.style.top = `${lens.y + (Number(row.dataset.y) + 0.5) * lens.factor}px`;
+      };
       holder.append(mark);
     }
   } else if (mode === 'beside' || !a || !b) {
-    if (a) figure(row.dataset.left, a, factor);
-    if (b) figure(row.dataset.right, b, factor);
+    if (a) pane(row.dataset.left, a);
+    if (b) pane(row.dataset.right, b);
   } else {
-    const { caption, holder } = figure('', a, factor);
-    over(holder, b, factor);
+    const { caption, pane: holder } = pane('', a);
+    const over = document.createElement('div');
+    over.className = 'over';
+    over.append(b);
+    holder.append(over);
     if (mode === 'slider') {
-      const set = () => {
-        b.style.clipPath = `inset(0 0 0 ${slide.value}%)`;
-        caption.textContent = `left ${row.dataset.left}, right ${row.dataset.right}`;
+      holder.classList.add('slides');
+      caption.textContent = `left ${row.dataset.left}, right ${row.dataset.right}`;
+      const line = document.createElement('div');
+      line.className = 'line';
+      holder.append(line);
+      slide.oninput = () => {
+        over.style.clipPath = `inset(0 0 0 ${slide.value}%)`;
+        line.style.left = `${slide.value}%`;
       };
-      slide.oninput = set;
-      set();
+      slide.oninput();
     } else {
       const swap = () => {
-        b.hidden = !b.hidden;
-        caption.textContent = b.hidden ? row.dataset.left : row.dataset.right;
+        over.hidden = !over.hidden;
+        caption.textContent = over.hidden ? row.dataset.left : row.dataset.right;
       };
       swap();
       flicker = setInterval(swap, 600);
     }
   }
-  stage.onpointermove = event => {
-    const canvas = event.target.closest('canvas');
-    if (!canvas || !a || !b) return;
-    const box = canvas.getBoundingClientRect();
-    const x = Math.floor((event.clientX - box.left) / box.width * canvas.width);
-    const y = Math.floor((event.clientY - box.top) / box.height * canvas.height);
-    if (x < 0 || y < 0 || x >= canvas.width || y >= canvas.height) return;
-    const at = from => [...from.getContext('2d').getImageData(x, y, 1, 1).data.slice(0, 3)].join(' ');
-    pixel.textContent = `column ${x}, row ${y}: ${row.dataset.left} ${at(a)} | ${row.dataset.right} ${at(b)}`;
-  };
+  focus();
 }
 
+// Where the pointer is in a window.
+function within(event) {
+  const pane = event.target.closest('.window');
+  if (!pane) return null;
+  const box = pane.getBoundingClientRect();
+  return { pane, x: event.clientX - box.left, y: event.clientY - box.top };
+}
+
+// A drag moves the line of the slider; elsewhere, and with the shift key, the pictures.
+stage.addEventListener('pointerdown', event => {
+  const at = within(event);
+  if (!at || event.button !== 0) return;
+  event.preventDefault();
+  const slides = at.pane.classList.contains('slides') && !event.shiftKey;
+  const box = at.pane.getBoundingClientRect();
+  let last = event;
+  const move = event => {
+    if (slides) {
+      slide.value = 100 * (event.clientX - box.left) / box.width;
+      slide.oninput();
+    } else {
+      lens.x += event.clientX - last.clientX;
+      lens.y += event.clientY - last.clientY;
+      focus();
+    }
+    last = event;
+  };
+  move(event);
+  addEventListener('pointermove', move);
+  for (const end of ['pointerup', 'pointercancel']) {
+    addEventListener(end, () => removeEventListener('pointermove', move), { once: true });
+  }
+});
+stage.addEventListener('wheel', event => {
+  const at = within(event);
+  if (!at) return;
+  event.preventDefault();
+  magnify(lens.factor * 2 ** (-Math.sign(event.deltaY) / 2), at.x, at.y);
+}, { passive: false });
+stage.addEventListener('pointermove', event => {
+  const at = within(event);
+  const [a, b] = [...stage.querySelectorAll('canvas')];
+  if (!at || !b) return;
+  const x = Math.floor((at.x - lens.x) / lens.factor);
+  const y = Math.floor((at.y - lens.y) / lens.factor);
+  if (x < 0 || y < 0 || x >= a.width || y >= a.height) return;
+  const color = from => [...from.getContext('2d').getImageData(x, y, 1, 1).data.slice(0, 3)].join(' ');
+  pixel.textContent = `column ${x}, row ${y}: ${viewed.dataset.left} ${color(a)} | ${viewed.dataset.right} ${color(b)}`;
+});
+
 function step(by) {
-  const open = rows.filter(row => !row.hidden && row.querySelector('img'));
+  const open = [...body.rows, ...tiles.rows].filter(row => !row.hidden && row.querySelector('img'));
   const next = open[open.indexOf(viewed) + by];
   if (next) view(next);
 }
 
-body.addEventListener('click', event => {
+function viewHash() {
+  const name = decodeURIComponent(location.hash.slice(1));
+  const row = name && rows.find(row => row.dataset.name === name);
+  if (row && row.querySelector('img')) view(row);
+}
+
+document.querySelector('.wide').addEventListener('click', event => {
   const button = event.target.closest('.pictures button');
   if (button) view(button.closest('tr'), button.dataset.open);
 });
@@ -233,12 +338,27 @@ zoom.addEventListener('change', () => view(viewed));
 dialog.querySelector('#close').addEventListener('click', () => dialog.close());
 dialog.querySelector('#next').addEventListener('click', () => step(1));
 dialog.querySelector('#previous').addEventListener('click', () => step(-1));
-dialog.addEventListener('close', () => clearInterval(flicker));
+dialog.addEventListener('close', () => {
+  clearInterval(flicker);
+  history.replaceState(null, '', location.pathname + location.search);
+});
 dialog.addEventListener('keydown', event => {
   if (event.target.matches('input, select')) return;
   const by = { ArrowRight: 1, ArrowLeft: -1, j: 1, k: -1 }[event.key];
   const named = { 1: 'beside', 2: 'slider', 3: 'flicker', 4: 'difference' }[event.key];
+  const larger = { '+': Math.SQRT2, '-': Math.SQRT1_2 }[event.key];
   if (by) step(by);
   if (named) view(viewed, named);
+  if (larger && windows[0]) magnify(lens.factor * larger, windows[0].clientWidth / 2, windows[0].clientHeight / 2);
 });
+addEventListener('hashchange', viewHash);
+
+// The heads of the columns stay below the bar.
+const bar = document.querySelector('.bar');
+new ResizeObserver(() => {
+  const height = getComputedStyle(bar).position === 'sticky' ? bar.offsetHeight : 0;
+  document.documentElement.style.setProperty('--bar', `${height}px`);
+}).observe(bar);
+arrange();
 choose();
+viewHash();

@@ -3,17 +3,16 @@
 
 use std::fmt::Write;
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-
 use super::row::{Row, Status};
 use super::table::Total;
+use crate::app::page::{Page, escaped, png_url};
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// The header of a page.
 pub(super) struct About<'a> {
+    /// Follows the result in the title.
     pub(super) title: &'a str,
     /// A sentence, as HTML.
     pub(super) text: String,
@@ -48,12 +47,10 @@ const COLUMNS: [(&str, &str, &str); 9] = [
 
 /// The page.
 pub(super) fn html(rows: &[Row], total: &Total, about: &About<'_>) -> String {
-    let title = escaped(about.title);
+    let headline = headline(rows, total);
     let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n\
-         <p class=\"quiet\">{}</p>\n",
+        "<h1>{}</h1>\n<p class=\"quiet\">{}</p>\n",
+        escaped(&headline),
         about.text
     );
     if let Some(faster) = total.faster {
@@ -82,14 +79,36 @@ pub(super) fn html(rows: &[Row], total: &Total, about: &About<'_>) -> String {
             "<th data-key=\"{key}\" title=\"{what}\"><button>{title}</button></th>"
         );
     }
-    page += "</tr></thead>\n<tbody>\n";
+    page += "</tr></thead>\n<tbody class=\"rows\">\n";
     for row in rows {
         table_row(&mut page, row, about);
     }
-    page += "</tbody></table></div>\n<p id=\"empty\" hidden>No scenes match the filter.</p>\n";
+    page += "</tbody></table>\n<table class=\"tiles\"><tbody></tbody></table></div>\n<p id=\"empty\" hidden>No scenes match the filter.</p>\n";
     page += VIEWER;
-    let _ = write!(page, "<script>\n{SCRIPT}</script>\n</body>\n</html>\n");
-    page
+    let _ = write!(page, "<script>\n{SCRIPT}</script>\n");
+    Page {
+        title: &format!("{headline} – {}", about.title),
+        style: STYLE,
+        body: &page,
+    }
+    .html()
+}
+
+/// The result in a few words.
+fn headline(rows: &[Row], total: &Total) -> String {
+    let faster = total
+        .faster
+        .map_or_else(String::new, |faster| format!(" · {faster:.1} × as fast"));
+    if let [row] = rows {
+        let result = match (&row.numbers, row.status) {
+            (Some(n), _) if n.same == n.pixels => "equal in every pixel".to_owned(),
+            (Some(n), _) => format!("{:.3} % of the pixels differ", n.differing_percent),
+            (None, status) => status.title().to_lowercase(),
+        };
+        return format!("{}: {result}{faster}", row.name);
+    }
+    let passes = total.counts.get(&Status::Pass).unwrap_or(&0);
+    format!("{passes} of {} match{faster}", total.scenes)
 }
 
 const VIEWER: &str = "<dialog aria-label=\"viewer\"><div class=\"viewer\"><header><h2></h2>\
@@ -146,7 +165,7 @@ fn bar(page: &mut String, total: &Total) {
     }
     let _ = writeln!(
         page,
-        "</select><span class=\"quiet\" id=\"shown\">{}</span><span class=\"scale\" title=\"colours of differences, in \
+        "</select><label><input type=\"checkbox\" id=\"grid\" checked> tiles for PASS</label><span class=\"quiet\" id=\"shown\">{}</span><span class=\"scale\" title=\"colours of differences, in \
          steps of 1/255\"><canvas></canvas><span><i>1</i><i>4</i><i>16</i><i>64</i><i>255</i></span></span></div>",
         total.scenes
     );
@@ -201,9 +220,9 @@ fn table_row(page: &mut String, row: &Row, about: &About<'_>) {
                 let _ = write!(
                     page,
                     "<button data-open=\"{opens}\"><img class=\"{class}\" loading=\"lazy\" decoding=\"async\" \
-                     alt=\"{name}: {}\" src=\"data:image/png;base64,{}\"></button>",
+                     alt=\"{name}: {}\" src=\"{}\"></button>",
                     escaped(what),
-                    STANDARD.encode(bytes)
+                    png_url(bytes)
                 );
             }
             None => *page += "<span class=\"none\">none</span>",
@@ -275,11 +294,4 @@ fn class(status: Status) -> &'static str {
         Status::Pass => "pass",
         Status::Refused => "refused",
     }
-}
-
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }

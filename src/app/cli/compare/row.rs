@@ -221,7 +221,7 @@ impl Row {
             }
             (Ok(_), Err(error)) => Row::new(name, Status::Lost, error.line()),
             (Err(error), Ok(_)) => Row::new(name, Status::Alone, error.line()),
-            (Err(error), Err(_)) => Row::new(name, Status::Refused, error.line()),
+            (Err(_), Err(error)) => Row::new(name, Status::Refused, error.line()),
         };
         if let Err(error) = &own {
             row.missing = error.missing();

@@ -159,7 +159,9 @@ fn line(row: &Row, wide: usize) -> String {
     };
     let many = 100.0 * crate::app::compare::as_f64(n.off_by_many)
         / crate::app::compare::as_f64(n.pixels.max(1));
-    let psnr = n.psnr.map_or_else(String::new, |psnr| format!("{psnr:.1}"));
+    let psnr = n
+        .psnr
+        .map_or_else(|| "∞".to_owned(), |psnr| format!("{psnr:.1}"));
     let max = if n.full > 1.0 {
         format!("{:.0}", n.max)
     } else {

@@ -106,7 +106,11 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         input: settings.scene.input()?,
         draw,
         reporter,
-        progress: Progress::new(progress_of_frames(settings.verbosity), total),
+        progress: Progress::new(
+            progress_of_frames(settings.verbosity),
+            &settings.scene.name(),
+            total,
+        ),
         console: Console::new(settings.verbosity),
     };
     run.console.begin(settings);

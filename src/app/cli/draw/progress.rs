@@ -31,19 +31,19 @@ enum Shown {
 }
 
 impl Progress {
-    /// A count that ends at `total` pixels.
+    /// A count that ends at `total` pixels. A bar shows the name of the scene.
     #[must_use]
-    pub fn new(kind: ProgressKind, total: u64) -> Self {
+    pub fn new(kind: ProgressKind, name: &str, total: u64) -> Self {
         let shown = match kind {
             ProgressKind::Nothing => Shown::Nothing,
             ProgressKind::Lines => Shown::Lines(AtomicU64::new(0)),
             ProgressKind::Bar => {
                 let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
                 let style = ProgressStyle::with_template(
-                    "{bar:40} {percent:>3}%  {elapsed} elapsed, {eta} to go",
+                    "{msg}  {wide_bar} {percent:>3}%  {elapsed} elapsed, {eta} to go",
                 );
                 bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-                Shown::Bar(bar)
+                Shown::Bar(bar.with_message(name.to_owned()))
             }
         };
         Progress {
@@ -98,17 +98,17 @@ mod tests {
 
     #[test]
     fn lines_are_those_of_povray() {
-        let progress = Progress::new(ProgressKind::Nothing, 57_600);
+        let progress = Progress::new(ProgressKind::Nothing, "", 57_600);
         assert_eq!(progress.line(4096), "Rendered 4096 of 57600 pixels (7%)");
         assert_eq!(
-            Progress::new(ProgressKind::Nothing, 0).line(0),
+            Progress::new(ProgressKind::Nothing, "", 0).line(0),
             "Rendered 0 of 0 pixels (100%)"
         );
     }
 
     #[test]
     fn pixels_of_all_threads_are_counted() {
-        let progress = Progress::new(ProgressKind::Nothing, 400);
+        let progress = Progress::new(ProgressKind::Nothing, "", 400);
         std::thread::scope(|scope| {
             for _ in 0..4 {
                 scope.spawn(|| (0..100).for_each(|_| progress.advance(1)));

@@ -29,11 +29,33 @@ pub(crate) fn printed<CommandOptions: CommandFactory>(
     {
         return Err(unknown::unknown_option(option, &CommandOptions::command()));
     }
+    if error.kind() == ErrorKind::ValueValidation
+        && let Some(why) = std::error::Error::source(error)
+    {
+        return Err(invalid_value(error, &why.to_string()));
+    }
     let text = error.render().to_string();
     if error.use_stderr() {
         let text = text.trim_end();
         Err(CliError::new(text.strip_prefix("error: ").unwrap_or(text)))
     } else {
         Ok(text)
+    }
+}
+
+/// The error for a value that an option does not take. The reason may name the option itself.
+fn invalid_value(error: &clap::Error, why: &str) -> CliError {
+    let of = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.as_str(),
+        _ => "",
+    };
+    let option = of(ContextKind::InvalidArg).split(' ').next();
+    let option = option.unwrap_or_default();
+    match why.starts_with(&format!("`{option}`")) {
+        true => CliError::new(why),
+        false => CliError::new(format!(
+            "`{option} {}`: {why}",
+            of(ContextKind::InvalidValue)
+        )),
     }
 }

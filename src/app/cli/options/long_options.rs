@@ -4,7 +4,7 @@ use super::output_kinds::MessageFormat;
 use super::raw_args::{Output, RawArgs};
 use super::safety::{LimitOptions, SafetyOptions};
 use super::values::{duration, error};
-use crate::app::cli::COMMANDS;
+use crate::app::cli::{COMMANDS, HELP_TEMPLATE};
 use crate::base::options::{RandomOrder, TMinRule};
 use clap::{CommandFactory, Parser};
 use std::str::FromStr;
@@ -16,6 +16,13 @@ use std::time::Duration;
     name = "povr",
     version,
     override_usage = "povr [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE.pov",
+    help_template = HELP_TEMPLATE,
+    before_help = "\
+Examples:
+  povr scene.pov +W800 +H600 +A0.3         POV-Ray's switches; draws scene.png
+  povr scene.pov -o picture.exr --size 1920x1080
+  povr scene.pov --error 0.5               sample until the error is small
+  povr check scene.pov                     only say what is wrong with it",
     after_help = commands(),
     disable_version_flag = true
 )]

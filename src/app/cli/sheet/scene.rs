@@ -23,15 +23,15 @@ const TEXTURE: &str = "\
 }
 ";
 
-/// x is blue, y is yellow, z is red; the thick end is the positive one.
+/// x is red, y is green, z is blue; the thick end is the positive one.
 const AXES: &str = "\
 #declare Axes = union {
-  cylinder { -2.2*x, 2.2*x, 0.03 pigment { rgb <0.1, 0.2, 1> } }
-  cone { 2.2*x, 0.1, 2.5*x, 0 pigment { rgb <0.1, 0.2, 1> } }
-  cylinder { -2.2*y, 2.2*y, 0.03 pigment { rgb <1, 0.9, 0> } }
-  cone { 2.2*y, 0.1, 2.5*y, 0 pigment { rgb <1, 0.9, 0> } }
-  cylinder { -2.2*z, 2.2*z, 0.03 pigment { rgb <1, 0.1, 0> } }
-  cone { 2.2*z, 0.1, 2.5*z, 0 pigment { rgb <1, 0.1, 0> } }
+  cylinder { -2.2*x, 2.2*x, 0.03 pigment { rgb <1, 0.1, 0.1> } }
+  cone { 2.2*x, 0.1, 2.5*x, 0 pigment { rgb <1, 0.1, 0.1> } }
+  cylinder { -2.2*y, 2.2*y, 0.03 pigment { rgb <0.1, 0.7, 0.1> } }
+  cone { 2.2*y, 0.1, 2.5*y, 0 pigment { rgb <0.1, 0.7, 0.1> } }
+  cylinder { -2.2*z, 2.2*z, 0.03 pigment { rgb <0.15, 0.3, 1> } }
+  cone { 2.2*z, 0.1, 2.5*z, 0 pigment { rgb <0.15, 0.3, 1> } }
   finish { ambient 0.5 diffuse 0.5 }
 }
 ";
@@ -65,7 +65,7 @@ impl Subject {
         let ratio = f64::from(width) / f64::from(height);
         format!(
             "// {}: {shown}\n#version {};\n{SETTINGS}\
-             camera {{ location <3.2, 2.8, -6> right {ratio}*x look_at 0 angle 45 }}\n\
+             camera {{ location <3.2, 2.8, -6> right {ratio}*x look_at 0 angle 52 }}\n\
              light_source {{ <2, 6, -8> rgb 1 }}\n{BACKGROUND}\n{TEXTURE}\n{AXES}\n{}\n\
              object {{ Axes }}\nobject {{ Shape texture {{ Looks }} {} }}\n",
             self.name,

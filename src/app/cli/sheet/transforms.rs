@@ -9,6 +9,23 @@ pub(super) struct Move {
     pub(super) text: String,
 }
 
+impl Move {
+    /// The heading of its group on the page.
+    pub(super) fn group(&self) -> &'static str {
+        let steps = self.text.matches(['*', '<']).count();
+        match self.name.split('_').next().unwrap_or_default() {
+            _ if steps > 1 => "Two steps, in both orders",
+            _ if self.name.ends_with("_0") => "As it is",
+            "translate" => "Translated",
+            "rotate" => "Rotated",
+            "mirror" => "Mirrored",
+            "scale" => "Scaled",
+            "shear" => "Sheared",
+            _ => "As it is",
+        }
+    }
+}
+
 /// The amount by which axes are sheared.
 const SHEAR: &str = "0.5";
 
@@ -90,6 +107,21 @@ mod tests {
         names.dedup();
         assert_eq!(names.len(), count);
         assert_eq!(count, 38);
+    }
+
+    #[test]
+    fn all_are_in_groups() {
+        let groups: Vec<&str> = all().iter().map(Move::group).collect();
+        let count = |group| groups.iter().filter(|one| **one == group).count();
+        assert_eq!(
+            (count("As it is"), count("Translated"), count("Rotated")),
+            (4, 3, 9)
+        );
+        assert_eq!(
+            (count("Mirrored"), count("Scaled"), count("Sheared")),
+            (3, 3, 6)
+        );
+        assert_eq!(count("Two steps, in both orders"), 10);
     }
 
     #[test]
