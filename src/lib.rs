@@ -46,8 +46,10 @@ use glam::DVec3;
 use lang::{ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
 use render::{Checkpoint, CheckpointStatus};
+use scene::camera::Camera;
 use scene::{Object, Scene};
 use std::hash::{Hash, Hasher};
+use std::ops::Range;
 use std::sync::{Arc, Mutex, mpsc};
 use world::World;
 
@@ -164,6 +166,22 @@ impl RenderSession {
     ) -> Result<Picture, Failure> {
         draw_with(input, read, render, listen, self)
     }
+
+    /// Reads and compiles a scene for several pictures; `render` gives the size of the first, which is drawn with the
+    /// scene's own camera or this one.
+    ///
+    /// # Errors
+    /// When the scene cannot be read.
+    pub fn compile(
+        &self,
+        input: &Input,
+        (read, render): (&ReadOptions, &RenderOptions),
+        camera: Option<Camera>,
+        listen: &EventHandler<'_>,
+    ) -> Result<CompiledScene, Failure> {
+        let watch = &mut StageTimer::start();
+        compile_with(input, read, render, listen, (self, camera), watch)
+    }
 }
 
 /// The sources and tokens of a scene, cached for its next reading.
@@ -208,58 +226,175 @@ fn draw_with(
     session: &RenderSession,
 ) -> Result<Picture, Failure> {
     let mut watch = StageTimer::start();
-    let ((world, working, rounding), print) = with_deep_stack(listen, || {
+    let compiled = compile_with(input, read, render, listen, (session, None), &mut watch)?;
+    let picture = compiled.draw_timed((read, render), listen, session, watch)?;
+    drop_in_background(compiled.world);
+    Ok(picture)
+}
+
+/// A scene that is compiled for several pictures, which may have other sizes and cameras.
+#[derive(Debug)]
+pub struct CompiledScene {
+    world: World,
+    working: Option<base::color::Gamma>,
+    rounding: base::encoding::Rounding,
+    /// The fingerprint of the scene's texts, if there are checkpoints.
+    print: u64,
+    camera: SceneCamera,
+}
+
+/// The camera of a scene, as it was read.
+#[derive(Debug)]
+struct SceneCamera {
+    camera: Camera,
+    settings: scene::pattern::Settings,
+    /// The bytes of its statement in the text of the scene.
+    statement: Option<Range<usize>>,
+    /// The cameras for which the scene is compiled as it has been.
+    limit: scene::CameraLimit,
+}
+
+impl CompiledScene {
+    /// The camera of the scene, whatever camera draws.
+    #[must_use]
+    pub fn camera(&self) -> &Camera {
+        &self.camera.camera
+    }
+
+    /// The bytes of the statement of its camera in the text of the scene; `None` without a camera, or if the camera is
+    /// read from an included file.
+    #[must_use]
+    pub fn camera_statement(&self) -> Option<Range<usize>> {
+        self.camera.statement.clone()
+    }
+
+    /// Prepares pictures of this size from another camera, or from that of the scene. False, with no effect, if the scene
+    /// has to be compiled anew for it: it would be drawn in other coordinates.
+    pub fn set_camera(&mut self, camera: Option<&Camera>, render: &RenderOptions) -> bool {
+        let camera = camera.unwrap_or(&self.camera.camera);
+        let is_allowed = self.camera.limit.allows(camera);
+        if is_allowed {
+            self.world.set_camera(camera, &self.camera.settings, render);
+        }
+        is_allowed
+    }
+
+    /// The nearest surface behind a point of a picture; integer coordinates are the centres of pixels.
+    #[must_use]
+    pub fn hit_at(&self, x: f64, y: f64, (width, height): (u32, u32)) -> Option<world::Hit> {
+        let ray = self.world.camera.primary_ray(x, y, width, height)?;
+        let query = world::Query {
+            ray,
+            origin_surface: None,
+            t_max: f64::INFINITY,
+            kind: world::RayKind::Camera,
+        };
+        self.world
+            .nearest(&query, &mut world::QueryScratch::default())
+    }
+
+    /// Draws a picture. The camera must have been set for its size.
+    ///
+    /// # Errors
+    /// When the render is cancelled, or has not enough memory.
+    pub fn draw(
+        &self,
+        read: &ReadOptions,
+        render: &RenderOptions,
+        listen: &EventHandler<'_>,
+        session: &RenderSession,
+    ) -> Result<Picture, Failure> {
+        self.draw_timed((read, render), listen, session, StageTimer::start())
+    }
+
+    fn draw_timed(
+        &self,
+        (read, render): (&ReadOptions, &RenderOptions),
+        listen: &EventHandler<'_>,
+        session: &RenderSession,
+        mut watch: StageTimer,
+    ) -> Result<Picture, Failure> {
+        let (world, working, rounding) = (&self.world, self.working, self.rounding);
+        let unfinished = unfinished(read, render, self.print, listen);
+        let unfinished = unfinished.as_ref();
+        let progress = |pixels| listen(Event::Drawn(pixels));
+        let only_for = render.target_format.as_ref().map(|options| EncodeOptions {
+            working,
+            rounding,
+            ..options.clone()
+        });
+        let render = &RenderOptions {
+            target_format: only_for,
+            ..render.clone()
+        };
+        let drawn = match &session.pool {
+            None => render::render(world, render, unfinished, &progress),
+            Some(pool) => pool.install(|| render::render(world, render, unfinished, &progress)),
+        };
+        if render.stop.is_cancelled() {
+            if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
+                listen(Event::Checkpointed(pixels));
+            }
+            return Err(failure("the render was stopped".to_owned(), listen));
+        }
+        let photons = drawn.photons.as_ref();
+        if photons.is_some_and(|photons| !photons.is_complete) {
+            let message = "the photons of this scene need more memory than there is".to_owned();
+            return Err(failure(message, listen));
+        }
+        if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
+            listen(Event::CheckpointFailed(kind));
+        }
+        watch.lap("trace");
+        save_photons(world, &drawn, &read.writable, listen);
+        let pixels = render.columns.len() as u64 * render.rows.len() as u64;
+        let plan = render.statistics.then(|| world.plan());
+        let statistics =
+            render::statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
+        Ok(Picture {
+            film: drawn.film,
+            working,
+            rounding,
+            statistics,
+        })
+    }
+}
+
+fn compile_with(
+    input: &Input,
+    read: &ReadOptions,
+    render: &RenderOptions,
+    listen: &EventHandler<'_>,
+    (session, camera): (&RenderSession, Option<Camera>),
+    watch: &mut StageTimer,
+) -> Result<CompiledScene, Failure> {
+    with_deep_stack(listen, || {
         let cache = session.cache.as_ref();
-        let (mut scene, print) = read_scene(input, read, render, listen, cache)?;
+        let mut reading = read_scene(input, read, render, listen, cache)?;
         if let Some(MoreObjects(add)) = &session.more {
-            add(&mut scene.objects).map_err(|reason| failure(reason, listen))?;
+            add(&mut reading.scene.objects).map_err(|reason| failure(reason, listen))?;
         }
         watch.lap("read");
-        let prepared = prepared(scene, render);
-        watch.lap("compile");
-        Ok((prepared, print))
-    })?;
-    let unfinished = unfinished(read, render, print, listen);
-    let unfinished = unfinished.as_ref();
-    let progress = |pixels| listen(Event::Drawn(pixels));
-    let only_for = render.target_format.as_ref().map(|options| EncodeOptions {
-        working,
-        rounding,
-        ..options.clone()
-    });
-    let render = &RenderOptions {
-        target_format: only_for,
-        ..render.clone()
-    };
-    let drawn = match &session.pool {
-        None => render::render(&world, render, unfinished, &progress),
-        Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
-    };
-    if render.stop.is_cancelled() {
-        if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
-            listen(Event::Checkpointed(pixels));
+        let mut scene = reading.scene;
+        let own = scene.camera.clone();
+        if let Some(camera) = camera {
+            scene.camera = camera;
         }
-        return Err(failure("the render was stopped".to_owned(), listen));
-    }
-    let photons = drawn.photons.as_ref();
-    if photons.is_some_and(|photons| !photons.is_complete) {
-        let message = "the photons of this scene need more memory than there is".to_owned();
-        return Err(failure(message, listen));
-    }
-    if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
-        listen(Event::CheckpointFailed(kind));
-    }
-    watch.lap("trace");
-    save_photons(&world, &drawn, &read.writable, listen);
-    let pixels = render.columns.len() as u64 * render.rows.len() as u64;
-    let plan = render.statistics.then(|| world.plan());
-    let statistics = render::statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
-    drop_in_background(world);
-    Ok(Picture {
-        film: drawn.film,
-        working,
-        rounding,
-        statistics,
+        let camera = SceneCamera {
+            camera: own,
+            settings: scene.pattern_settings(),
+            statement: reading.camera,
+            limit: scene.camera_limit(),
+        };
+        let (world, working, rounding) = prepared(scene, render);
+        watch.lap("compile");
+        Ok(CompiledScene {
+            world,
+            working,
+            rounding,
+            print: reading.print,
+            camera,
+        })
     })
 }
 
@@ -340,7 +475,7 @@ pub fn read(
             ..read.clone()
         };
         let render = RenderOptions::default();
-        read_scene(input, &read, &render, listen, None).map(|(scene, _)| scene)
+        read_scene(input, &read, &render, listen, None).map(|reading| reading.scene)
     })
 }
 
@@ -483,15 +618,23 @@ fn compiled_in_a_thread(scene: Scene, render: &RenderOptions) -> World {
         .expect("the scene is compiled here if it was not there")
 }
 
-/// Reads a scene; an unsupported feature is an error if it has an effect at the requested quality. Also returns the
-/// fingerprint of its texts, if there will be a checkpoint.
+/// A scene that has been read.
+struct SceneReading {
+    scene: Scene,
+    /// The fingerprint of its texts, if there will be a checkpoint.
+    print: u64,
+    /// The bytes of the statement of its camera, if that is in the scene's own text.
+    camera: Option<Range<usize>>,
+}
+
+/// Reads a scene; an unsupported feature is an error if it has an effect at the requested quality.
 fn read_scene(
     input: &Input,
     options: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
     cache: Option<&Mutex<Option<Arc<SceneCache>>>>,
-) -> Result<(Scene, u64), Failure> {
+) -> Result<SceneReading, Failure> {
     let earlier = cache.and_then(|cache| lock(cache).clone());
     let mut token_cache = cache.map(|_| TokenCache::default());
     let mut sources = Sources::new(options.library_paths.clone());
@@ -501,7 +644,7 @@ fn read_scene(
     }
     sources.limit_reads(options.readable.clone());
     sources.limit_bytes(options.memory.unwrap_or(u64::MAX));
-    let mut print = 0;
+    let (mut print, mut camera) = (0, None);
     let mut errors = Vec::new();
     let mut report = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
@@ -512,6 +655,7 @@ fn read_scene(
     };
     let file = match input {
         Input::File(path) => sources.load_file(path),
+        Input::Edited { path, text } => sources.load_edited(path, text),
         Input::Text { name, text } => Ok(match &earlier {
             Some(earlier) => earlier.scene,
             None => sources.add_text(name.clone(), text),
@@ -547,6 +691,8 @@ fn read_scene(
             {
                 update_cache(cache, earlier.as_ref(), file, sources, token_cache);
             }
+            let own = reading.camera.filter(|span| span.file == file);
+            camera = own.map(|span| span.start as usize..span.end as usize);
             reading.scene
         }
         Err(error) => {
@@ -555,7 +701,11 @@ fn read_scene(
         }
     };
     match scene {
-        Some(scene) if errors.is_empty() => Ok((scene, print)),
+        Some(scene) if errors.is_empty() => Ok(SceneReading {
+            scene,
+            print,
+            camera,
+        }),
         None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),
     }

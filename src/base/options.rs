@@ -50,6 +50,13 @@ pub type EventHandler<'a> = dyn Fn(Event<'_>) + Sync + 'a;
 pub enum Input {
     /// A file, as the user named it.
     File(PathBuf),
+    /// A file with another text in place of its own: one that is being edited.
+    Edited {
+        /// The file, as the user named it.
+        path: PathBuf,
+        /// The undecoded text.
+        text: Vec<u8>,
+    },
     /// A text in memory: standard input, a test, a Rust caller.
     Text {
         /// Its name in messages: "standard input".

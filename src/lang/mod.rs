@@ -94,6 +94,7 @@ pub fn evaluate_with(
                 messages: String::new(),
                 undrawn: Vec::new(),
                 has_new_tokens: false,
+                camera: None,
                 dependencies: sources.dependencies().to_vec(),
             }
         }

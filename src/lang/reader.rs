@@ -88,6 +88,8 @@ pub struct Reading {
     pub dependencies: Vec<Dependency>,
     /// True if the token cache holds more than before.
     pub has_new_tokens: bool,
+    /// The statement of the camera that counts.
+    pub camera: Option<Span>,
 }
 
 const NO_MEMORY: &str = "this file needs more memory than there is";
@@ -255,6 +257,7 @@ impl<'a> Reader<'a> {
             token_cache.update(names, &self.tokenized, self.sources, self.scene)
         });
         Reading {
+            camera: self.draft.camera.as_ref().map(|(_, statement)| *statement),
             scene: (self.report.errors == 0).then(|| self.draft.into_scene()),
             findings: self.report.findings,
             messages: self.report.messages,

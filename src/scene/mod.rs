@@ -27,6 +27,7 @@ pub use object::{
 };
 pub use objects::{ColorOrTexture, Objects, PlainObject};
 pub(crate) use objects::{Colored, Entry, OwnedObject};
+pub(crate) use scaled::CameraLimit;
 
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;

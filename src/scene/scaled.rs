@@ -7,6 +7,7 @@
 use super::{Kind, Object, Scene};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::{Step, Transform};
+use crate::scene::camera::Camera;
 use crate::scene::interior::Interior;
 use crate::scene::light::{Beam, Light};
 use crate::scene::shape::Geometry;
@@ -64,16 +65,37 @@ impl Scene {
     #[must_use]
     pub(crate) fn rescaled(self) -> Scene {
         let size = self.size();
-        if size == 0.0 || (1.0 / MAX_SIZE..MAX_SIZE).contains(&size) {
+        if is_representable(size) {
             return self;
         }
         let unit = power_of_two(size).clamp(1.0 / f64::MAX, f64::MAX / 2.0);
         self.scaled(1.0 / unit)
     }
 
+    /// The cameras for which this scene is drawn in its own coordinates and unit; none if it is not with its own camera.
+    pub(crate) fn camera_limit(&self) -> CameraLimit {
+        let limit = CameraLimit {
+            far: self.far_distance(),
+            lights: self.size_of_lights(),
+        };
+        match limit.allows(&self.camera) {
+            true => limit,
+            false => CameraLimit {
+                far: f64::NEG_INFINITY,
+                ..limit
+            },
+        }
+    }
+
     /// Approximate distance of the camera and the lights from the origin.
     fn size(&self) -> f64 {
-        let distance = self.camera.location().abs().max_element();
+        let distance = distance_of(&self.camera);
+        let size = self.size_of_lights().max(distance);
+        if size.is_finite() { size } else { distance }
+    }
+
+    /// Approximate distance of the lights from the origin; 0 without any.
+    fn size_of_lights(&self) -> f64 {
         let distances = self.objects.whole().map(|object| match &object.kind {
             Kind::Light { light, .. } => {
                 let to_world = Transform::from_steps(&object.steps).world_from_object;
@@ -82,9 +104,34 @@ impl Scene {
             }
             _ => 0.0,
         });
-        let size = distances.fold(distance, f64::max);
-        if size.is_finite() { size } else { distance }
+        distances.fold(0.0, f64::max)
     }
+}
+
+/// The cameras with which a scene is drawn in its own coordinates and unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CameraLimit {
+    /// The distance from the origin from which the scene may be drawn in coordinates around the camera.
+    far: f64,
+    /// The distance of the lights from the origin.
+    lights: f64,
+}
+
+impl CameraLimit {
+    pub(crate) fn allows(&self, camera: &Camera) -> bool {
+        let distance = distance_of(camera);
+        let size = self.lights.max(distance);
+        distance < self.far && size.is_finite() && is_representable(size)
+    }
+}
+
+fn distance_of(camera: &Camera) -> f64 {
+    camera.location().abs().max_element()
+}
+
+/// True for a scene of this size if its lengths and their squares are representable.
+fn is_representable(size: f64) -> bool {
+    size == 0.0 || (1.0 / MAX_SIZE..MAX_SIZE).contains(&size)
 }
 
 impl Object {

@@ -30,9 +30,7 @@ impl Scene {
     /// media depend on world coordinates, so scenes with these stay unchanged, too.
     #[must_use]
     pub(crate) fn recentered(mut self) -> Scene {
-        let atmosphere = &self.atmosphere;
-        let is_position_dependent = !atmosphere.fogs.is_empty() || !atmosphere.media.is_empty();
-        if is_position_dependent || !self.is_far() {
+        if self.is_position_dependent() || !self.is_far() {
             return self;
         }
         let by = -self.camera.location();
@@ -45,6 +43,27 @@ impl Scene {
         self.camera = self.camera.moved(by);
         self.globals.origin += by;
         self
+    }
+
+    fn is_position_dependent(&self) -> bool {
+        !self.atmosphere.fogs.is_empty() || !self.atmosphere.media.is_empty()
+    }
+
+    /// The distance of a camera from the origin from which the scene may be drawn in coordinates around it; infinite if
+    /// there is none.
+    pub(super) fn far_distance(&self) -> f64 {
+        if self.is_position_dependent() {
+            return f64::INFINITY;
+        }
+        let (mut left, mut smallest) = (MAX_TESTED, f64::INFINITY);
+        let mut note = |bounds: &Bounds| {
+            smallest = smallest.min((bounds.max - bounds.min).max_element());
+            false
+        };
+        for object in self.objects.iter().take(MAX_TESTED as usize) {
+            object.has_near_shape(&Transform::IDENTITY, &mut left, &mut note);
+        }
+        smallest * FAR
     }
 
     /// Returns true if an object is much nearer to the camera than the origin.

@@ -112,6 +112,29 @@ impl Sources {
         Ok(id)
     }
 
+    /// Adds a text in place of the contents of a file that the user names.
+    ///
+    /// # Errors
+    /// The file does not exist; the diagnostic has no span yet.
+    pub fn load_edited(
+        &mut self,
+        path: impl AsRef<Path>,
+        text: impl AsRef<[u8]>,
+    ) -> Result<FileId, Box<Diagnostic>> {
+        let path = path.as_ref();
+        let name = path.display();
+        let key = canonical_path(path).map_err(|error| Box::new(refusal("read", &name, &error)))?;
+        if let Some(&file) = self.by_path.get(&key) {
+            self.of_earlier_run.remove(&file);
+            return Ok(file);
+        }
+        self.note(path, true);
+        let text = text.as_ref().to_vec();
+        let id = self.push(name.to_string(), Some(path.to_owned()), text);
+        self.by_path.insert(key, id);
+        Ok(id)
+    }
+
     /// Adds a text that comes from no file: standard input, a test, a string in a Rust program. Its include files are
     /// searched in the current folder and the library paths.
     pub fn add_text(&mut self, name: impl Into<String>, bytes: impl AsRef<[u8]>) -> FileId {

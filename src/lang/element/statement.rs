@@ -115,7 +115,8 @@ impl Reader<'_> {
                 let at = self.taken_span();
                 let base = self.draft.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                if let Some((_, first)) = self.draft.camera.replace((camera, at)) {
+                let statement = at.to(self.taken_span());
+                if let Some((_, first)) = self.draft.camera.replace((camera, statement)) {
                     self.warning(
                         Diagnostic::warning(at, "more than one camera; the last one counts")
                             .with_label(first, "this one does not count"),

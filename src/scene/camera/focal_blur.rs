@@ -109,6 +109,34 @@ impl FocalBlur {
         self.aperture != 0.0 && self.samples[1] != 0
     }
 
+    /// The parameters as a line of a statement, empty without a blur; `None` with a bokeh, which is a pigment.
+    pub(super) fn text(&self) -> Option<String> {
+        if !self.is_active() {
+            return Some(String::new());
+        }
+        let FocalBlur {
+            aperture,
+            samples: [least, most],
+            confidence,
+            variance,
+            focal_point,
+            bokeh: None,
+            ..
+        } = self
+        else {
+            return None;
+        };
+        let least = match least {
+            0 => String::new(),
+            least => format!("{least}, "),
+        };
+        let point = focal_point.map(|DVec3 { x, y, z }| format!(" focal_point <{x}, {y}, {z}>"));
+        Some(format!(
+            "  aperture {aperture} blur_samples {least}{most} confidence {confidence} variance {variance}{}\n",
+            point.unwrap_or_default()
+        ))
+    }
+
     /// Multiplies all lengths by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         self.aperture *= factor;

@@ -20,8 +20,10 @@ mod spherical;
 #[cfg(test)]
 mod tests;
 mod ultra_wide_angle;
+mod view;
 
 pub use focal_blur::{FocalBlur, Lens, LensRay, Spread};
+pub use view::{Movement, View};
 
 use crate::base::args::Word;
 use crate::base::math::conditioning::unit;

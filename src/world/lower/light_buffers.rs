@@ -1,10 +1,11 @@
-//! Builds the light buffers of the camera and the lights.
+//! Sets the camera of a world, and builds the light buffers of camera and lights.
 
 use crate::base::accel::LightBuffer;
 use crate::base::options::RenderOptions;
+use crate::scene::camera::{Camera, Lens};
 use crate::scene::light::Light;
+use crate::scene::pattern::Settings;
 use crate::world::compiled::World;
-use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Item;
 use rayon::prelude::*;
 
@@ -12,8 +13,22 @@ use rayon::prelude::*;
 const TOGETHER: [f64; 2] = [4.0, 2.0];
 
 impl World {
-    /// Builds the light buffers of camera and lights, if the picture has enough pixels to make that pay off.
+    /// Sets the camera for pictures of a size; `settings` are the scene-wide settings of patterns.
+    pub(crate) fn set_camera(
+        &mut self,
+        camera: &Camera,
+        settings: &Settings,
+        options: &RenderOptions,
+    ) {
+        self.camera = camera.prepared(settings);
+        self.lens = Lens::new(camera, settings);
+        self.build_light_buffers(options);
+    }
+
+    /// Builds the light buffers of camera and lights, if the picture has enough pixels to make that pay off. Those of
+    /// lights stay, as they are the same for any picture.
     pub(crate) fn build_light_buffers(&mut self, options: &RenderOptions) {
+        self.light_buffers.camera = None;
         let items = self.bvh().bounded.len() as u64;
         let pixels = u64::from(options.width) * u64::from(options.height);
         let points = 1 + self.lights.len() as u64;
@@ -37,12 +52,14 @@ impl World {
                 is_point(light).then(|| LightBuffer::for_light(tree, light.centre, cylinder))?
             }
         };
-        let mut buffers: Vec<_> = (0..points).into_par_iter().map(build).collect();
-        let lights = buffers.split_off(1);
-        self.light_buffers = LightBuffers {
-            camera: buffers.pop().flatten(),
-            lights,
+        let new = match self.light_buffers.lights.is_empty() {
+            true => points,
+            false => 1,
         };
+        let mut buffers: Vec<_> = (0..new).into_par_iter().map(build).collect();
+        let lights = buffers.split_off(1);
+        self.light_buffers.camera = buffers.pop().flatten();
+        self.light_buffers.lights.extend(lights);
     }
 }
 
