@@ -181,6 +181,13 @@ fn a_change_ends_a_drawing_in_progress() {
     );
 }
 
+/// Address and token of a page that a program has announced.
+fn address_of(said: &str) -> (String, String) {
+    let address = said.split("http://").nth(1).expect("an address");
+    let (address, token) = address.split_once('/').expect("a path");
+    (address.to_owned(), token.trim_end_matches('/').to_owned())
+}
+
 /// The response of the page server to a request.
 fn fetched(address: &str, path: &str, host: &str) -> (String, Vec<u8>) {
     let mut stream = TcpStream::connect(address).expect("the page is there");
@@ -203,17 +210,13 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
     write(here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(here, &["--serve"]);
     let said = watching.until("povr: http://127.0.0.1:").join("\n");
-    let address = said
-        .split("http://")
-        .nth(1)
-        .expect("an address")
-        .trim_matches('/')
-        .to_owned();
+    let (address, token) = address_of(&said);
+    let path = |name: &str| format!("/{token}/{name}");
     watching.drawn(here);
-    let (head, page) = fetched(&address, "/", &address);
+    let (head, page) = fetched(&address, &path(""), &address);
     assert!(head.starts_with("HTTP/1.1 200 OK"), "{head}");
     assert!(String::from_utf8_lossy(&page).contains("<title>s.pov</title>"));
-    let (_, png) = fetched(&address, "/picture.png?1", &address);
+    let (_, png) = fetched(&address, &path("picture.png?1"), &address);
     let picture = image::load_from_memory(&png).expect("a picture");
     assert_eq!(
         picture.to_rgb8(),
@@ -222,13 +225,16 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
             .to_rgb8()
     );
     // A page of another host name that resolves to this address is rejected.
-    let (head, _) = fetched(&address, "/picture.png", "evil.example:80");
+    let (head, _) = fetched(&address, &path("picture.png"), "evil.example:80");
     assert!(head.starts_with("HTTP/1.1 403"), "{head}");
-    let (head, _) = fetched(&address, "/../s.pov", &address);
-    assert!(head.starts_with("HTTP/1.1 404"), "{head}");
+    for unknown in ["/", "/picture.png", "/../s.pov", &path("../s.pov")] {
+        let (head, _) = fetched(&address, unknown, &address);
+        assert!(head.starts_with("HTTP/1.1 404"), "{unknown}: {head}");
+    }
     // The event stream reports the error; the picture is still served.
     let mut stream = TcpStream::connect(&address).expect("the page is there");
-    write!(stream, "GET /events HTTP/1.1\r\nHost: {address}\r\n\r\n").expect("it is asked");
+    let events = path("events");
+    write!(stream, "GET {events} HTTP/1.1\r\nHost: {address}\r\n\r\n").expect("it is asked");
     write(here, "look.inc", "#declare Look = ");
     let mut events = BufReader::new(stream).lines().map_while(Result::ok);
     let error = events
@@ -238,7 +244,7 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
         error.starts_with("data: {") && error.contains("\"width\":64"),
         "{error}"
     );
-    assert_eq!(fetched(&address, "/picture.png", &address).1, png);
+    assert_eq!(fetched(&address, &path("picture.png"), &address).1, png);
 }
 
 #[cfg(target_os = "linux")]

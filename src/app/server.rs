@@ -2,12 +2,14 @@
 //!
 //! It listens on the loopback address, and answers requests only if their `Host` names this machine, so that a page
 //! elsewhere cannot reach it by a name of its own (DNS rebinding). The port in `Host` is free: it differs behind a
-//! tunnel. Each connection carries one request, and must be done with it in a limited time; streams of events last, as
-//! long as their readers read.
+//! tunnel. The first part of a path is a secret token, which the program prints: other users of this machine do not know
+//! it, and neither does a page elsewhere that sends a form here, whose `Origin` is refused besides. Each connection
+//! carries one request, and must be done with it in a limited time; streams of events last, as long as their readers
+//! read.
 //!
 //! HTTP itself is hyper's, on one thread.
 
-use http_body_util::{Either, Full};
+use http_body_util::{BodyExt, Either, Full, Limited};
 use hyper::body::{Body, Bytes, Frame, Incoming};
 use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 use hyper::{Method, Request, Response, StatusCode};
@@ -27,10 +29,16 @@ use tokio::time::{sleep, timeout};
 /// Names of this machine in `Host`.
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 /// Headers of every response.
-const HEADERS: [(HeaderName, &str); 4] = [
+const HEADERS: [(HeaderName, &str); 5] = [
     (header::CACHE_CONTROL, "no-store"),
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-    (header::CONTENT_SECURITY_POLICY, "frame-ancestors 'none'"),
+    // The token is in the address.
+    (header::REFERRER_POLICY, "no-referrer"),
+    (
+        header::CONTENT_SECURITY_POLICY,
+        "default-src 'none'; connect-src 'self'; img-src 'self' data:; script-src 'self'; style-src 'self'; \
+         base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    ),
     (
         HeaderName::from_static("cross-origin-resource-policy"),
         "same-origin",
@@ -52,6 +60,8 @@ pub(crate) struct Limits {
     pub(crate) still_here: Duration,
     /// Length of the head of a request in bytes.
     pub(crate) head_bytes: usize,
+    /// Length of the body of a request in bytes.
+    pub(crate) body_bytes: usize,
 }
 
 impl Default for Limits {
@@ -64,6 +74,7 @@ impl Default for Limits {
             transfer: Duration::from_secs(10),
             still_here: Duration::from_secs(5),
             head_bytes: 16 << 10,
+            body_bytes: 64 << 10,
         }
     }
 }
@@ -74,39 +85,87 @@ pub(crate) enum Answer {
     Content(&'static str, Bytes),
     /// A stream of server-sent events: the current text, which has no line breaks, and each later one.
     Events(watch::Receiver<String>),
+    /// Nothing, as all is done.
+    Done,
     /// Nothing, for a reason.
-    Refusal(StatusCode, &'static str),
+    Refusal(StatusCode, String),
 }
 
-/// A path for `GET` and `HEAD`, and its handler. Handlers run on the thread of the server, so they return at once.
+/// A request for a route.
+pub(crate) struct Call<'a> {
+    /// The query of the address; empty without one.
+    pub(crate) query: &'a str,
+    /// The body; empty but for `POST`.
+    pub(crate) body: &'a [u8],
+}
+
+/// A path with its method and its handler. Handlers run on the thread of the server, so they return at once.
 pub(crate) struct Route {
+    method: Method,
     path: &'static str,
-    handler: Box<dyn Fn() -> Answer + Send + Sync>,
+    handler: Box<dyn Fn(&Call<'_>) -> Answer + Send + Sync>,
 }
 
 impl Route {
-    pub(crate) fn new(
+    /// A route for `GET` and `HEAD`; the path is that behind the token.
+    pub(crate) fn get(
         path: &'static str,
-        handler: impl Fn() -> Answer + Send + Sync + 'static,
+        handler: impl Fn(&Call<'_>) -> Answer + Send + Sync + 'static,
     ) -> Self {
         Route {
+            method: Method::GET,
             path,
             handler: Box::new(handler),
         }
     }
+
+    /// A route for `POST`.
+    pub(crate) fn post(
+        path: &'static str,
+        handler: impl Fn(&Call<'_>) -> Answer + Send + Sync + 'static,
+    ) -> Self {
+        Route {
+            method: Method::POST,
+            ..Route::get(path, handler)
+        }
+    }
+
+    /// The methods of the route, as `Allow` lists them.
+    fn allowed(&self) -> &'static str {
+        match self.method {
+            Method::POST => "POST",
+            _ => "GET, HEAD",
+        }
+    }
 }
 
-/// Serves the routes for as long as the process lives.
+/// A secret of 128 bits in hexadecimal digits, from the random numbers of the system.
+///
+/// # Errors
+/// When the system has none.
+pub(crate) fn token() -> io::Result<String> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(io::Error::other)?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+/// Serves the routes below the token for as long as the process lives.
 ///
 /// # Errors
 /// When the system has no more threads or events.
-pub(crate) fn serve(listener: TcpListener, routes: Vec<Route>, limits: Limits) -> io::Result<()> {
+pub(crate) fn serve(
+    listener: TcpListener,
+    token: &str,
+    routes: Vec<Route>,
+    limits: Limits,
+) -> io::Result<()> {
     listener.set_nonblocking(true)?;
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_io()
         .enable_time()
         .build()?;
     let server = Arc::new(Server {
+        prefix: format!("/{token}"),
         routes,
         streams: Arc::new(Semaphore::new(limits.streams)),
         limits,
@@ -119,6 +178,8 @@ pub(crate) fn serve(listener: TcpListener, routes: Vec<Route>, limits: Limits) -
 }
 
 struct Server {
+    /// The first part of all paths.
+    prefix: String,
     routes: Vec<Route>,
     limits: Limits,
     streams: Arc<Semaphore>,
@@ -187,8 +248,8 @@ impl Server {
             .header_read_timeout(limits.head)
             .max_buf_size(limits.head_bytes);
         let service = hyper::service::service_fn(|request: Request<Incoming>| {
-            let reply = connection.reply(&request);
-            async { Ok::<_, Infallible>(reply) }
+            let connection = &connection;
+            async move { Ok::<_, Infallible>(connection.reply(request).await) }
         });
         let serving = http.serve_connection(TokioIo::new(stream), service);
         let deadline = async {
@@ -207,8 +268,8 @@ impl Server {
 }
 
 impl Connection {
-    fn reply(&self, request: &Request<Incoming>) -> Reply {
-        let mut reply = self.reply_without_headers(request);
+    async fn reply(&self, request: Request<Incoming>) -> Reply {
+        let mut reply = self.reply_without_headers(request).await;
         for (name, value) in HEADERS {
             let value = HeaderValue::from_static(value);
             reply.headers_mut().insert(name, value);
@@ -216,25 +277,44 @@ impl Connection {
         reply
     }
 
-    fn reply_without_headers(&self, request: &Request<Incoming>) -> Reply {
-        if !is_for_this_machine(request.headers()) {
+    async fn reply_without_headers(&self, request: Request<Incoming>) -> Reply {
+        let (head, body) = request.into_parts();
+        if !is_for_this_machine(&head.headers) {
             return refusal(StatusCode::FORBIDDEN, "not this host");
         }
-        let path = request.uri().path();
+        if !is_from_this_page(&head.headers) {
+            return refusal(StatusCode::FORBIDDEN, "not from a page elsewhere");
+        }
+        let Some(path) = head.uri.path().strip_prefix(&self.server.prefix) else {
+            return refusal(StatusCode::NOT_FOUND, "nothing here");
+        };
         let Some(route) = self.server.routes.iter().find(|route| route.path == path) else {
             return refusal(StatusCode::NOT_FOUND, "nothing here");
         };
-        let is_head = request.method() == Method::HEAD;
-        if !is_head && request.method() != Method::GET {
+        let is_head = head.method == Method::HEAD && route.method == Method::GET;
+        if !is_head && head.method != route.method {
             let mut reply = refusal(StatusCode::METHOD_NOT_ALLOWED, "not this method");
-            let allowed = HeaderValue::from_static("GET, HEAD");
+            let allowed = HeaderValue::from_static(route.allowed());
             reply.headers_mut().insert(header::ALLOW, allowed);
             return reply;
         }
-        if !request.body().is_end_stream() {
-            return refusal(StatusCode::BAD_REQUEST, "no body is expected");
-        }
-        match (route.handler)() {
+        let body = match route.method {
+            Method::POST => {
+                let most = self.server.limits.body_bytes;
+                let Ok(body) = Limited::new(body, most).collect().await else {
+                    return refusal(StatusCode::PAYLOAD_TOO_LARGE, "the body is too large");
+                };
+                body.to_bytes()
+            }
+            _ if body.is_end_stream() => Bytes::new(),
+            _ => return refusal(StatusCode::BAD_REQUEST, "no body is expected"),
+        };
+        let call = Call {
+            query: head.uri.query().unwrap_or_default(),
+            body: &body,
+        };
+        match (route.handler)(&call) {
+            Answer::Done => response(StatusCode::NO_CONTENT, PLAIN, Either::Left(Full::default())),
             Answer::Content(kind, bytes) => {
                 response(StatusCode::OK, kind, Either::Left(bytes.into()))
             }
@@ -283,6 +363,8 @@ impl Connection {
 
 /// The media type of a stream of events.
 const EVENTS: &str = "text/event-stream";
+/// The media type of a text.
+const PLAIN: &str = "text/plain; charset=utf-8";
 
 /// True if the request is for this machine by one of its own names.
 fn is_for_this_machine(headers: &HeaderMap) -> bool {
@@ -302,8 +384,20 @@ fn is_for_this_machine(headers: &HeaderMap) -> bool {
     })
 }
 
-fn refusal(status: StatusCode, reason: &'static str) -> Reply {
-    response(status, "text/plain", Either::Left(Full::from(reason)))
+/// True for a request of a page of this server, or of no page.
+fn is_from_this_page(headers: &HeaderMap) -> bool {
+    let mut origins = headers.get_all(header::ORIGIN).iter();
+    match (origins.next(), origins.next(), headers.get(header::HOST)) {
+        (None, ..) => true,
+        (Some(origin), None, Some(host)) => {
+            origin.as_bytes().strip_prefix(b"http://") == Some(host.as_bytes())
+        }
+        _ => false,
+    }
+}
+
+fn refusal(status: StatusCode, reason: impl Into<Bytes>) -> Reply {
+    response(status, PLAIN, Either::Left(Full::from(reason.into())))
 }
 
 fn response(status: StatusCode, kind: &'static str, body: Either<Full<Bytes>, Events>) -> Reply {
@@ -329,7 +423,9 @@ mod tests {
         transfer: Duration::from_millis(700),
         still_here: Duration::from_millis(50),
         head_bytes: 16 << 10,
+        body_bytes: 1 << 10,
     };
+    const TOKEN: &str = "secret";
     /// More than the buffers of a connection hold.
     const LARGE: usize = 64 << 20;
 
@@ -338,15 +434,18 @@ mod tests {
         let (sender, events) = watch::channel("first".to_owned());
         let large = Bytes::from(vec![b'x'; LARGE]);
         let routes = vec![
-            Route::new("/", || Answer::Content("text/html", "page".into())),
-            Route::new("/large", move || {
+            Route::get("/", |_| Answer::Content("text/html", "page".into())),
+            Route::get("/large", move |_| {
                 Answer::Content("text/plain", large.clone())
             }),
-            Route::new("/events", move || Answer::Events(events.clone())),
+            Route::get("/events", move |_| Answer::Events(events.clone())),
+            Route::post("/echo", |call| {
+                Answer::Content("text/plain", call.body.to_vec().into())
+            }),
         ];
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = listener.local_addr().unwrap();
-        serve(listener, routes, limits).unwrap();
+        serve(listener, TOKEN, routes, limits).unwrap();
         (address, sender)
     }
 
@@ -366,7 +465,7 @@ mod tests {
     }
 
     fn get(path: &str, host: &str) -> String {
-        format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n")
+        format!("GET /{TOKEN}{path} HTTP/1.1\r\nHost: {host}\r\n\r\n")
     }
 
     #[test]
@@ -384,20 +483,28 @@ mod tests {
         ] {
             assert!(page.contains(&format!("\r\n{name}: {value}\r\n")), "{page}");
         }
-        let head = answered(address, "HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        let head = answered(address, "HEAD /secret/ HTTP/1.1\r\nHost: localhost\r\n\r\n");
         assert!(head.contains("content-length: 4\r\n"), "{head}");
         assert!(head.ends_with("\r\n\r\n"), "{head}");
-        let head = answered(address, "HEAD /events HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        let head = answered(
+            address,
+            "HEAD /secret/events HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        );
         assert!(head.ends_with("\r\n\r\n"), "{head}");
         let body = "Host: localhost\r\nContent-Length: 2\r\n\r\nab";
-        let posted = answered(address, &format!("POST / HTTP/1.1\r\n{body}"));
+        let posted = answered(address, &format!("POST /secret/ HTTP/1.1\r\n{body}"));
         assert!(posted.contains("\r\nallow: GET, HEAD\r\n"), "{posted}");
         let chunked = "Host: localhost\r\nTransfer-Encoding: chunked\r\n\r\n";
         for (request, status) in [
-            (&*format!("POST / HTTP/1.1\r\n{body}"), "405"),
-            (&*format!("GET / HTTP/1.1\r\n{body}"), "400"),
-            (&*format!("GET / HTTP/1.1\r\n{chunked}"), "400"),
+            (&*format!("POST /secret/ HTTP/1.1\r\n{body}"), "405"),
+            (&*format!("GET /secret/ HTTP/1.1\r\n{body}"), "400"),
+            (&*format!("GET /secret/ HTTP/1.1\r\n{chunked}"), "400"),
             ("GET /../a HTTP/1.1\r\nHost: localhost\r\n\r\n", "404"),
+            (
+                "GET /secret/../a HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                "404",
+            ),
+            ("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n", "404"),
             ("nonsense\r\n\r\n", "400"),
         ] {
             let answer = answered(address, request);
@@ -441,6 +548,42 @@ mod tests {
         // An error is an end as well.
         let _ = stream.read_to_end(&mut Vec::new());
         start.elapsed()
+    }
+
+    #[test]
+    fn bodies_are_limited_and_pages_elsewhere_refused() {
+        let (address, _events) = server(SHORT);
+        let post = |more: &str, body: &str| {
+            let length = body.len();
+            let head = format!("Host: localhost:8\r\n{more}Content-Length: {length}\r\n");
+            answered(
+                address,
+                &format!("POST /{TOKEN}/echo HTTP/1.1\r\n{head}\r\n{body}"),
+            )
+        };
+        let echoed = post("Origin: http://localhost:8\r\n", "abc");
+        assert!(echoed.starts_with("HTTP/1.1 200 ") && echoed.ends_with("abc"));
+        for (more, body, status) in [
+            ("", "x".repeat(SHORT.body_bytes), "200"),
+            ("", "x".repeat(SHORT.body_bytes + 1), "413"),
+            ("Origin: http://evil.example\r\n", String::new(), "403"),
+            ("Origin: null\r\n", String::new(), "403"),
+            ("Origin: http://localhost:9\r\n", String::new(), "403"),
+        ] {
+            let answer = post(more, &body);
+            assert!(
+                answer.starts_with(&format!("HTTP/1.1 {status} ")),
+                "{more}: {answer}"
+            );
+        }
+        let answer = answered(address, &get("/echo", "localhost"));
+        assert!(answer.contains("\r\nallow: POST\r\n"), "{answer}");
+    }
+
+    #[test]
+    fn tokens_differ() {
+        let [a, b] = [token().unwrap(), token().unwrap()];
+        assert!(a != b && a.len() == 32);
     }
 
     #[test]

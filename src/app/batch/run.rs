@@ -9,7 +9,7 @@ use super::journal::Journal;
 use super::picture::Picture;
 use super::watchdog::Watchdog;
 use super::{BatchError, Shard};
-use crate::app::worker::{Draw, Lost, Worker};
+use crate::app::worker::{Draw, Lost, Report, Worker};
 use crate::base::file::Folders;
 use crate::base::options::Event;
 use crate::base::source::{Code, Dependency, Message, Severity};
@@ -409,6 +409,7 @@ impl Run<'_> {
             timeout: self.batch.timeout,
             max_memory: self.batch.memory,
             is_sandboxed: self.batch.is_sandboxed,
+            live: None,
         };
         if other_work == OtherWork::Others {
             draw.read.writable = Folders::Only(Vec::new());
@@ -426,7 +427,11 @@ impl Run<'_> {
                 Event::Drawn(pixels) => (self.listener)(News::Drawn(pixels)),
                 event => lock(events).record(event),
             },
-            &|lack| (self.listener)(News::Weaker(lack)),
+            &|report| {
+                if let Report::Weaker(lack) = report {
+                    (self.listener)(News::Weaker(&lack));
+                }
+            },
         );
         drop(watched);
         let bytes = drawn?.into_iter().next().unwrap_or_default();

@@ -57,6 +57,7 @@ const COMMANDS: &[Command] = &[
     curve::COMMAND,
     help::COMMAND,
     install_as_povray::COMMAND,
+    watch::LIVE,
     man::COMMAND,
     sheet::COMMAND,
     watch::COMMAND,

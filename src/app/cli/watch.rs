@@ -1,20 +1,24 @@
 //! `povr watch`: renders a scene again whenever it or a file that it read, or looked for, changes.
 //!
-//! A preview of a quarter of the side comes first, then the whole picture, which is written as in a normal rendering. A
-//! change in the middle cancels the rendering and starts the next. Errors are printed as in a normal rendering, and the
-//! last good picture stays. `--timeout`, `--max-memory` and `--sandbox` hold for each rendering, `--timeout` for
-//! the preview and again for the picture.
+//! A coarse preview comes first, then the whole picture, which is written as in a normal rendering. A change in the middle
+//! cancels the rendering and starts the next. Errors are printed as in a normal rendering, and the last good picture
+//! stays. `--timeout`, `--max-memory` and `--sandbox` hold for each rendering, `--timeout` for the preview and again for
+//! the picture. On the page of `--serve`, and of `povr live`, viewers move the camera and change numbers of the scene.
 
 mod files;
 mod page;
 mod painter;
 mod shown;
+mod source;
 mod terminal;
+mod wishes;
 
 use crate::app::cli::options::command_line;
+use crate::app::server;
+use crate::base::file::{FileLimits, Named, read_limited};
 use std::net::TcpListener;
 use std::process::ExitCode;
-use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -23,8 +27,9 @@ use std::time::{Duration, Instant, SystemTime};
 use clap::Parser;
 
 use self::files::{Known, Watched};
-use self::painter::{Drawing, Painter};
+use self::painter::{Drawing, Order, Painter};
 use self::shown::Shown;
+use self::wishes::{SceneWish, Wishes};
 use super::Command;
 use super::draw::report::say;
 use super::draw::{Request, reporter, request_of};
@@ -39,6 +44,24 @@ pub(super) const COMMAND: Command = Command {
     run,
     options: <CommandOptions as clap::CommandFactory>::command,
 };
+
+pub(super) const LIVE: Command = Command {
+    name: "live",
+    about: "show a scene on a page that answers to mouse and keys",
+    run: run_live,
+    options: <CommandOptions as clap::CommandFactory>::command,
+};
+
+/// Runs `povr watch` with its page, nothing in the terminal, and no picture written unless it is asked for.
+fn run_live(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
+    let wanted = Wanted {
+        is_live: true,
+        is_served: true,
+        is_silent: true,
+        ..Wanted::default()
+    };
+    run_as(wanted, arguments, environment)
+}
 
 /// Draws a scene again whenever it, or a file that it read or looked for, changes.
 #[derive(Debug, Parser)]
@@ -62,6 +85,9 @@ struct CommandOptions {
     /// Port of the page [default: a free one]
     #[arg(long, value_name = "PORT")]
     port: Option<u16>,
+    /// Secret part of the address, 16 characters or more, so that a page outlives a restart [default: random]
+    #[arg(long, value_name = "TEXT", value_parser = secret)]
+    token: Option<String>,
     /// Show nothing in the terminal
     #[arg(long)]
     no_terminal: bool,
@@ -70,18 +96,33 @@ struct CommandOptions {
     times: Option<u32>,
 }
 
+/// Least length of a token in bytes.
+const SECRET: usize = 16;
+
+/// A token of an address.
+fn secret(text: &str) -> Result<String, &'static str> {
+    let is_plain = text.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    match is_plain && text.len() >= SECRET {
+        true => Ok(text.to_owned()),
+        false => Err("it has 16 letters and digits or more"),
+    }
+}
+
 /// Polling interval for file systems that report no changes.
 const LOOK: Duration = Duration::from_millis(500);
 /// An editor may write a file in several steps: it is read after this time without changes,
-const CALM: Duration = Duration::from_millis(40);
+const CALM: Duration = Duration::from_millis(10);
 /// but no later than this.
 const IMPATIENCE: Duration = Duration::from_secs(1);
 
 /// The options beside the render switches.
 #[derive(Debug, Default)]
 struct Wanted {
+    /// True for `povr live`.
+    is_live: bool,
     is_served: bool,
     port: Option<u16>,
+    token: Option<String>,
     is_silent: bool,
     times: Option<u32>,
 }
@@ -91,19 +132,34 @@ struct Wanted {
 enum WatchEvent {
     /// Something in a watched folder.
     Change,
+    /// The wishes of the viewers have changed.
+    Wish,
     /// The rendering has ended.
     End,
 }
 
 fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
-    let (wanted, rest) = match read_arguments(arguments)? {
+    run_as(Wanted::default(), arguments, environment)
+}
+
+fn run_as(
+    wanted: Wanted,
+    arguments: &[String],
+    environment: &Environment,
+) -> Result<ExitCode, CliError> {
+    let (wanted, rest) = match read_arguments(wanted, arguments)? {
         Ok(read) => read,
         Err(help) => {
             say(help.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request_of("povr watch", &rest, environment)? {
+    let command = if wanted.is_live {
+        "povr live"
+    } else {
+        "povr watch"
+    };
+    let mut settings = match request_of(command, &rest, environment)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
@@ -117,11 +173,15 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         return Err(CliError::new("an animation is not watched")
             .with_hint("Watch one picture of it: `+K0.5` sets the clock."));
     }
-    let shown = Arc::new(Shown::default());
-    if wanted.is_served || wanted.port.is_some() {
-        serve(&wanted, &shown, &file.display().to_string())?;
+    if wanted.is_live && !names_output(&rest) {
+        settings.output = None;
     }
     let (sender, receiver) = mpsc::channel();
+    let wishes = Arc::new(Wishes::new(file.clone(), sender.clone()));
+    let shown = Arc::new(Shown::new(Arc::clone(&wishes)));
+    if wanted.is_served || wanted.port.is_some() {
+        serve(&wanted, &shown, &wishes, &file.display().to_string())?;
+    }
     let painter = Painter {
         scene: file.clone(),
         reporter: reporter(&settings),
@@ -129,7 +189,8 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         shown,
         is_silent: wanted.is_silent,
         worker: Mutex::default(),
-        drawings: AtomicUsize::new(0),
+        wishes,
+        preview: AtomicU32::new(painter::PREVIEW),
     };
     let mut watch = Watch {
         painter,
@@ -137,6 +198,9 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         receiver,
         watched: Watched::new(move || drop(sender.send(WatchEvent::Change))),
         known: Known::of([file], SystemTime::now()),
+        scene: None,
+        versions: 0,
+        drawn: 0,
     };
     let mut left = wanted.times;
     loop {
@@ -150,16 +214,19 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
 }
 
 /// The options of this command, and all other arguments.
-fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), String>, CliError> {
-    const OWN: [&str; 6] = [
+fn read_arguments(
+    mut wanted: Wanted,
+    arguments: &[String],
+) -> Result<Result<(Wanted, Vec<String>), String>, CliError> {
+    const OWN: [&str; 7] = [
         "--serve",
         "--port",
+        "--token",
         "--no-terminal",
         "--times",
         "--help",
         "-h",
     ];
-    let mut wanted = Wanted::default();
     let mut others = Vec::new();
     let mut rest = arguments;
     while let Some((first, behind)) = rest.split_first() {
@@ -178,6 +245,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             Ok(options) => {
                 wanted.is_served |= options.serve;
                 wanted.port = options.port.or(wanted.port);
+                wanted.token = options.token.or(wanted.token);
                 wanted.is_silent |= options.no_terminal;
                 wanted.times = options.times.or(wanted.times);
             }
@@ -188,8 +256,24 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
     Ok(Ok((wanted, others)))
 }
 
+/// True if the options name a file for the picture.
+fn names_output(arguments: &[String]) -> bool {
+    let is_named = |argument: &String| {
+        let name = argument.to_ascii_lowercase();
+        ["-o", "+o", "--output", "output_file_name"]
+            .iter()
+            .any(|option| name.starts_with(option))
+    };
+    arguments.iter().any(is_named)
+}
+
 /// Serves the page, on this machine only.
-fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliError> {
+fn serve(
+    wanted: &Wanted,
+    shown: &Arc<Shown>,
+    wishes: &Arc<Wishes>,
+    title: &str,
+) -> Result<(), CliError> {
     let port = wanted.port.unwrap_or(0);
     let cannot = |error: std::io::Error| {
         CliError::new(format!("cannot serve on port {port}: {error}"))
@@ -197,8 +281,13 @@ fn serve(wanted: &Wanted, shown: &Arc<Shown>, title: &str) -> Result<(), CliErro
     };
     let listener = TcpListener::bind(("127.0.0.1", port)).map_err(cannot)?;
     let address = listener.local_addr().map_err(cannot)?;
-    say(format_args!("povr: http://{address}/"));
-    page::serve(listener, shown, title).map_err(cannot)
+    let token = match &wanted.token {
+        Some(token) => token.clone(),
+        None => server::token().map_err(cannot)?,
+    };
+    page::serve(listener, &token, (shown, wishes), title).map_err(cannot)?;
+    say(format_args!("povr: http://{address}/{token}/"));
+    Ok(())
 }
 
 /// A watched scene.
@@ -209,23 +298,38 @@ struct Watch {
     watched: Watched,
     /// The files that the picture depends on.
     known: Known,
+    /// The wishes with which the scene was read in its last version; `None` once files have changed.
+    scene: Option<SceneWish>,
+    /// The number of that version; the scene is read once for each.
+    versions: u64,
+    /// The number of the wishes that were drawn last.
+    drawn: u64,
 }
 
 impl Watch {
     /// Renders again and again until nothing changes meanwhile.
     fn draw(&mut self) {
-        while !self.render_once() {
-            self.wait_until_stable();
+        loop {
+            if !self.render_once() {
+                self.wait_until_stable();
+            } else if self.drawn == self.painter.wishes.number() {
+                return;
+            }
         }
     }
 
     /// Waits for a change.
     fn wait(&mut self) {
-        while self.known.changed().is_none() {
-            // Whatever ends the wait, the files are checked.
+        loop {
+            if self.known.changed().is_some() {
+                return self.wait_until_stable();
+            }
+            if self.drawn != self.painter.wishes.number() {
+                return;
+            }
+            // Whatever ends the wait, the files and wishes are checked.
             let _ = self.receiver.recv_timeout(LOOK);
         }
-        self.wait_until_stable();
     }
 
     /// Waits until nothing changes any more, and reports the change.
@@ -248,12 +352,41 @@ impl Watch {
             before = now;
         }
         while self.receiver.try_recv().is_ok() {}
+        self.scene = None;
+    }
+
+    /// The next picture to draw. The text is read again if files have changed since the last one.
+    fn order(&mut self) -> Order {
+        let painter = &self.painter;
+        if self.scene.is_none() {
+            let limits = FileLimits::default();
+            let bytes = read_limited(&painter.scene, Named::ByUser, &limits)
+                .ok()
+                .flatten();
+            let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
+            painter.wishes.take_text(text.map(Arc::from));
+            painter.shown.take_text(painter.wishes.text().as_deref());
+        }
+        let wish = painter.wishes.current();
+        if self.scene.as_ref() != Some(&wish.1.scene) {
+            self.versions += 1;
+            self.scene = Some(wish.1.scene.clone());
+        }
+        let edits = &wish.1.scene.edits;
+        let text = painter.wishes.text().filter(|_| !edits.is_empty());
+        Order {
+            number: self.versions,
+            text: text.and_then(|text| source::edited(&text, edits)),
+            wish,
+        }
     }
 
     /// Renders once. `false` if files changed before it was done.
     fn render_once(&mut self) -> bool {
         let began = SystemTime::now();
         let drawing = Drawing::default();
+        let order = &self.order();
+        self.drawn = order.wish.0;
         let mut is_changed = false;
         // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
@@ -261,7 +394,7 @@ impl Watch {
         thread::scope(|scope| {
             let drawing = &drawing;
             scope.spawn(move || {
-                painter.draw(drawing, began);
+                painter.draw(drawing, began, order);
                 // The loop runs as long as this thread.
                 let _ = sender.send(WatchEvent::End);
             });
@@ -273,6 +406,8 @@ impl Watch {
                 is_changed |= known.changed().is_some();
                 if is_changed {
                     drawing.cancel();
+                } else if painter.wishes.number() != order.wish.0 {
+                    drawing.supersede();
                 }
                 drawing.kill_overdue(painter.settings.timeout);
                 if matches!(happened, Ok(WatchEvent::End)) {

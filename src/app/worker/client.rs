@@ -1,7 +1,7 @@
 //! A command's end of a worker.
 
 use super::COMMAND;
-use super::wire::{Draw, Limit, Reply, Request, read_bytes, read_message, write_message};
+use super::wire::{Draw, Limit, Reply, Report, Request, read_bytes, read_message, write_message};
 use crate::app::program;
 use crate::base::options::Event;
 use crate::base::sync::lock;
@@ -137,7 +137,7 @@ impl Worker {
 
     /// Draws a picture; returns the contents of its files.
     ///
-    /// `warn` is called with parts of a sandbox that the kernel lacks.
+    /// `report` receives what is no event of the scene.
     ///
     /// # Errors
     /// When there is no picture.
@@ -145,12 +145,12 @@ impl Worker {
         &mut self,
         draw: Draw,
         listen: &dyn Fn(Event<'_>),
-        warn: &dyn Fn(&str),
+        report: &dyn Fn(Report),
     ) -> Result<Vec<Vec<u8>>, Lost> {
-        self.is_spent = draw.is_sandboxed || draw.max_memory.is_some();
+        self.is_spent = (draw.is_sandboxed || draw.max_memory.is_some()) && draw.live.is_none();
         let files = draw.files.len();
         let mut limit = None;
-        let drawn = self.replies_to(draw, listen, warn, &mut limit);
+        let drawn = self.replies_to(draw, listen, report, &mut limit);
         lock(&self.control.requests).threads = None;
         self.is_spent |= limit.is_some() || drawn.is_err();
         match (drawn, limit) {
@@ -169,7 +169,7 @@ impl Worker {
         &mut self,
         draw: Draw,
         listen: &dyn Fn(Event<'_>),
-        warn: &dyn Fn(&str),
+        report: &dyn Fn(Report),
         limit: &mut Option<Limit>,
     ) -> io::Result<Result<Vec<Vec<u8>>, Option<String>>> {
         // A worker that a scene has taken over sends no more than one that is within its limit.
@@ -178,7 +178,7 @@ impl Worker {
         self.control.begin(draw);
         loop {
             match read_message(&mut replies)? {
-                Reply::Weaker(lack) => warn(&lack),
+                Reply::Report(news) => report(news),
                 Reply::Output(text) => listen(Event::SceneOutput(&text)),
                 Reply::Finding(mut message, texts) => {
                     [message.pov_line, message.excerpt, message.colored] = texts;

@@ -10,7 +10,9 @@ mod client;
 mod wire;
 
 pub(crate) use client::{Control, Lost, Worker};
-pub(crate) use wire::{Draw, Limit, Reply, Request, read_message, write_message};
+pub(crate) use wire::{
+    CameraReport, Draw, Limit, Live, Reply, Report, Request, read_message, write_message,
+};
 
 /// The first argument of a worker process.
 pub(crate) const COMMAND: &str = "draw-for-parent";

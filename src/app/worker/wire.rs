@@ -3,9 +3,11 @@
 use crate::base::options::{Event, ReadOptions, RenderOptions};
 use crate::base::source::{Dependency, Message};
 use crate::output::EncodeOptions;
+use crate::scene::camera::View;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{self, Read, Write};
+use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -44,15 +46,46 @@ pub(crate) struct Draw {
     pub(crate) timeout: Option<Duration>,
     /// Memory limit for the process, in bytes.
     pub(crate) max_memory: Option<u64>,
-    /// True if the worker enters a sandbox first. It draws no other picture then.
+    /// True if the worker enters a sandbox first. It draws no other scene then.
     pub(crate) is_sandboxed: bool,
+    /// For a scene that stays compiled from one picture to the next.
+    pub(crate) live: Option<Live>,
+}
+
+/// A picture of a scene that stays compiled.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Live {
+    /// The number of the scene's text with the options for reading it: the scene is read and compiled when it changes.
+    pub(crate) number: u64,
+    /// The text, if it is not that of the file.
+    pub(crate) text: Option<String>,
+    /// The statement of the camera, if it is not the scene's own.
+    pub(crate) camera: Option<String>,
+}
+
+/// A report of a worker that is no event of the scene.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) enum Report {
+    /// The kernel does not enforce a part of the sandbox.
+    Weaker(String),
+    /// A live scene has been compiled.
+    Camera(CameraReport),
+}
+
+/// The camera of a scene, for those who move it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct CameraReport {
+    /// The camera of the scene; `None` if it cannot be moved.
+    pub(crate) view: Option<View>,
+    /// The bytes of its statement in the decoded text of the scene, if it stands there.
+    pub(crate) statement: Option<Range<usize>>,
 }
 
 /// A reply of a worker.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) enum Reply {
-    /// The kernel does not enforce a part of the sandbox.
-    Weaker(String),
+    /// Anything that is no event of the scene.
+    Report(Report),
     /// As [`Event::SceneOutput`].
     Output(String),
     /// As [`Event::Finding`], with the texts that a serialised message does not have.

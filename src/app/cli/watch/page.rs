@@ -1,37 +1,91 @@
-//! The picture on a page of this machine, at three paths: `/`, `/picture.png`, and `/events`.
+//! The live page: the picture, its events and the wishes of its viewers, below a secret path.
 
 use super::shown::Shown;
-use crate::app::server::{Answer, Limits, Route, serve as serve_routes};
+use super::wishes::{Change, Wishes};
+use crate::app::server::{Answer, Call, Limits, Route, serve as serve_routes};
 use hyper::StatusCode;
 use std::io;
 use std::net::TcpListener;
 use std::sync::Arc;
 
-const PAGE: &str = include_str!("page.html");
+const PAGE: &str = include_str!("page/page.html");
+const STYLE: &str = include_str!("page/page.css");
+const SCRIPT: &str = include_str!("page/page.js");
 
 /// Serves for as long as the process lives.
 ///
 /// # Errors
 /// When the system has no more threads.
-pub(super) fn serve(listener: TcpListener, shown: &Arc<Shown>, title: &str) -> io::Result<()> {
+pub(super) fn serve(
+    listener: TcpListener,
+    token: &str,
+    (shown, wishes): (&Arc<Shown>, &Arc<Wishes>),
+    title: &str,
+) -> io::Result<()> {
     let page = PAGE.replace("TITLE", &escaped(title));
     let events = shown.events();
-    let shown = Arc::clone(shown);
+    let picture = Arc::clone(shown);
+    let history = Arc::clone(shown);
+    let text = Arc::clone(wishes);
+    let (changed, wishes) = (Arc::clone(shown), Arc::clone(wishes));
     let routes = vec![
-        Route::new("/", move || {
+        Route::get("/", move |_| {
             Answer::Content("text/html; charset=utf-8", page.clone().into())
         }),
-        Route::new("/picture.png", move || match shown.png() {
-            Some(png) => Answer::Content("image/png", png),
-            None => Answer::Refusal(StatusCode::NOT_FOUND, "no picture yet"),
+        Route::get("/page.css", |_| Answer::Content("text/css", STYLE.into())),
+        Route::get("/page.js", |_| {
+            Answer::Content("text/javascript; charset=utf-8", SCRIPT.into())
         }),
-        Route::new("/events", move || Answer::Events(events.clone())),
+        Route::get("/picture.png", move |_| png(picture.png())),
+        Route::get("/history.png", move |call| {
+            png(call
+                .query
+                .parse()
+                .ok()
+                .and_then(|number| history.earlier(number)))
+        }),
+        Route::get("/scene.pov", move |_| match text.text() {
+            Some(text) => Answer::Content("text/plain; charset=utf-8", text.to_string().into()),
+            None => Answer::Refusal(
+                StatusCode::NOT_FOUND,
+                "it is not a text in UTF-8".to_owned(),
+            ),
+        }),
+        Route::get("/events", move |_| Answer::Events(events.clone())),
+        Route::post("/change", move |call| change(call, &wishes, &changed)),
     ];
-    serve_routes(listener, routes, Limits::default())
+    serve_routes(listener, token, routes, Limits::default())
+}
+
+fn png(png: Option<hyper::body::Bytes>) -> Answer {
+    match png {
+        Some(png) => Answer::Content("image/png", png),
+        None => Answer::Refusal(StatusCode::NOT_FOUND, "no such picture".to_owned()),
+    }
+}
+
+/// Applies the change in the body of a request.
+fn change(call: &Call<'_>, wishes: &Wishes, shown: &Shown) -> Answer {
+    let change: Change = match serde_json::from_slice(call.body) {
+        Ok(change) => change,
+        Err(error) => return Answer::Refusal(StatusCode::BAD_REQUEST, error.to_string()),
+    };
+    // A moved camera is shown with its picture.
+    let is_shown = !matches!(change, Change::Move(_) | Change::Cursor(_));
+    match wishes.apply(change) {
+        Ok(()) => {
+            if is_shown {
+                shown.refresh();
+            }
+            Answer::Done
+        }
+        Err(reason) => Answer::Refusal(StatusCode::CONFLICT, reason),
+    }
 }
 
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }

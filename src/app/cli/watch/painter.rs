@@ -1,25 +1,31 @@
-//! One rendering for `povr watch`: a preview first, then the whole picture; both are shown.
+//! One rendering for `povr watch`: a coarse picture first, then the whole one; both are shown. The worker compiles the
+//! scene once for both, and keeps it for other cameras.
 
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
+use super::wishes::{Wish, Wishes};
 use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
-use crate::app::worker::{Control, Draw, Lost, Worker};
+use crate::app::worker::{Control, Draw, Live, Lost, Report, Worker};
 use crate::base::options::{Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions, Format};
+use crate::scene::camera::View;
 
-/// Side of a picture over side of its preview.
-const PREVIEW: u32 = 4;
+/// Side of a picture over side of its preview, at first and at most.
+pub(super) const PREVIEW: u32 = 4;
+const COARSEST: u32 = 16;
+/// Previews of a camera in motion become coarser above the longer of these times, and finer below the shorter.
+const PREVIEW_TIMES: [Duration; 2] = [Duration::from_millis(8), Duration::from_millis(25)];
 /// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
 /// Time for a worker to cancel a picture before it is killed.
@@ -36,59 +42,73 @@ pub(super) struct Painter {
     /// True to show nothing in the terminal.
     pub(super) is_silent: bool,
     pub(super) worker: Mutex<Option<Worker>>,
-    pub(super) drawings: AtomicUsize,
+    pub(super) wishes: Arc<Wishes>,
+    /// Side of a picture over side of its preview.
+    pub(super) preview: AtomicU32,
+}
+
+/// A picture to draw.
+#[derive(Debug)]
+pub(super) struct Order {
+    /// The number of the scene's text with its values; the scene is read again for a new one.
+    pub(super) number: u64,
+    /// The text, if it is not that of the file.
+    pub(super) text: Option<String>,
+    /// The number of the wishes, and these.
+    pub(super) wish: (u64, Wish),
 }
 
 impl Painter {
     /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
-    pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime) {
-        let verbosity = self.settings.verbosity;
-        let series = self.drawings.fetch_add(1, Ordering::Relaxed);
+    pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime, order: &Order) {
         let errors = Mutex::new(String::new());
-        let png = EncodeOptions {
-            alpha: self.settings.render.alpha,
-            ..EncodeOptions::new(Format::PNG)
+        let is_reported =
+            |event: &Event<'_>| !drawing.is_cancelled() && !matches!(event, Event::Drawn(_));
+        let listen = |event: Event<'_>| {
+            if let Event::Read { dependencies, .. } = event {
+                let paths = dependencies.iter().map(|one| one.path.clone());
+                let known = Known::of(paths.chain([self.scene.clone()]), began);
+                *lock(&drawing.read) = Some(known);
+            }
+            if let Event::Finding(message) = event
+                && message.severity == Severity::Error
+                && !drawing.is_cancelled()
+            {
+                lock(&errors).push_str(&format!("{}\n", message.excerpt));
+            }
+            if is_reported(&event) {
+                self.reporter.report(event);
+            }
         };
-        for (pass, render) in self.passes().into_iter().enumerate() {
+        let view = order.wish.1.view.as_ref();
+        let mut read = self.settings.read.clone();
+        order.wish.1.scene.declare(&mut read);
+        for render in self.passes() {
             let is_preview = render.width < self.settings.render.width;
-            let listen = |event: Event<'_>| {
-                if let Event::Read { dependencies, .. } = event {
-                    let paths = dependencies.iter().map(|one| one.path.clone());
-                    let known = Known::of(paths.chain([self.scene.clone()]), began);
-                    *lock(&drawing.read) = Some(known);
-                }
-                if let Event::Finding(message) = event
-                    && message.severity == Severity::Error
-                    && !drawing.is_cancelled()
-                {
-                    lock(&errors).push_str(&format!("{}\n", message.excerpt));
-                }
-                // The second pass repeats the messages of the first.
-                if (pass == 0 || !matches!(event, Event::SceneOutput(_) | Event::Finding(_)))
-                    && !drawing.is_cancelled()
-                {
-                    self.reporter.report(event);
-                }
-            };
-            let output = self.settings.output.as_ref().filter(|_| !is_preview);
+            let output = self.settings.output.as_ref();
+            let output = output.filter(|_| !is_preview && view.is_none() && order.text.is_none());
             let draw = Draw {
                 scene: self.scene.clone(),
-                series: Some(series),
-                read: self.settings.read.clone(),
+                series: Some(usize::try_from(order.number).unwrap_or_default()),
+                read: read.clone(),
                 render,
-                files: [&png]
+                files: [self.png()]
                     .into_iter()
-                    .chain(output.map(|(_, options)| options))
-                    .cloned()
+                    .chain(output.map(|(_, options)| options.clone()))
                     .collect(),
                 threads: None,
                 tells_output: true,
                 timeout: self.settings.timeout,
                 max_memory: self.settings.max_memory,
                 is_sandboxed: self.settings.is_sandboxed,
+                live: Some(Live {
+                    number: order.number,
+                    text: order.text.clone(),
+                    camera: view.map(View::to_string),
+                }),
             };
             let start = Instant::now();
-            let drawn = self.drawn(draw, drawing, &listen);
+            let drawn = self.drawn(draw, (drawing, is_preview), &listen);
             self.reporter.take_counts();
             let files = match drawn {
                 Ok(files) => files,
@@ -104,10 +124,15 @@ impl Painter {
                     return;
                 }
             };
-            let seconds = start.elapsed().as_secs_f64();
+            let seconds = start.elapsed();
             let mut files = files.into_iter();
-            self.show(files.next().unwrap_or_default(), is_preview, seconds);
+            self.show(
+                files.next().unwrap_or_default(),
+                is_preview,
+                seconds.as_secs_f64(),
+            );
             if is_preview {
+                self.adapt(seconds);
                 continue;
             }
             if let (Some((target, _)), Some(bytes)) = (output, files.next())
@@ -115,24 +140,52 @@ impl Painter {
             {
                 say(format_args!("povr: {}", CliError::from(error)));
             }
-            if !verbosity.quiet {
-                say(format_args!("povr: drawn in {seconds:.2} s"));
+            if !self.settings.verbosity.quiet {
+                say(format_args!(
+                    "povr: drawn in {:.2} s",
+                    seconds.as_secs_f64()
+                ));
             }
         }
+    }
+
+    /// The encoding of the picture on the page: that of the output, if it is a PNG file.
+    fn png(&self) -> EncodeOptions {
+        let output = self.settings.output.as_ref().map(|(_, options)| options);
+        let png = output.filter(|options| options.format == Format::PNG);
+        png.cloned().unwrap_or_else(|| EncodeOptions {
+            alpha: self.settings.render.alpha,
+            ..EncodeOptions::new(Format::PNG)
+        })
+    }
+
+    /// Adapts the size of the next preview to the time of one.
+    fn adapt(&self, time: Duration) {
+        let [short, long] = PREVIEW_TIMES;
+        let side = self.preview.load(Ordering::Relaxed);
+        let side = match time {
+            _ if time > long => (side + 1).min(COARSEST),
+            _ if time < short => (side - 1).max(2),
+            _ => side,
+        };
+        self.preview.store(side, Ordering::Relaxed);
     }
 
     /// The files of a picture, from the worker of the last picture or a new one.
     fn drawn(
         &self,
         draw: Draw,
-        drawing: &Drawing,
+        (drawing, is_preview): (&Drawing, bool),
         listen: &dyn Fn(Event<'_>),
     ) -> Result<Vec<Vec<u8>>, Lost> {
         let mut worker = lock(&self.worker);
         let worker = Worker::ready(&mut worker)
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
-        drawing.begin(worker.control())?;
-        worker.draw(draw, listen, &|lack| kernel::warn(&[lack.to_owned()]))
+        drawing.begin(worker.control(), is_preview)?;
+        worker.draw(draw, listen, &|report| match report {
+            Report::Weaker(lack) => kernel::warn(&[lack]),
+            Report::Camera(camera) => self.wishes.take_camera(camera),
+        })
     }
 
     /// The reason that there is no picture, unless the messages of the scene give it.
@@ -155,7 +208,8 @@ impl Painter {
         if !is_whole || u64::from(width) * u64::from(height) < SMALL {
             return vec![whole];
         }
-        let (width, height) = ((width / PREVIEW).max(1), (height / PREVIEW).max(1));
+        let side = self.preview.load(Ordering::Relaxed);
+        let (width, height) = ((width / side).max(1), (height / side).max(1));
         let preview = RenderOptions {
             width,
             height,
@@ -192,17 +246,38 @@ pub(super) struct Drawing {
 struct Progress {
     /// The worker of the current pass, and the begin of the pass.
     pass: Option<(Control, Instant)>,
+    /// True for a preview.
+    is_preview: bool,
+    /// True if the wishes have changed: a preview is finished, so that a camera in motion is seen, and the picture is not
+    /// begun.
+    is_superseded: bool,
     cancelled: Option<Instant>,
 }
 
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
-    fn begin(&self, control: Control) -> Result<(), Lost> {
+    fn begin(&self, control: Control, is_preview: bool) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
         progress.pass = Some((control, Instant::now()));
+        progress.is_preview = is_preview;
+        if progress.is_superseded && !is_preview {
+            progress.cancelled.get_or_insert_with(Instant::now);
+        }
         match progress.cancelled {
             None => Ok(()),
             Some(_) => Err(Lost::Failed(None)),
+        }
+    }
+
+    /// Ends the drawing, as other wishes have come, after a preview that is in progress.
+    pub(super) fn supersede(&self) {
+        let is_preview = {
+            let mut progress = lock(&self.progress);
+            progress.is_superseded = true;
+            progress.pass.is_none() || progress.is_preview
+        };
+        if !is_preview {
+            self.cancel();
         }
     }
 

@@ -1,8 +1,16 @@
-//! The current display: the last good picture, and errors since.
+//! The current display: the last good picture, errors since, and the pictures before.
 
+use super::source::{self, Control};
+use super::wishes::Wishes;
+use crate::base::sync::lock;
 use hyper::body::Bytes;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use serde::Serialize;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
+
+/// The number of finished pictures that stay, and their size in bytes.
+const HISTORY: (usize, usize) = (24, 64 << 20);
 
 /// A picture on display.
 #[derive(Clone, Debug)]
@@ -22,6 +30,7 @@ pub(super) struct Picture {
 pub(super) struct Shown {
     state: Mutex<State>,
     events: watch::Sender<String>,
+    wishes: Arc<Wishes>,
 }
 
 /// The display at one moment.
@@ -32,38 +41,86 @@ struct State {
     picture: Option<Picture>,
     /// The errors of the scene; empty if none.
     errors: String,
+    /// Incremented by every new text.
+    text: u64,
+    controls: Vec<Control>,
+    /// Finished pictures with their numbers, the latest last.
+    history: VecDeque<(u64, Bytes)>,
 }
 
-impl Default for Shown {
-    fn default() -> Self {
-        let state = State::default();
-        Shown {
-            events: watch::Sender::new(state.json()),
-            state: Mutex::new(state),
-        }
-    }
+/// The display as the page receives it.
+#[derive(Serialize)]
+struct Event<'a> {
+    number: u64,
+    errors: &'a str,
+    is_preview: bool,
+    seconds: Option<f64>,
+    width: Option<u32>,
+    height: Option<u32>,
+    /// The number of the text.
+    text: u64,
+    /// The statement of the camera; `None` if it cannot be moved.
+    camera: Option<String>,
+    is_moved: bool,
+    controls: &'a [Control],
+    /// The values in place of numbers: first byte and text.
+    values: Vec<(usize, String)>,
+    clock: Option<f64>,
+    history: Vec<u64>,
 }
 
 impl Shown {
+    pub(super) fn new(wishes: Arc<Wishes>) -> Self {
+        let state = State::default();
+        Shown {
+            events: watch::Sender::new(state.json(&wishes)),
+            state: Mutex::new(state),
+            wishes,
+        }
+    }
+
     /// Shows a picture and clears the errors.
     pub(super) fn put(&self, picture: Picture) {
-        let mut state = self.lock();
-        state.picture = Some(picture);
-        state.errors.clear();
-        self.changed(&mut state);
+        self.change(|state| {
+            if !picture.is_preview {
+                state.remember(picture.png.clone());
+            }
+            state.picture = Some(picture);
+            state.errors.clear();
+        });
     }
 
     /// Shows errors beside the last picture.
     pub(super) fn fail(&self, errors: String) {
-        let mut state = self.lock();
-        state.errors = errors;
-        self.changed(&mut state);
+        self.change(|state| state.errors = errors);
+    }
+
+    /// Shows the sliders of a text that is drawn from now on.
+    pub(super) fn take_text(&self, text: Option<&str>) {
+        let controls = text.map(source::controls).unwrap_or_default();
+        self.change(|state| {
+            state.text += 1;
+            state.controls = controls;
+        });
+    }
+
+    /// Shows the current wishes.
+    pub(super) fn refresh(&self) {
+        self.change(|_| {});
     }
 
     /// The picture, as a PNG file.
     pub(super) fn png(&self) -> Option<Bytes> {
-        let state = self.lock();
+        let state = lock(&self.state);
         state.picture.as_ref().map(|picture| picture.png.clone())
+    }
+
+    /// A finished picture by its number, as a PNG file.
+    pub(super) fn earlier(&self, number: u64) -> Option<Bytes> {
+        let state = lock(&self.state);
+        let mut history = state.history.iter();
+        let (_, png) = history.find(|(known, _)| *known == number)?;
+        Some(png.clone())
     }
 
     /// The descriptions of the display, current and to come, for the page.
@@ -71,27 +128,53 @@ impl Shown {
         self.events.subscribe()
     }
 
-    fn changed(&self, state: &mut State) {
+    fn change(&self, change: impl FnOnce(&mut State)) {
+        let mut state = lock(&self.state);
+        change(&mut state);
         state.number += 1;
-        self.events.send_replace(state.json());
-    }
-
-    fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        self.events.send_replace(state.json(&self.wishes));
     }
 }
 
 impl State {
-    fn json(&self) -> String {
+    /// Adds a finished picture, unless it is the last one again.
+    fn remember(&mut self, png: Bytes) {
+        if self.history.back().is_some_and(|(_, last)| *last == png) {
+            return;
+        }
+        self.history.push_back((self.number, png));
+        let (most, most_bytes) = HISTORY;
+        let bytes = |history: &VecDeque<(u64, Bytes)>| -> usize {
+            history.iter().map(|(_, png)| png.len()).sum()
+        };
+        while self.history.len() > most
+            || self.history.len() > 1 && bytes(&self.history) > most_bytes
+        {
+            self.history.pop_front();
+        }
+    }
+
+    fn json(&self, wishes: &Wishes) -> String {
         let picture = self.picture.as_ref();
-        serde_json::json!({
-            "number": self.number,
-            "errors": self.errors,
-            "is_preview": picture.is_some_and(|picture| picture.is_preview),
-            "seconds": picture.map(|picture| picture.seconds),
-            "width": picture.map(|picture| picture.size.0),
-            "height": picture.map(|picture| picture.size.1),
-        })
-        .to_string()
+        let (view, is_moved) = wishes.view();
+        let (_, wish) = wishes.current();
+        let values = wish.scene.edits.into_iter();
+        let event = Event {
+            number: self.number,
+            errors: &self.errors,
+            is_preview: picture.is_some_and(|picture| picture.is_preview),
+            seconds: picture.map(|picture| picture.seconds),
+            width: picture.map(|picture| picture.size.0),
+            height: picture.map(|picture| picture.size.1),
+            text: self.text,
+            camera: view.map(|view| view.to_string()),
+            is_moved,
+            controls: &self.controls,
+            values: values.map(|(start, edit)| (start, edit.text)).collect(),
+            clock: wish.scene.clock,
+            history: self.history.iter().map(|(number, _)| *number).collect(),
+        };
+        // Its maps have texts for keys.
+        serde_json::to_string(&event).unwrap_or_default()
     }
 }

@@ -1,0 +1,359 @@
+'use strict';
+// The page of a live scene. Everything that viewers change goes to the server, which sends the state to all of them.
+const $ = id => document.getElementById(id);
+const canvas = $('picture'), context = canvas.getContext('2d');
+/** The state of the last event. */
+let state = null;
+/** Number of pictures shown since the page was loaded. */
+let pictures = 0;
+
+let timer = 0;
+function say(text) {
+  $('message').textContent = text;
+  clearTimeout(timer);
+  timer = setTimeout(() => { $('message').textContent = ''; }, 6000);
+}
+
+// Changes: one request at a time; while it is on its way, those of one kind are merged.
+const waiting = new Map();
+let isSending = false;
+const merge = {
+  orbit: (a, b) => a.map((x, i) => x + b[i]),
+  pan: (a, b) => a.map((x, i) => x + b[i]),
+  walk: (a, b) => a.map((x, i) => x + b[i]),
+  zoom: (a, b) => a * b,
+  roll: (a, b) => a + b,
+};
+function move(kind, value) {
+  if (state && state.camera === null) {
+    say('This camera cannot be moved: its vectors are skewed, or it has a normal, meshes, functions or a bokeh.');
+    return;
+  }
+  const before = waiting.get(kind);
+  waiting.set(kind, before ? { move: { [kind]: merge[kind](before.move[kind], value) } } : { move: { [kind]: value } });
+  send();
+}
+function change(key, value) {
+  waiting.set(key, value);
+  send();
+}
+async function send() {
+  if (isSending) return;
+  isSending = true;
+  for (const [key] of waiting) {
+    const body = JSON.stringify(waiting.get(key));
+    waiting.delete(key);
+    try {
+      const reply = await fetch('change', { method: 'POST', body });
+      if (!reply.ok) say(await reply.text());
+      else if (key.startsWith('write')) say('Written to the file.');
+    } catch {
+      say('The server does not answer.');
+    }
+  }
+  isSending = false;
+  if (waiting.size) send();
+}
+
+// The picture.
+let isLoading = false, loaded = -1, chosen = null;
+async function load() {
+  if (isLoading || !state || state.width === null || loaded === state.number) return;
+  isLoading = true;
+  const wanted = state;
+  try {
+    const path = chosen === null ? 'picture.png?' + wanted.number : 'history.png?' + chosen;
+    const reply = await fetch(path);
+    if (reply.ok) {
+      const bitmap = await createImageBitmap(await reply.blob());
+      if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
+        canvas.width = wanted.width;
+        canvas.height = wanted.height;
+      }
+      context.clearRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+      bitmap.close();
+      pictures++;
+      canvas.dataset.pictures = pictures;
+      canvas.dataset.final = chosen === null && !wanted.is_preview;
+    }
+    loaded = wanted.number;
+  } catch {
+    // The stream of events reports a server that has ended.
+  }
+  isLoading = false;
+  if (state.number !== loaded) load();
+}
+
+function status(now) {
+  if (now.width === null) return now.errors ? 'not drawn' : 'waiting for the first picture';
+  if (now.errors) return 'not drawn: showing the last good picture';
+  if (now.is_preview) return 'drawing …';
+  return `${now.width} × ${now.height}, drawn in ${now.seconds.toFixed(2)} s`;
+}
+function show(now) {
+  const before = state;
+  state = now;
+  if (chosen !== null && !now.history.includes(chosen)) chosen = null;
+  $('errors').textContent = now.errors;
+  document.body.classList.toggle('wrong', now.errors !== '');
+  $('state').textContent = status(now);
+  $('camera').textContent = now.camera ?? 'This camera cannot be moved by hand.';
+  $('copy').disabled = now.camera === null;
+  $('write-camera').disabled = $('reset-camera').disabled = !now.is_moved;
+  const isChanged = now.values.length > 0;
+  $('write-values').disabled = !isChanged;
+  $('reset-values').disabled = !isChanged && now.clock === null;
+  if (document.activeElement !== $('clock')) $('clock').value = now.clock ?? 0;
+  $('clock-value').textContent = (now.clock ?? 0).toFixed(2);
+  showControls(now);
+  showHistory(now);
+  if (before === null || before.text !== now.text) loadSource();
+  else markNumbers();
+  load();
+}
+
+// Sliders.
+const value = (now, control) => now.values.find(([start]) => start === control.start)?.[1] ?? control.value;
+function rounded(number) {
+  return String(Number(number.toPrecision(5)));
+}
+let controls = '';
+function showControls(now) {
+  const box = $('sliders');
+  const key = JSON.stringify(now.controls);
+  if (key !== controls) {
+    controls = key;
+    $('no-sliders').hidden = now.controls.length > 0;
+    box.replaceChildren(...now.controls.map((control, index) => {
+      const row = document.createElement('p');
+      row.className = 'row';
+      const label = document.createElement('label');
+      label.textContent = control.name;
+      label.htmlFor = 'slider' + index;
+      const input = document.createElement('input');
+      Object.assign(input, { type: 'range', id: 'slider' + index, min: control.low, max: control.high, step: 'any' });
+      const output = document.createElement('output');
+      output.htmlFor = input.id;
+      input.addEventListener('input', () => {
+        const text = rounded(input.valueAsNumber);
+        output.textContent = text;
+        change('value' + control.start, { value: { start: control.start, end: control.end, value: text } });
+      });
+      row.append(label, input, output);
+      return row;
+    }));
+  }
+  [...box.children].forEach((row, index) => {
+    const input = row.querySelector('input'), text = value(now, now.controls[index]);
+    if (document.activeElement !== input) input.value = text;
+    row.querySelector('output').textContent = text;
+  });
+}
+
+// Numbers in the source.
+const PARTS = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/g;
+/** The longest source that is shown. */
+const LONGEST = 300000;
+async function loadSource() {
+  const reply = await fetch('scene.pov');
+  const box = $('source');
+  const text = reply.ok ? await reply.text() : '';
+  if (!reply.ok || text.length > LONGEST) {
+    box.textContent = reply.ok ? 'The scene is too long to be shown.' : await reply.text();
+    return;
+  }
+  const encoder = new TextEncoder(), pieces = [];
+  let done = 0, bytes = 0, line = 1;
+  for (const part of text.matchAll(PARTS)) {
+    if (!/^[.\d]/.test(part[0])) continue;
+    const before = text.slice(done, part.index);
+    bytes += encoder.encode(before).length;
+    line += before.split('\n').length - 1;
+    pieces.push(before, numberIn(part[0], bytes, line));
+    bytes += part[0].length;
+    done = part.index + part[0].length;
+  }
+  pieces.push(text.slice(done));
+  box.replaceChildren(...pieces);
+  markNumbers();
+}
+function numberIn(text, start, line) {
+  const span = document.createElement('span');
+  span.className = 'number';
+  span.textContent = text;
+  span.tabIndex = 0;
+  span.role = 'spinbutton';
+  span.ariaLabel = 'number in line ' + line;
+  span.ariaValueNow = text;
+  Object.assign(span.dataset, { start, end: start + text.length, written: text });
+  const set = number => {
+    span.textContent = rounded(number);
+    change('value' + start, { value: { start, end: start + text.length, value: span.textContent } });
+  };
+  const step = Math.max(Math.abs(Number(text)), 0.1) / 100;
+  let from = null;
+  span.addEventListener('pointerdown', event => {
+    from = { x: event.clientX, number: Number(span.textContent) };
+    span.setPointerCapture(event.pointerId);
+    event.preventDefault();
+    span.focus();
+  });
+  span.addEventListener('pointermove', event => {
+    if (from && event.clientX !== from.x) set(from.number + (event.clientX - from.x) * step);
+  });
+  span.addEventListener('pointerup', () => { from = null; });
+  span.addEventListener('pointercancel', () => { from = null; });
+  span.addEventListener('keydown', event => {
+    const sign = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+    if (!sign) return;
+    event.preventDefault();
+    set(Number(span.textContent) + sign * step * (event.shiftKey ? 10 : 1));
+  });
+  return span;
+}
+function markNumbers() {
+  const values = new Map(state.values.map(([start, text]) => [String(start), text]));
+  for (const span of document.querySelectorAll('.number')) {
+    const changed = values.get(span.dataset.start);
+    span.classList.toggle('changed', changed !== undefined);
+    if (document.activeElement !== span) span.textContent = changed ?? span.dataset.written;
+    span.ariaValueNow = span.textContent;
+  }
+}
+
+// History.
+let listed = '';
+function showHistory(now) {
+  const key = now.history.join();
+  const box = $('history');
+  if (key !== listed) {
+    listed = key;
+    box.replaceChildren(...now.history.map((number, index) => {
+      const button = document.createElement('button');
+      button.ariaLabel = `picture ${index + 1} of ${now.history.length}`;
+      button.dataset.number = number;
+      const image = document.createElement('img');
+      image.src = 'history.png?' + number;
+      image.alt = '';
+      button.append(image);
+      button.addEventListener('click', () => choose(chosen === number ? null : number));
+      return button;
+    }));
+    box.scrollLeft = box.scrollWidth;
+  }
+  for (const button of box.children) button.ariaPressed = String(Number(button.dataset.number) === chosen);
+}
+function choose(number) {
+  chosen = number;
+  loaded = -1;
+  showHistory(state);
+  load();
+}
+
+// The mouse and fingers.
+const fingers = new Map();
+const place = event => ({ x: event.clientX / canvas.clientWidth, y: event.clientY / canvas.clientHeight });
+function pair() {
+  const [a, b] = [...fingers.values()];
+  const [x, y] = [(b.x - a.x) * canvas.clientWidth, (b.y - a.y) * canvas.clientHeight];
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, length: Math.hypot(x, y), angle: Math.atan2(y, x) };
+}
+canvas.addEventListener('pointerdown', event => {
+  if (chosen !== null) choose(null);
+  canvas.setPointerCapture(event.pointerId);
+  fingers.set(event.pointerId, place(event));
+  canvas.focus({ preventScroll: true });
+});
+canvas.addEventListener('pointermove', event => {
+  cursor(event);
+  const before = fingers.get(event.pointerId);
+  if (!before) return;
+  const now = place(event);
+  if (fingers.size === 2) {
+    const from = pair();
+    fingers.set(event.pointerId, now);
+    const to = pair();
+    move('pan', [to.x - from.x, to.y - from.y]);
+    if (from.length > 0 && to.length > 0) move('zoom', to.length / from.length);
+    let turn = (from.angle - to.angle) / (2 * Math.PI);
+    turn -= Math.round(turn);
+    move('roll', turn);
+    return;
+  }
+  fingers.set(event.pointerId, now);
+  const kind = event.shiftKey || event.buttons & 6 ? 'pan' : 'orbit';
+  move(kind, [now.x - before.x, now.y - before.y]);
+});
+for (const end of ['pointerup', 'pointercancel']) {
+  canvas.addEventListener(end, event => {
+    fingers.delete(event.pointerId);
+    cursor(event);
+  });
+}
+canvas.addEventListener('contextmenu', event => event.preventDefault());
+canvas.addEventListener('wheel', event => {
+  event.preventDefault();
+  move('zoom', Math.exp(-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 200) / 1000));
+}, { passive: false });
+function cursor(event) {
+  if (!document.getElementById('source').textContent.includes('live_cursor')) return;
+  const box = canvas.getBoundingClientRect();
+  const across = 2 * (event.clientX - box.left) / box.width - 1, up = 1 - 2 * (event.clientY - box.top) / box.height;
+  const clamped = number => Math.max(-1, Math.min(1, number));
+  change('cursor', { cursor: [clamped(across), clamped(up), event.buttons & 1] });
+}
+
+// Keys.
+canvas.addEventListener('keydown', event => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const turns = { ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowUp: [0, -0.02], ArrowDown: [0, 0.02] };
+  const steps = { a: [-0.05, 0, 0], d: [0.05, 0, 0], r: [0, 0.05, 0], f: [0, -0.05, 0], w: [0, 0, 0.05], s: [0, 0, -0.05] };
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (turns[key]) move(event.shiftKey ? 'pan' : 'orbit', turns[key]);
+  else if (steps[key]) move('walk', steps[key]);
+  else if (key === '+' || key === '=') move('zoom', 1.1);
+  else if (key === '-') move('zoom', 1 / 1.1);
+  else if (key === 'q') move('roll', 0.01);
+  else if (key === 'e') move('roll', -0.01);
+  else if (key === '0') change('reset-camera', 'reset_camera');
+  else return;
+  event.preventDefault();
+});
+
+// Buttons.
+$('copy').addEventListener('click', async () => {
+  try {
+    await navigator.clipboard.writeText(state.camera);
+    say('Copied.');
+  } catch {
+    getSelection().selectAllChildren($('camera'));
+    say('Selected: copy it with the keys of your browser.');
+  }
+});
+$('write-camera').addEventListener('click', () => change('write-camera', 'write_camera'));
+$('reset-camera').addEventListener('click', () => change('reset-camera', 'reset_camera'));
+$('write-values').addEventListener('click', () => change('write-values', 'write_values'));
+$('reset-values').addEventListener('click', () => change('reset-values', 'reset_values'));
+$('clock').addEventListener('input', () => {
+  $('clock-value').textContent = $('clock').valueAsNumber.toFixed(2);
+  change('clock', { clock: $('clock').valueAsNumber });
+});
+
+/** Time after which a lost connection is tried again, in milliseconds. */
+const AGAIN = 1000;
+function listen() {
+  const events = new EventSource('events');
+  // A server that has been started again counts from the beginning.
+  events.onopen = () => { state = null; };
+  events.onmessage = event => {
+    const now = JSON.parse(event.data);
+    if (state === null || now.number !== state.number) show(now);
+  };
+  events.onerror = () => {
+    $('state').textContent = 'povr does not answer: waiting for it to come back';
+    events.close();
+    setTimeout(listen, AGAIN);
+  };
+}
+listen();

@@ -1,0 +1,219 @@
+//! The text of a live scene: the numbers that a page may change, and the statements written back to the file.
+
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// The mark of a comment that makes a slider of the number before it: `#declare Height = 1.2; // live: 0..3`.
+const MARK: &str = "live:";
+/// Longest text of a number in bytes.
+const LONGEST: usize = 40;
+
+/// A number with a slider.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Control {
+    /// The name that is declared.
+    pub(super) name: String,
+    /// The first byte of the number in the text.
+    pub(super) start: usize,
+    /// The byte behind it.
+    pub(super) end: usize,
+    /// The number as it is written.
+    pub(super) value: String,
+    /// The ends of the slider.
+    pub(super) low: f64,
+    /// The larger end.
+    pub(super) high: f64,
+}
+
+/// The numbers of a text that its comments give sliders, in order.
+pub(super) fn controls(text: &str) -> Vec<Control> {
+    let mut start = 0;
+    let mut controls = Vec::new();
+    for line in text.split_inclusive('\n') {
+        if line.contains(MARK) {
+            controls.extend(control(line, start));
+        }
+        start += line.len();
+    }
+    controls
+}
+
+/// The slider of a line that starts at a byte of the text.
+fn control(line: &str, start: usize) -> Option<Control> {
+    let (statement, comment) = line.split_once("//")?;
+    let (low, high) = comment.trim().strip_prefix(MARK)?.split_once("..")?;
+    let (low, high) = (low.trim().parse().ok()?, high.trim().parse().ok()?);
+    let rest = statement.trim_start().strip_prefix('#')?.trim_start();
+    let rest = ["declare ", "local "]
+        .iter()
+        .find_map(|word| rest.strip_prefix(word))?;
+    let (name, value) = rest.split_once('=')?;
+    let value = value.trim().trim_end_matches(';').trim_end();
+    let at = line.find('=')? + 1;
+    let at = at + line[at..].find(value)?;
+    let is_range = f64::is_finite(low) && f64::is_finite(high) && low < high;
+    (is_number(value) && is_range).then(|| Control {
+        name: name.trim().to_owned(),
+        start: start + at,
+        end: start + at + value.len(),
+        value: value.to_owned(),
+        low,
+        high,
+    })
+}
+
+/// True for a number as the scene language writes it, with or without a sign.
+pub(super) fn is_number(text: &str) -> bool {
+    let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let begins = digits.strip_prefix('.').unwrap_or(digits);
+    text.len() <= LONGEST
+        && begins.starts_with(|c: char| c.is_ascii_digit())
+        && text.parse().is_ok_and(f64::is_finite)
+}
+
+/// Texts in place of ranges of another text, by their first byte.
+pub(super) type Edits = BTreeMap<usize, Edit>;
+
+/// A text in place of a range that starts at a known byte.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Edit {
+    /// The byte behind the range.
+    pub(super) end: usize,
+    pub(super) text: String,
+}
+
+/// True if a range of the text is a number of its own.
+pub(super) fn holds_number(text: &str, range: &Range<usize>) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.');
+    let (Some(before), Some(number), Some(after)) = (
+        text.get(..range.start),
+        text.get(range.clone()),
+        text.get(range.end..),
+    ) else {
+        return false;
+    };
+    is_number(number) && !before.ends_with(is_part) && !after.starts_with(is_part)
+}
+
+/// The text with its edits; `None` if their ranges are none of it, or overlap.
+pub(super) fn edited(text: &str, edits: &Edits) -> Option<String> {
+    let mut new = String::with_capacity(text.len());
+    let mut done = 0;
+    for (&start, Edit { end, text: number }) in edits {
+        new += text.get(done..start)?;
+        new += number;
+        done = *end;
+        text.get(start..done)?;
+    }
+    new += text.get(done..)?;
+    Some(new)
+}
+
+/// The edit that replaces the camera of a text, whose statement has this range, or adds one at the end. `None` if the range
+/// holds no statement.
+pub(super) fn camera_edit(
+    text: &str,
+    range: Option<Range<usize>>,
+    statement: &str,
+) -> Option<(usize, Edit)> {
+    match range {
+        Some(range) => {
+            let old = text.get(range.clone())?;
+            let text = statement.to_owned();
+            let is_camera = old.starts_with("camera") && old.ends_with('}');
+            is_camera.then_some((
+                range.start,
+                Edit {
+                    end: range.end,
+                    text,
+                },
+            ))
+        }
+        None => {
+            let line_break = if text.ends_with('\n') { "" } else { "\n" };
+            let text_of_camera = format!("{line_break}{statement}\n");
+            let end = text.len();
+            Some((
+                end,
+                Edit {
+                    end,
+                    text: text_of_camera,
+                },
+            ))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_make_sliders() {
+        let text = "// live: 0..1\n  #declare Height = 1.2; // live: 0..3\n#local N=-5 // live: -9 .. 2.5 \n\
+                    #declare A = B; // live: 0..3\n#declare C = 2; // live: 3..0\n#declare D = 2; // live 0..3\n";
+        let all = controls(text);
+        let [height, n] = all.as_slice() else {
+            panic!("{all:?}");
+        };
+        assert_eq!(
+            (height.name.as_str(), &text[height.start..height.end]),
+            ("Height", "1.2")
+        );
+        assert_eq!((height.low, height.high), (0.0, 3.0));
+        assert_eq!(
+            (n.name.as_str(), &text[n.start..n.end], n.low),
+            ("N", "-5", -9.0)
+        );
+    }
+
+    #[test]
+    fn only_whole_numbers_are_edited() {
+        let text = "sphere { <-1.5, 2>, r2 } 1e3";
+        for (range, is_whole) in [
+            (10..14, true),
+            (11..14, true),
+            (10..13, false),
+            (16..17, true),
+            (21..22, false),
+            (25..28, true),
+            (25..26, false),
+            (0..6, false),
+            (25..99, false),
+        ] {
+            assert_eq!(holds_number(text, &range), is_whole, "{range:?}");
+        }
+        for text in ["", "inf", "NaN", "-", ".", "1e999", "0x1", "1 2"] {
+            assert!(!is_number(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn edits_leave_all_else_alone() {
+        let text = "a 1 b 22 c\r\n";
+        let edit = |end, text: &str| Edit {
+            end,
+            text: text.to_owned(),
+        };
+        let edits = Edits::from([(6, edit(8, "3")), (2, edit(3, "-0.25"))]);
+        assert_eq!(edited(text, &edits).as_deref(), Some("a -0.25 b 3 c\r\n"));
+        assert_eq!(
+            edited(text, &Edits::from([(2, edit(8, "3")), (6, edit(8, "4"))])),
+            None
+        );
+        assert_eq!(edited("ü", &Edits::from([(1, edit(2, "3"))])), None);
+    }
+
+    #[test]
+    fn a_camera_replaces_its_own_statement_or_is_added() {
+        let text = "camera { location x }\nsphere { 0, 1 }";
+        let (start, edit) = camera_edit(text, Some(0..21), "camera { }").unwrap();
+        let new = edited(text, &Edits::from([(start, edit)]));
+        assert_eq!(new.as_deref(), Some("camera { }\nsphere { 0, 1 }"));
+        assert_eq!(camera_edit(text, Some(1..21), "camera { }"), None);
+        let (start, edit) = camera_edit("plane { y, 0 }", None, "camera { }").unwrap();
+        let new = edited("plane { y, 0 }", &Edits::from([(start, edit)]));
+        assert_eq!(new.as_deref(), Some("plane { y, 0 }\ncamera { }\n"));
+    }
+}
