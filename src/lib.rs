@@ -73,6 +73,9 @@ const QUEUED_BATCHES: usize = 2;
 /// The heap is trimmed once in this many batches.
 const TRIM_INTERVAL: usize = 8;
 
+/// Two points are one if they differ by less than this part of their distance from the camera.
+const SAME_POINT: f64 = 1e-6;
+
 /// Worlds with fewer primitives are dropped at once.
 const LARGE_WORLD: usize = 10_000;
 
@@ -180,7 +183,14 @@ impl RenderSession {
         listen: &EventHandler<'_>,
     ) -> Result<CompiledScene, Failure> {
         let watch = &mut StageTimer::start();
-        compile_with(input, read, render, listen, (self, camera), watch)
+        compile_with(
+            input,
+            read,
+            render,
+            listen,
+            (self, Use::Several(camera)),
+            watch,
+        )
     }
 }
 
@@ -226,7 +236,14 @@ fn draw_with(
     session: &RenderSession,
 ) -> Result<Picture, Failure> {
     let mut watch = StageTimer::start();
-    let compiled = compile_with(input, read, render, listen, (session, None), &mut watch)?;
+    let compiled = compile_with(
+        input,
+        read,
+        render,
+        listen,
+        (session, Use::OnePicture),
+        &mut watch,
+    )?;
     let picture = compiled.draw_timed((read, render), listen, session, watch)?;
     drop_in_background(compiled.world);
     Ok(picture)
@@ -240,7 +257,26 @@ pub struct CompiledScene {
     rounding: base::encoding::Rounding,
     /// The fingerprint of the scene's texts, if there are checkpoints.
     print: u64,
-    camera: SceneCamera,
+    /// `None` in a scene that is drawn once.
+    camera: Option<SceneCamera>,
+}
+
+/// The pictures that a scene is compiled for.
+enum Use {
+    OnePicture,
+    /// Several, the first of which is drawn with this camera or that of the scene.
+    Several(Option<Camera>),
+}
+
+/// A point of a surface that a camera sees, in the coordinates of the scene's text.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneHit {
+    /// The start of the ray.
+    pub from: DVec3,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal towards the camera, before any `normal` pattern.
+    pub normal: DVec3,
 }
 
 /// The camera of a scene, as it was read.
@@ -258,30 +294,35 @@ impl CompiledScene {
     /// The camera of the scene, whatever camera draws.
     #[must_use]
     pub fn camera(&self) -> &Camera {
-        &self.camera.camera
+        let own = self.camera.as_ref().map(|own| &own.camera);
+        own.unwrap_or(&self.world.camera)
     }
 
     /// The bytes of the statement of its camera in the text of the scene; `None` without a camera, or if the camera is
     /// read from an included file.
     #[must_use]
     pub fn camera_statement(&self) -> Option<Range<usize>> {
-        self.camera.statement.clone()
+        self.camera.as_ref()?.statement.clone()
     }
 
     /// Prepares pictures of this size from another camera, or from that of the scene. False, with no effect, if the scene
     /// has to be compiled anew for it: it would be drawn in other coordinates.
     pub fn set_camera(&mut self, camera: Option<&Camera>, render: &RenderOptions) -> bool {
-        let camera = camera.unwrap_or(&self.camera.camera);
-        let is_allowed = self.camera.limit.allows(camera);
+        let Some(own) = &self.camera else {
+            return false;
+        };
+        let camera = camera.unwrap_or(&own.camera);
+        let is_allowed = own.limit.allows(camera);
         if is_allowed {
-            self.world.set_camera(camera, &self.camera.settings, render);
+            self.world.set_camera(camera, &own.settings, render);
         }
         is_allowed
     }
 
-    /// The nearest surface behind a point of a picture; integer coordinates are the centres of pixels.
+    /// The nearest surface that the camera sees at a point of a picture, in the coordinates of the scene's text; integer
+    /// coordinates are the centres of pixels.
     #[must_use]
-    pub fn hit_at(&self, x: f64, y: f64, (width, height): (u32, u32)) -> Option<world::Hit> {
+    pub fn hit_at(&self, (x, y): (f64, f64), (width, height): (u32, u32)) -> Option<SceneHit> {
         let ray = self.world.camera.primary_ray(x, y, width, height)?;
         let query = world::Query {
             ray,
@@ -289,8 +330,17 @@ impl CompiledScene {
             t_max: f64::INFINITY,
             kind: world::RayKind::Camera,
         };
-        self.world
-            .nearest(&query, &mut world::QueryScratch::default())
+        let scratch = &mut world::QueryScratch::default();
+        let hit = self.world.nearest(&query, scratch)?;
+        let world::Globals { origin, unit, .. } = self.world.globals;
+        Some(SceneHit {
+            from: (ray.origin - origin) / unit,
+            point: (hit.point - origin) / unit,
+            normal: match hit.shading_normal.dot(ray.dir) > 0.0 {
+                true => -hit.shading_normal,
+                false => hit.shading_normal,
+            },
+        })
     }
 
     /// Draws a picture. The camera must have been set for its size.
@@ -365,7 +415,7 @@ fn compile_with(
     read: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
-    (session, camera): (&RenderSession, Option<Camera>),
+    (session, usage): (&RenderSession, Use),
     watch: &mut StageTimer,
 ) -> Result<CompiledScene, Failure> {
     with_deep_stack(listen, || {
@@ -376,15 +426,18 @@ fn compile_with(
         }
         watch.lap("read");
         let mut scene = reading.scene;
-        let own = scene.camera.clone();
-        if let Some(camera) = camera {
-            scene.camera = camera;
-        }
-        let camera = SceneCamera {
-            camera: own,
-            settings: scene.pattern_settings(),
-            statement: reading.camera,
-            limit: scene.camera_limit(),
+        let camera = match usage {
+            Use::OnePicture => None,
+            Use::Several(other) => {
+                let other = other.unwrap_or_else(|| scene.camera.clone());
+                let own = std::mem::replace(&mut scene.camera, other);
+                Some(SceneCamera {
+                    camera: own,
+                    settings: scene.pattern_settings(),
+                    statement: reading.camera,
+                    limit: scene.camera_limit(),
+                })
+            }
         };
         let (world, working, rounding) = prepared(scene, render);
         watch.lap("compile");
@@ -477,6 +530,51 @@ pub fn read(
         let render = RenderOptions::default();
         read_scene(input, &read, &render, listen, None).map(|reading| reading.scene)
     })
+}
+
+/// Finds the object of a scene to which a point belongs that a camera sees: a message without text whose location is that
+/// of the first token of the object's statement. The scene is read once more for it. `None` if no object as a whole has
+/// the point, as with parts that are cut away by others.
+#[must_use]
+pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option<Message> {
+    let locate = || {
+        let mut sources = Sources::new(options.library_paths.clone());
+        sources.limit_reads(options.readable.clone());
+        let file = load(input, &mut sources).map_err(|_| Failure { errors: Vec::new() })?;
+        let options = ReadOptions {
+            writes: Writes::InMemory,
+            notes_objects: true,
+            ..options.clone()
+        };
+        let texts = Texts {
+            scene: file,
+            sources: &mut sources,
+            token_cache: None,
+        };
+        let mut probe = OwnObjects::default();
+        let reading = lang::evaluate_with(texts, &options, &mut probe, &mut |_| {});
+        let distance = hit.from.distance(hit.point);
+        let mut model = world::ProbeModel::default();
+        let mut has_point = |object: &Arc<Object>| {
+            let seen = model.trace(object, hit.from, hit.point - hit.from);
+            seen.is_some_and(|(point, _)| point.distance(hit.point) <= SAME_POINT * distance)
+        };
+        let objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
+        let start = objects
+            .zip(&reading.objects)
+            .find_map(|(object, start)| has_point(&object).then_some(*start));
+        Ok(start.map(|start| Message::new(&Diagnostic::warning(start, ""), &sources)))
+    };
+    with_deep_stack(&|_| {}, locate).ok().flatten()
+}
+
+/// The text of a scene.
+fn load(input: &Input, sources: &mut Sources) -> Result<FileId, Box<Diagnostic>> {
+    match input {
+        Input::File(path) => sources.load_file(path),
+        Input::Edited { path, text } => sources.load_edited(path, text),
+        Input::Text { name, text } => Ok(sources.add_text(name.clone(), text)),
+    }
 }
 
 /// As [`read()`], for the findings alone.
@@ -653,13 +751,9 @@ fn read_scene(
             errors.push(message);
         }
     };
-    let file = match input {
-        Input::File(path) => sources.load_file(path),
-        Input::Edited { path, text } => sources.load_edited(path, text),
-        Input::Text { name, text } => Ok(match &earlier {
-            Some(earlier) => earlier.scene,
-            None => sources.add_text(name.clone(), text),
-        }),
+    let file = match (input, &earlier) {
+        (Input::Text { .. }, Some(earlier)) => Ok(earlier.scene),
+        _ => load(input, &mut sources),
     };
     let scene = match file {
         Ok(file) => {

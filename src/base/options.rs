@@ -109,6 +109,8 @@ pub struct ReadOptions {
     pub max_repeated_tokens: u64,
     /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
+    /// True to note the statement of each object, for which they are read one by one.
+    pub notes_objects: bool,
     /// Cancels reading.
     #[serde(skip)]
     pub stop: CancelToken,
@@ -468,6 +470,7 @@ impl Default for ReadOptions {
             final_clock: 0.0,
             max_repeated_tokens: MAX_REPEATED_TOKENS,
             memory: None,
+            notes_objects: false,
             stop: CancelToken::default(),
         }
     }

@@ -95,6 +95,7 @@ pub fn evaluate_with(
                 undrawn: Vec::new(),
                 has_new_tokens: false,
                 camera: None,
+                objects: Vec::new(),
                 dependencies: sources.dependencies().to_vec(),
             }
         }

@@ -90,6 +90,8 @@ pub struct Reading {
     pub has_new_tokens: bool,
     /// The statement of the camera that counts.
     pub camera: Option<Span>,
+    /// The first token of the statement of each object, with [`ReadOptions::notes_objects`].
+    pub objects: Vec<Span>,
 }
 
 const NO_MEMORY: &str = "this file needs more memory than there is";
@@ -257,7 +259,8 @@ impl<'a> Reader<'a> {
             token_cache.update(names, &self.tokenized, self.sources, self.scene)
         });
         Reading {
-            camera: self.draft.camera.as_ref().map(|(_, statement)| *statement),
+            camera: self.draft.camera.as_ref().map(|(_, [_, all])| *all),
+            objects: std::mem::take(&mut self.draft.starts),
             scene: (self.report.errors == 0).then(|| self.draft.into_scene()),
             findings: self.report.findings,
             messages: self.report.messages,

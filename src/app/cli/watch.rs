@@ -191,6 +191,8 @@ fn run_as(
         worker: Mutex::default(),
         wishes,
         preview: AtomicU32::new(painter::PREVIEW),
+        drawn: Mutex::default(),
+        picked: Mutex::default(),
     };
     let mut watch = Watch {
         painter,

@@ -1,22 +1,19 @@
 //! A worker process: draws pictures for the command that has started it ([`crate::app::worker`]).
 
+mod live;
+
 use super::draw::limits::{Limits, Watch};
 use super::draw::report::say;
 use super::kernel;
-use crate::app::worker::{
-    COMMAND, CameraReport, Draw, Live, Reply, Report, Request, read_message, write_message,
-};
-use crate::base::options::{
-    CancelToken, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
-};
+use crate::app::worker::{COMMAND, Draw, Reply, Report, Request, read_message, write_message};
+use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions};
-use crate::scene::camera::{Camera, View};
 use crate::{CompiledScene, RenderSession};
+use live::LiveScene;
 use std::any::Any;
 use std::io::{self, Stdout, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
 use std::process::{self, ExitCode};
 use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -290,17 +287,23 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
+        let report = |report| self.replies.send(&Reply::Report(report));
         let drawn = match draw.live {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
             Some(live) => {
-                let report = |report| self.replies.send(&Reply::Report(report));
                 let scene = LiveScene {
-                    path: draw.scene,
-                    live,
+                    input: live.input(draw.scene),
+                    session,
                     read: &read,
                     render: &render,
+                    listen: &listen,
                 };
-                scene.draw(session, &mut self.compiled, &listen, &report)
+                let scene = scene.compiled(&live, &mut self.compiled, &report);
+                if let (Some(pixel), Ok((scene, live))) = (live.pick, &scene) {
+                    report(Report::Picked(Box::new(live.picked(scene, pixel))));
+                    return Ok(Vec::new());
+                }
+                scene.and_then(|(scene, _)| scene.draw(&read, &render, &listen, session))
             }
         };
         let drawn = drawn.map_err(|Failure { .. }| None)?;
@@ -314,69 +317,6 @@ impl Worker {
         });
         encoded.collect()
     }
-}
-
-/// A live scene to draw.
-struct LiveScene<'a> {
-    path: PathBuf,
-    live: Live,
-    read: &'a ReadOptions,
-    render: &'a RenderOptions,
-}
-
-impl LiveScene<'_> {
-    /// Draws a picture, of the compiled scene if that is of the same text.
-    fn draw(
-        self,
-        session: &RenderSession,
-        compiled: &mut Option<(u64, CompiledScene)>,
-        listen: &EventHandler<'_>,
-        report: &dyn Fn(Report),
-    ) -> Result<Picture, Failure> {
-        let LiveScene {
-            path,
-            live,
-            read,
-            render,
-        } = self;
-        let camera = live.camera.as_deref().map(camera_of).transpose()?;
-        let mut known = compiled.take().filter(|(number, _)| *number == live.number);
-        let is_same = known
-            .as_mut()
-            .is_some_and(|(_, scene)| scene.set_camera(camera.as_ref(), render));
-        let scene = match known.filter(|_| is_same) {
-            Some((_, scene)) => scene,
-            None => {
-                let input = match live.text {
-                    None => Input::File(path),
-                    Some(text) => Input::Edited {
-                        path,
-                        text: text.into_bytes(),
-                    },
-                };
-                let scene = session.compile(&input, (read, render), camera, listen)?;
-                let size = (render.width, render.height);
-                let (x, y) = (f64::from(size.0 - 1) / 2.0, f64::from(size.1 - 1) / 2.0);
-                let hit = scene.hit_at(x, y, size).map(|hit| hit.point);
-                report(Report::Camera(CameraReport {
-                    view: View::of(scene.camera(), hit),
-                    statement: scene.camera_statement(),
-                }));
-                scene
-            }
-        };
-        let (_, scene) = compiled.insert((live.number, scene));
-        scene.draw(read, render, listen, session)
-    }
-}
-
-/// The camera of a statement.
-fn camera_of(statement: &str) -> Result<Camera, Failure> {
-    let input = Input::Text {
-        name: "the camera".to_owned(),
-        text: format!("#version 3.7;\n{statement}\n").into_bytes(),
-    };
-    crate::read(&input, &ReadOptions::default(), &|_| {}).map(|scene| scene.camera)
 }
 
 /// Standard output.

@@ -11,7 +11,8 @@ mod wire;
 
 pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{
-    CameraReport, Draw, Limit, Live, Reply, Report, Request, read_message, write_message,
+    CameraReport, Draw, Limit, Live, Picked, PickedSurface, Reply, Report, Request, read_message,
+    write_message,
 };
 
 /// The first argument of a worker process.

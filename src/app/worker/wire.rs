@@ -1,11 +1,12 @@
 //! Messages between a command and a worker: MessagePack, each behind its length in four bytes.
 
 use crate::base::options::{Event, ReadOptions, RenderOptions};
-use crate::base::source::{Dependency, Message};
+use crate::base::source::{Dependency, Location, Message};
 use crate::output::EncodeOptions;
 use crate::scene::camera::View;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::io::{self, Read, Write};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -61,6 +62,8 @@ pub(crate) struct Live {
     pub(crate) text: Option<String>,
     /// The statement of the camera, if it is not the scene's own.
     pub(crate) camera: Option<String>,
+    /// Column and row of a pixel that is reported on, instead of a picture.
+    pub(crate) pick: Option<(u32, u32)>,
 }
 
 /// A report of a worker that is no event of the scene.
@@ -70,6 +73,32 @@ pub(crate) enum Report {
     Weaker(String),
     /// A live scene has been compiled.
     Camera(CameraReport),
+    /// The pixel that was asked for.
+    Picked(Box<Picked>),
+}
+
+/// A pixel and the surface that the camera sees in its centre.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Picked {
+    pub(crate) column: u32,
+    pub(crate) row: u32,
+    /// The surface; `None` for the background.
+    pub(crate) surface: Option<PickedSurface>,
+    /// The rays traced for the pixel, by kind.
+    pub(crate) rays: BTreeMap<String, u64>,
+    /// The time to trace them in seconds.
+    pub(crate) seconds: f64,
+}
+
+/// A point of a surface, in the coordinates of the scene's text.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct PickedSurface {
+    pub(crate) point: [f64; 3],
+    /// The unit normal towards the camera, before any `normal` pattern.
+    pub(crate) normal: [f64; 3],
+    pub(crate) distance: f64,
+    /// The start of the object's statement, if it was found.
+    pub(crate) object: Option<Location>,
 }
 
 /// The camera of a scene, for those who move it.

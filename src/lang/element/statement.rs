@@ -62,7 +62,7 @@ impl Reader<'_> {
     pub(crate) fn statements(&mut self) {
         loop {
             match self.statement() {
-                Ok(true) => {}
+                Ok(true) => self.note_objects(),
                 Ok(false) => return,
                 Err(error) => {
                     let mut is_unbuilt =
@@ -88,6 +88,14 @@ impl Reader<'_> {
         }
     }
 
+    /// Notes the start of the statement for the objects that it has added.
+    fn note_objects(&mut self) {
+        if self.options.notes_objects {
+            let start = self.span_of(self.statement.start);
+            self.draft.starts.resize(self.draft.objects.len(), start);
+        }
+    }
+
     fn report(&mut self, error: Diagnostic) {
         let unended = self.statement.without_semicolon.take();
         if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
@@ -103,7 +111,9 @@ impl Reader<'_> {
         self.blocks.clear();
         self.statement.depth = 0;
         self.statement.has_faulty_directive = false;
-        self.take_literal_objects(&mut TopLevel)?;
+        if !self.options.notes_objects {
+            self.take_literal_objects(&mut TopLevel)?;
+        }
         let token = self.peek()?;
         self.statement.start = self.start_here();
         if token.kind == Kind::End {
@@ -115,8 +125,8 @@ impl Reader<'_> {
                 let at = self.taken_span();
                 let base = self.draft.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                let statement = at.to(self.taken_span());
-                if let Some((_, first)) = self.draft.camera.replace((camera, statement)) {
+                let spans = [at, at.to(self.taken_span())];
+                if let Some((_, [first, _])) = self.draft.camera.replace((camera, spans)) {
                     self.warning(
                         Diagnostic::warning(at, "more than one camera; the last one counts")
                             .with_label(first, "this one does not count"),

@@ -45,6 +45,10 @@ pub(super) struct Painter {
     pub(super) wishes: Arc<Wishes>,
     /// Side of a picture over side of its preview.
     pub(super) preview: AtomicU32,
+    /// The number of the scene in the last whole picture, with its camera.
+    pub(super) drawn: Mutex<Option<(u64, Option<View>)>>,
+    /// The number of the last pixel that was reported on.
+    pub(super) picked: Mutex<Option<u64>>,
 }
 
 /// A picture to draw.
@@ -80,10 +84,30 @@ impl Painter {
                 self.reporter.report(event);
             }
         };
-        let view = order.wish.1.view.as_ref();
+        let wish = &order.wish.1;
+        let view = wish.view.as_ref();
         let mut read = self.settings.read.clone();
-        order.wish.1.scene.declare(&mut read);
-        for render in self.passes() {
+        wish.scene.declare(&mut read);
+        let passes = self.passes();
+        let whole = passes.last().map(|render| (render.width, render.height));
+        let pick = wish
+            .pick
+            .filter(|pick| Some(pick.number) != *lock(&self.picked));
+        let pick = pick.zip(whole).map(|(pick, (width, height))| {
+            *lock(&self.picked) = Some(pick.number);
+            let [x, y] = pick.position;
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a part of the size of a picture"
+            )]
+            let pixel = [x * f64::from(width), y * f64::from(height)].map(|part| part as u32);
+            (pixel[0], pixel[1])
+        });
+        let is_drawn = *lock(&self.drawn) == Some((order.number, view.cloned()));
+        let work = pick.map(|pixel| (self.settings.render.clone(), Some(pixel)));
+        let passes = passes.into_iter().filter(|_| !(is_drawn && pick.is_some()));
+        for (render, pick) in work.into_iter().chain(passes.map(|render| (render, None))) {
             let is_preview = render.width < self.settings.render.width;
             let output = self.settings.output.as_ref();
             let output = output.filter(|_| !is_preview && view.is_none() && order.text.is_none());
@@ -92,10 +116,13 @@ impl Painter {
                 series: Some(usize::try_from(order.number).unwrap_or_default()),
                 read: read.clone(),
                 render,
-                files: [self.png()]
-                    .into_iter()
-                    .chain(output.map(|(_, options)| options.clone()))
-                    .collect(),
+                files: match pick {
+                    Some(_) => Vec::new(),
+                    None => [self.png()]
+                        .into_iter()
+                        .chain(output.map(|(_, options)| options.clone()))
+                        .collect(),
+                },
                 threads: None,
                 tells_output: true,
                 timeout: self.settings.timeout,
@@ -105,6 +132,7 @@ impl Painter {
                     number: order.number,
                     text: order.text.clone(),
                     camera: view.map(View::to_string),
+                    pick,
                 }),
             };
             let start = Instant::now();
@@ -124,6 +152,9 @@ impl Painter {
                     return;
                 }
             };
+            if pick.is_some() {
+                continue;
+            }
             let seconds = start.elapsed();
             let mut files = files.into_iter();
             self.show(
@@ -135,6 +166,7 @@ impl Painter {
                 self.adapt(seconds);
                 continue;
             }
+            *lock(&self.drawn) = Some((order.number, view.cloned()));
             if let (Some((target, _)), Some(bytes)) = (output, files.next())
                 && let Err(error) = output::put(&bytes, target)
             {
@@ -185,6 +217,7 @@ impl Painter {
         worker.draw(draw, listen, &|report| match report {
             Report::Weaker(lack) => kernel::warn(&[lack]),
             Report::Camera(camera) => self.wishes.take_camera(camera),
+            Report::Picked(picked) => self.shown.pick(*picked),
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::source::{self, Control};
 use super::wishes::Wishes;
+use crate::app::worker::Picked;
 use crate::base::sync::lock;
 use hyper::body::Bytes;
 use serde::Serialize;
@@ -44,6 +45,7 @@ struct State {
     /// Incremented by every new text.
     text: u64,
     controls: Vec<Control>,
+    picked: Option<Picked>,
     /// Finished pictures with their numbers, the latest last.
     history: VecDeque<(u64, Bytes)>,
 }
@@ -66,6 +68,8 @@ struct Event<'a> {
     /// The values in place of numbers: first byte and text.
     values: Vec<(usize, String)>,
     clock: Option<f64>,
+    /// The last pixel that was reported on.
+    picked: Option<&'a Picked>,
     history: Vec<u64>,
 }
 
@@ -102,6 +106,11 @@ impl Shown {
             state.text += 1;
             state.controls = controls;
         });
+    }
+
+    /// Shows the report on a pixel.
+    pub(super) fn pick(&self, picked: Picked) {
+        self.change(|state| state.picked = Some(picked));
     }
 
     /// Shows the current wishes.
@@ -172,6 +181,7 @@ impl State {
             controls: &self.controls,
             values: values.map(|(start, edit)| (start, edit.text)).collect(),
             clock: wish.scene.clock,
+            picked: self.picked.as_ref(),
             history: self.history.iter().map(|(number, _)| *number).collect(),
         };
         // Its maps have texts for keys.

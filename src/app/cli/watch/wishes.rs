@@ -24,6 +24,17 @@ pub(super) struct Wish {
     /// The camera, if it has been moved.
     pub(super) view: Option<View>,
     pub(super) scene: SceneWish,
+    /// The last pixel to report on.
+    pub(super) pick: Option<Pick>,
+}
+
+/// A pixel to report on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pick {
+    /// Different for each.
+    pub(super) number: u64,
+    /// Its position from the upper left corner, in parts of the picture.
+    pub(super) position: [f64; 2],
 }
 
 /// The wishes for which the scene has to be read again.
@@ -84,6 +95,8 @@ pub(super) enum Change {
     },
     Clock(Option<f64>),
     Cursor([f64; 3]),
+    /// Reports on a pixel.
+    Pick([f64; 2]),
     /// Takes the camera of the scene.
     ResetCamera,
     /// Takes the numbers of the text, and the clock of the command line.
@@ -159,7 +172,10 @@ impl Wishes {
         let mut state = lock(&self.state);
         let before = state.wish.clone();
         let State {
-            wish, text, own, ..
+            number,
+            wish,
+            text,
+            own,
         } = &mut *state;
         match change {
             Change::Move(movement) => {
@@ -197,6 +213,12 @@ impl Wishes {
                 let is_valid = cursor.iter().all(|number| number.abs() <= 1.0);
                 if is_used && is_valid {
                     wish.scene.cursor = Some(cursor);
+                }
+            }
+            Change::Pick(position) => {
+                if position.iter().all(|part| (0.0..1.0).contains(part)) {
+                    let number = *number + 1;
+                    wish.pick = Some(Pick { number, position });
                 }
             }
             Change::ResetCamera => wish.view = None,

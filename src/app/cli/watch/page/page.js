@@ -108,6 +108,7 @@ function show(now) {
   $('clock-value').textContent = (now.clock ?? 0).toFixed(2);
   showControls(now);
   showHistory(now);
+  showPixel(now.picked);
   if (before === null || before.text !== now.text) loadSource();
   else markNumbers();
   load();
@@ -222,6 +223,35 @@ function markNumbers() {
   }
 }
 
+// The pixel.
+let reported = '';
+function showPixel(picked) {
+  const key = JSON.stringify(picked);
+  if (picked === null || key === reported) return;
+  reported = key;
+  $('no-pixel').hidden = true;
+  const vector = numbers => `<${numbers.map(number => Number(number.toPrecision(6))).join(', ')}>`;
+  const { surface, rays } = picked;
+  const total = Object.values(rays).reduce((a, b) => a + b, 0);
+  const kinds = Object.entries(rays).filter(([, count]) => count).map(([kind, count]) => `${count} ${kind}`);
+  const rows = [['pixel', `${picked.column}, ${picked.row}`]];
+  if (surface) {
+    const { object } = surface;
+    rows.push(['object', object ? `${object.file}, line ${object.line}, column ${object.column}` : 'part of a larger one']);
+    rows.push(['point', vector(surface.point)], ['normal', vector(surface.normal)]);
+    rows.push(['distance', String(Number(surface.distance.toPrecision(6)))]);
+  } else {
+    rows.push(['object', 'none: the background']);
+  }
+  rows.push(['cost', `${total} rays (${kinds.join(', ')}), ${(picked.seconds * 1000).toFixed(2)} ms`]);
+  $('pixel').replaceChildren(...rows.flatMap(([name, text]) => {
+    const term = document.createElement('dt'), value = document.createElement('dd');
+    term.textContent = name;
+    value.textContent = text;
+    return [term, value];
+  }));
+}
+
 // History.
 let listed = '';
 function showHistory(now) {
@@ -253,6 +283,10 @@ function choose(number) {
 
 // The mouse and fingers.
 const fingers = new Map();
+/** Start of a press, as long as it may be a click. */
+let press = null;
+/** The largest movement of a click in pixels. */
+const CLICK = 3;
 const place = event => ({ x: event.clientX / canvas.clientWidth, y: event.clientY / canvas.clientHeight });
 function pair() {
   const [a, b] = [...fingers.values()];
@@ -263,6 +297,7 @@ canvas.addEventListener('pointerdown', event => {
   if (chosen !== null) choose(null);
   canvas.setPointerCapture(event.pointerId);
   fingers.set(event.pointerId, place(event));
+  press = event.button === 0 && fingers.size === 1 ? { x: event.clientX, y: event.clientY } : null;
   canvas.focus({ preventScroll: true });
 });
 canvas.addEventListener('pointermove', event => {
@@ -270,6 +305,8 @@ canvas.addEventListener('pointermove', event => {
   const before = fingers.get(event.pointerId);
   if (!before) return;
   const now = place(event);
+  if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= CLICK) return;
+  press = null;
   if (fingers.size === 2) {
     const from = pair();
     fingers.set(event.pointerId, now);
@@ -289,6 +326,8 @@ for (const end of ['pointerup', 'pointercancel']) {
   canvas.addEventListener(end, event => {
     fingers.delete(event.pointerId);
     cursor(event);
+    if (press && end === 'pointerup') pick(event);
+    press = null;
   });
 }
 canvas.addEventListener('contextmenu', event => event.preventDefault());
@@ -296,6 +335,10 @@ canvas.addEventListener('wheel', event => {
   event.preventDefault();
   move('zoom', Math.exp(-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 200) / 1000));
 }, { passive: false });
+function pick(event) {
+  const box = canvas.getBoundingClientRect();
+  change('pick', { pick: [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height] });
+}
 function cursor(event) {
   if (!document.getElementById('source').textContent.includes('live_cursor')) return;
   const box = canvas.getBoundingClientRect();
