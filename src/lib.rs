@@ -188,7 +188,7 @@ impl RenderSession {
             read,
             render,
             listen,
-            (self, Use::Several(camera)),
+            (self, Use::Several(camera.map(Box::new))),
             watch,
         )
     }
@@ -265,7 +265,7 @@ pub struct CompiledScene {
 enum Use {
     OnePicture,
     /// Several, the first of which is drawn with this camera or that of the scene.
-    Several(Option<Camera>),
+    Several(Option<Box<Camera>>),
 }
 
 /// A point of a surface that a camera sees, in the coordinates of the scene's text.
@@ -429,7 +429,7 @@ fn compile_with(
         let camera = match usage {
             Use::OnePicture => None,
             Use::Several(other) => {
-                let other = other.unwrap_or_else(|| scene.camera.clone());
+                let other = other.map_or_else(|| scene.camera.clone(), |other| *other);
                 let own = std::mem::replace(&mut scene.camera, other);
                 Some(SceneCamera {
                     camera: own,

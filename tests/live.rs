@@ -1,0 +1,339 @@
+//! `povr live` over HTTP: what a page asks for, and a server among clients that are slow, wrong or do nothing.
+
+#![cfg(unix)]
+
+mod support;
+
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+const TIME_LIMIT: Duration = Duration::from_secs(60);
+
+const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
+#declare Size = 1; // live: 0.5..2
+camera { location <0, 2, -6> look_at 0 angle 40 } // the camera
+light_source { <-4, 6, -8>, rgb 1 }
+sphere { 0, Size pigment { rgb <1, clock, 0> } }
+";
+
+/// A running `povr live`, killed on drop.
+struct Live {
+    child: Child,
+    address: String,
+    token: String,
+}
+
+impl Drop for Live {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Live {
+    fn start(folder: &Path, arguments: &[&str]) -> Live {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_povr"))
+            .current_dir(folder)
+            .args(["live", "s.pov", "+W160", "+H120", "+A0.3"])
+            .args(arguments)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("povr starts");
+        let mut lines = BufReader::new(child.stderr.take().expect("a pipe")).lines();
+        let mut lines_of = || lines.next().expect("more is said").expect("it is text");
+        let said = loop {
+            let line = lines_of();
+            if let Some((_, address)) = line.split_once("http://") {
+                break address.to_owned();
+            }
+        };
+        // All that is said is read, so that the pipe does not fill.
+        std::thread::spawn(move || lines.for_each(drop));
+        let (address, token) = said.split_once('/').expect("a path");
+        Live {
+            child,
+            address: address.to_owned(),
+            token: token.trim_end_matches('/').to_owned(),
+        }
+    }
+
+    /// The status and the body of the response to a request.
+    fn answer(&self, method: &str, path: &str, body: &str) -> (u16, Vec<u8>) {
+        let (address, token, length) = (&self.address, &self.token, body.len());
+        let mut stream = TcpStream::connect(address).expect("the server is there");
+        stream.set_read_timeout(Some(TIME_LIMIT)).expect("a limit");
+        write!(
+            stream,
+            "{method} /{token}/{path} HTTP/1.1\r\nHost: {address}\r\nContent-Length: {length}\r\n\r\n{body}"
+        )
+        .expect("it is asked");
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).expect("it answers");
+        let mut parts = bytes.splitn(2, |&byte| byte == b' ');
+        let status = parts
+            .nth(1)
+            .and_then(|rest| rest.get(..3))
+            .expect("a status");
+        let status = String::from_utf8_lossy(status).parse().expect("a number");
+        let end = bytes.windows(4).position(|window| window == b"\r\n\r\n");
+        (status, bytes[end.expect("a head") + 4..].to_vec())
+    }
+
+    /// Asks for a change; returns the status and the reason of a refusal.
+    fn change(&self, change: &Value) -> (u16, String) {
+        let (status, body) = self.answer("POST", "change", &change.to_string());
+        (status, String::from_utf8_lossy(&body).into_owned())
+    }
+
+    fn changes(&self, change: &Value) {
+        assert_eq!(self.change(change), (204, String::new()), "{change}");
+    }
+
+    /// The first state that passes a test.
+    fn state(&self, is_wanted: impl Fn(&Value) -> bool) -> Value {
+        let (address, token) = (&self.address, &self.token);
+        let mut stream = TcpStream::connect(address).expect("the server is there");
+        stream.set_read_timeout(Some(TIME_LIMIT)).expect("a limit");
+        write!(
+            stream,
+            "GET /{token}/events HTTP/1.1\r\nHost: {address}\r\n\r\n"
+        )
+        .expect("it is asked");
+        let start = Instant::now();
+        for line in BufReader::new(stream).lines() {
+            let line = line.expect("an event");
+            let Some(event) = line.strip_prefix("data: ") else {
+                continue;
+            };
+            let state: Value = serde_json::from_str(event).expect("a state");
+            if is_wanted(&state) {
+                return state;
+            }
+            assert!(start.elapsed() < TIME_LIMIT, "{state}");
+        }
+        panic!("the stream has ended");
+    }
+
+    /// The state with the next whole picture, that of a change.
+    fn picture_after(&self, change: &Value) -> (Value, Vec<u8>) {
+        let before = self.whole();
+        self.changes(change);
+        let state = self.state(|state| is_whole(state) && state["history"] != before["history"]);
+        (state, self.answer("GET", "picture.png", "").1)
+    }
+
+    fn whole(&self) -> Value {
+        self.state(is_whole)
+    }
+}
+
+fn is_whole(state: &Value) -> bool {
+    state["width"] == 160 && state["is_preview"] == false && state["errors"] == ""
+}
+
+fn write(folder: &Path, text: &str) {
+    fs::write(folder.join("s.pov"), text).expect("a file");
+}
+
+fn text(folder: &Path) -> String {
+    fs::read_to_string(folder.join("s.pov")).expect("a file")
+}
+
+/// The picture that `povr` draws of a text.
+fn drawn(text: &str, options: &[&str]) -> Vec<u8> {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(folder.path(), text);
+    let status = Command::new(env!("CARGO_BIN_EXE_povr"))
+        .current_dir(folder.path())
+        .args(["s.pov", "+W160", "+H120", "+A0.3", "-o", "s.png"])
+        .args(options)
+        .stderr(Stdio::null())
+        .status();
+    assert!(status.expect("povr runs").success());
+    fs::read(folder.path().join("s.png")).expect("a picture")
+}
+
+#[test]
+fn a_moved_camera_draws_the_picture_of_its_statement() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    let first = live.whole();
+    assert!(live.answer("GET", "picture.png", "").1 == drawn(SCENE, &[]));
+    assert_eq!(first["is_moved"], false);
+    for movement in [
+        json!({ "orbit": [0.1, -0.05] }),
+        json!({ "pan": [0.05, 0.1] }),
+        json!({ "zoom": 1.3 }),
+        json!({ "roll": 0.03 }),
+        json!({ "walk": [0.1, 0.0, 0.1] }),
+    ] {
+        let (state, picture) = live.picture_after(&json!({ "move": movement }));
+        let camera = state["camera"].as_str().expect("a statement");
+        let own = "camera { location <0, 2, -6> look_at 0 angle 40 }";
+        assert!(
+            picture == drawn(&SCENE.replace(own, camera), &[]),
+            "{movement}"
+        );
+    }
+    // It replaces its own statement, and nothing else.
+    let moved = live.whole();
+    let camera = moved["camera"].as_str().expect("a statement");
+    live.changes(&json!("write_camera"));
+    let written = text(here);
+    let (before, after) = SCENE.split_once("camera {").expect("a camera");
+    let after = after.split_once('}').expect("its end").1;
+    assert_eq!(written, format!("{before}{camera}{after}"));
+    let own = live.state(|state| is_whole(state) && state["is_moved"] == false);
+    assert_eq!(own["camera"], moved["camera"]);
+    // A camera that is changed in the file replaces one that has been moved.
+    live.changes(&json!({ "move": { "orbit": [0.1, 0.1] } }));
+    live.state(|state| is_whole(state) && state["is_moved"] == true);
+    write(here, SCENE);
+    let again = live.state(|state| is_whole(state) && state["camera"] == first["camera"]);
+    assert_eq!(again["is_moved"], false);
+}
+
+#[test]
+fn numbers_are_changed_and_written() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    let state = live.whole();
+    let control = &state["controls"][0];
+    assert_eq!(control["name"], "Size");
+    let value = |value: Value| json!({ "value": { "start": control["start"], "end": control["end"], "value": value } });
+    let (state, picture) = live.picture_after(&value(json!("1.5")));
+    let changed = SCENE.replace("Size = 1;", "Size = 1.5;");
+    assert!(picture == drawn(&changed, &[]));
+    assert_eq!(state["values"], json!([[control["start"], "1.5"]]));
+    assert_eq!(text(here), SCENE);
+    live.changes(&json!("write_values"));
+    assert_eq!(text(here), changed);
+    live.state(|state| is_whole(state) && state["values"] == json!([]));
+    let (_, picture) = live.picture_after(&json!({ "clock": 0.5 }));
+    assert!(picture == drawn(&changed, &["+K0.5"]));
+    // What is no number of the text is refused.
+    for (start, end, value) in [
+        (0, 4, "1"),
+        (50, 51, "1"),
+        (9, 12, "1; #fopen F \"x\" write"),
+        (9, 999, "1"),
+    ] {
+        let change = json!({ "value": { "start": start, "end": end, "value": value } });
+        assert_eq!(live.change(&change).0, 409, "{change}");
+    }
+    for wrong in [
+        json!(1),
+        json!({ "other": 1 }),
+        json!({ "move": { "orbit": [1] } }),
+    ] {
+        assert_eq!(live.change(&wrong).0, 400, "{wrong}");
+    }
+}
+
+#[test]
+fn a_file_that_has_changed_is_not_overwritten() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    live.whole();
+    live.changes(&json!({ "move": { "zoom": 2.0 } }));
+    let newer = format!("{SCENE}// newer\n");
+    // The server may see the new file first, and then it writes into that.
+    write(here, &newer);
+    let (status, _) = live.change(&json!("write_camera"));
+    assert!(status == 409 || status == 204);
+    assert!(text(here).ends_with("// newer\n"));
+}
+
+#[test]
+fn a_pixel_is_reported_on() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    live.whole();
+    live.changes(&json!({ "pick": [0.5, 0.5] }));
+    let state = live.state(|state| state["picked"] != Value::Null);
+    let picked = &state["picked"];
+    assert_eq!(
+        (&picked["column"], &picked["row"]),
+        (&json!(80), &json!(60))
+    );
+    let surface = &picked["surface"];
+    let (file, line) = (&surface["object"]["file"], &surface["object"]["line"]);
+    assert_eq!((file, line), (&json!("s.pov"), &json!(5)));
+    let distance = surface["distance"].as_f64().expect("a distance");
+    assert!((distance - (40f64.sqrt() - 1.0)).abs() < 1e-3, "{distance}");
+    assert!(picked["rays"]["camera"].as_u64().expect("a count") > 0);
+    live.changes(&json!({ "pick": [0.01, 0.01] }));
+    let state = live.state(|state| state["picked"]["column"] == 1);
+    assert_eq!(state["picked"]["surface"], Value::Null);
+}
+
+#[test]
+fn a_scene_answers_to_the_cursor() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    let scene = "#ifndef (live_cursor_x) #declare live_cursor_x = 0; #end\n";
+    let scene = format!("{scene}{SCENE}").replace("sphere { 0,", "sphere { live_cursor_x*x,");
+    write(here, &scene);
+    let live = Live::start(here, &[]);
+    let (_, picture) = live.picture_after(&json!({ "cursor": [0.75, 0.0, 1] }));
+    assert!(picture == drawn(&scene, &["Declare=live_cursor_x=0.75"]));
+}
+
+/// A server with many clients that do nothing or read nothing goes on with the others.
+#[test]
+fn clients_that_are_slow_or_wrong_do_not_stop_the_server() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    live.whole();
+    let (address, token) = (&live.address, &live.token);
+    let idle: Vec<TcpStream> = (0..200)
+        .map(|_| TcpStream::connect(address).expect("a connection"))
+        .collect();
+    let requests = [
+        format!("GET /{token}/picture.png HTTP/1.1\r\nHost: evil.example\r\n\r\n"),
+        format!(
+            "POST /{token}/change HTTP/1.1\r\nHost: {address}\r\nOrigin: http://evil.example\r\nContent-Length: 14\r\n\r\n\"write_camera\""
+        ),
+        format!("GET /{token}/events HTTP/1.1\r\nHost: {address}\r\n"),
+        format!(
+            "POST /{token}/change HTTP/1.1\r\nHost: {address}\r\nContent-Length: 999\r\n\r\n{{"
+        ),
+        format!(
+            "POST /{token}/change HTTP/1.1\r\nHost: {address}\r\nContent-Length: 99999999999\r\n\r\n"
+        ),
+        "\0\r\n\r\n".to_owned(),
+        format!("GET /{token}/events HTTP/1.1\r\nHost: {address}\r\n\r\n"),
+    ];
+    let others: Vec<TcpStream> = requests
+        .iter()
+        .flat_map(|request| std::iter::repeat_n(request, 10))
+        .map(|request| {
+            let mut stream = TcpStream::connect(address).expect("a connection");
+            stream.write_all(request.as_bytes()).expect("it is sent");
+            stream
+        })
+        .collect();
+    let start = Instant::now();
+    let (_, picture) = live.picture_after(&json!({ "move": { "zoom": 1.1 } }));
+    assert!(!picture.is_empty());
+    assert!(start.elapsed() < Duration::from_secs(40));
+    assert_eq!(text(here), SCENE);
+    drop((idle, others));
+}
