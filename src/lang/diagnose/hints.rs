@@ -430,17 +430,16 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     if let Some(translated) = other_dialects::translated(word.spelling(), false) {
         return Some(translated);
     }
+    let in_pigment = wanted.contains("in `pigment`");
     if let Some(block) = block_of(word)
-        && (wanted.starts_with("a modifier") || wanted.ends_with("`pigment`"))
+        && (wanted.starts_with("a modifier") || in_pigment)
         && !is_in(&format!("`{block}`"))
     {
-        return Some(match wanted.starts_with("a modifier") {
-            true => format!("`{word}` belongs in `{block} {{ }}`."),
-            false => {
-                format!(
-                    "`{word}` belongs in `{block} {{ }}`, beside this block: close it with `}}` first."
-                )
-            }
+        return Some(match in_pigment {
+            true => format!(
+                "`{word}` belongs in `{block} {{ }}`, beside this block: close it with `}}` first."
+            ),
+            false => format!("`{word}` belongs in `{block} {{ }}`."),
         });
     }
     if word.class() == Class::Color && is_in("`texture`") {
@@ -450,7 +449,7 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
         word,
         Word::Texture | Word::Pigment | Word::Normal | Word::Finish | Word::Interior
     );
-    if is_part && (is_in("`pigment`") || is_in("`finish` or `}`")) {
+    if is_part && (in_pigment || is_in("`finish` or `}`")) {
         return Some(format!(
             "`{word}` belongs beside this block, not in it: close it with `}}` first."
         ));

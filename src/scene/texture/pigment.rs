@@ -691,7 +691,7 @@ mod tests {
     fn brick_size_belongs_to_brick() {
         assert_eq!(
             error("{ checker rgb 1 rgb 0 brick_size 2 }"),
-            "expected a colour, a pattern or `}` in `pigment`, found `brick_size`"
+            "expected a modifier or `}` in `pigment`, found `brick_size`"
         );
     }
 
