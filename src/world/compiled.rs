@@ -135,6 +135,12 @@ impl World {
         self.summary.is_opaque || self.summary.opaque[hit.surface as usize]
     }
 
+    /// Returns true if hits within POV-Ray's minimum distances are left out.
+    #[must_use]
+    pub fn has_povray_distances(&self) -> bool {
+        self.least_distance == TMinRule::PovRay
+    }
+
     /// Returns true if no surface of an item is opaque; false if unknown.
     #[inline(never)]
     fn is_clear(&self, item: Item) -> bool {

@@ -94,7 +94,8 @@ impl Model {
             Item::Program(program) => self.packet_strategy(program) != PacketStrategy::Scalar,
             Item::Leaf(leaf) => {
                 let shape = &self.leaves[leaf as usize].shape;
-                shape.has_nearest_packet() || matches!(shape, Shape::Mesh(mesh) if mesh.is_patch())
+                shape.has_nearest_packet()
+                    || matches!(shape, Shape::Mesh(mesh) if mesh.suits_packets())
             }
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }

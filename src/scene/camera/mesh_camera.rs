@@ -161,11 +161,7 @@ impl MeshCamera {
             Method::Coordinates => self.at_coordinates(raster.coordinates())?,
             _ => {
                 let (mesh, face) = self.face(index, raster)?;
-                let corners = mesh.corners(face);
-                (
-                    (corners[0] + corners[1] + corners[2]) / 3.0,
-                    mesh.normal(face),
-                )
+                (mesh.centroid(face), mesh.normal(face))
             }
         };
         let normal = normal.try_normalize()?;

@@ -12,6 +12,7 @@
 use super::face_texture::{FaceTexture, TextureWeights};
 use super::mesh::attributes::{NO_TRIPLE, TexturesOf, TriangleAttributes, only};
 use super::mesh::build::{MeshBuilder, single_pair};
+use super::mesh::planes::FacePlane;
 use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::base::accel::Bvh;
@@ -29,7 +30,11 @@ use std::sync::{Arc, OnceLock};
 
 /// Triangles that share corners. Copies of the mesh share all of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mesh(Arc<Triangles>);
+pub struct Mesh {
+    triangles: Arc<Triangles>,
+    /// True if rays are intersected with POV-Ray's planes ([`planes`]).
+    has_povray_planes: bool,
+}
 
 /// The parts of a mesh for [`Mesh::from_lists`].
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,6 +67,8 @@ pub(super) struct Triangles {
     /// Texture coordinates and textures of triangles, if there are any.
     pub(super) attributes: Option<Box<TriangleAttributes>>,
     pub(super) inside: Option<Inside>,
+    /// POV-Ray's planes; from the start where they do not follow from the stored corners.
+    pub(super) planes: OnceLock<Vec<FacePlane>>,
     pub(super) bounds: Bounds,
     /// BVH over the triangles, built in [`Geometry::prepare`]: a mesh that is never traced needs none.
     pub(super) tree: OnceLock<Bvh>,
@@ -91,12 +98,16 @@ impl PartialEq for Triangles {
             && self.smooth == other.smooth
             && self.attributes == other.attributes
             && self.inside == other.inside
+            && self.planes.get() == other.planes.get()
     }
 }
 
 impl Mesh {
     pub(super) fn new(triangles: Triangles) -> Self {
-        Mesh(Arc::new(triangles))
+        Mesh {
+            triangles: Arc::new(triangles),
+            has_povray_planes: false,
+        }
     }
 
     /// A mesh of triangles by the indices of their vertices, without degenerate ones.
@@ -158,29 +169,42 @@ impl Mesh {
 
     /// The vertices, faces and attributes.
     pub(super) fn triangles(&self) -> &Triangles {
-        &self.0
+        &self.triangles
     }
 
     /// The BVH over the triangles.
     pub(crate) fn tree(&self) -> &Bvh {
-        self.0.tree()
+        self.triangles.tree()
     }
 
     /// The `inside_vector`; `None` if the mesh has no inside.
     #[must_use]
     pub fn inside_vector(&self) -> Option<DVec3> {
-        self.0.inside.map(|inside| inside.dir)
+        self.triangles.inside.map(|inside| inside.dir)
     }
 
     /// True if the mesh has no inside.
     pub(crate) fn is_patch(&self) -> bool {
-        self.0.inside.is_none()
+        self.triangles.inside.is_none()
+    }
+
+    /// Makes rays intersect the triangles of a patch as POV-Ray does ([`planes`]).
+    pub(crate) fn use_povray_planes(&mut self) {
+        self.has_povray_planes = self.is_patch();
+        if self.has_povray_planes {
+            self.triangles.fill_planes();
+        }
+    }
+
+    /// True if ray packets intersect its triangles: there is no inside, and none of POV-Ray's planes.
+    pub(crate) fn suits_packets(&self) -> bool {
+        self.is_patch() && !self.has_povray_planes
     }
 
     /// Intersects the whole line of a ray with a triangle of a patch; returns `t`.
     #[inline(always)]
     pub(crate) fn intersect_triangle(&self, frame: &RayFrame, face: u32) -> Option<f64> {
-        frame.hit(&self.0.corners(face)).map(|hit| hit.t)
+        frame.hit(&self.triangles.corners(face)).map(|hit| hit.t)
     }
 
     /// Intersects the whole lines of a ray packet with a triangle of a patch.
@@ -191,7 +215,7 @@ impl Mesh {
         rays: &RayFrames4,
         face: u32,
     ) -> TriangleHits4 {
-        let corners = &self.0.corners(face);
+        let corners = &self.triangles.corners(face);
         lanes.run(RaysAndTriangle { rays, corners })
     }
 
@@ -202,33 +226,38 @@ impl Mesh {
 
     /// Barycentric coordinates of a point of a triangle.
     fn weights(&self, point: DVec3, face: u32) -> [f64; 3] {
-        weights(&self.0.corners(face), self.normal(point, face), point)
+        weights(
+            &self.triangles.corners(face),
+            self.normal(point, face),
+            point,
+        )
     }
 
     /// Number of triangles, degenerate ones not counted.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.0.corners.len()
+        self.triangles.corners.len()
     }
 
     /// True if there are no triangles.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.0.corners.is_empty()
+        self.triangles.corners.is_empty()
     }
 
     /// Memory in bytes, shared by all copies.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let lists = self.0.vertices.capacity() + self.0.normals.capacity();
-        let triples = self.0.corners.capacity() + self.0.smooth.capacity();
+        let lists = self.triangles.vertices.capacity() + self.triangles.normals.capacity();
+        let triples = self.triangles.corners.capacity() + self.triangles.smooth.capacity();
         size_of::<Triangles>()
             + lists * size_of::<Vec3>()
             + triples * size_of::<[u32; 3]>()
-            + self.0.attributes.as_ref().map_or(0, |attributes| {
+            + self.triangles.planes.get().map_or(0, Vec::capacity) * size_of::<FacePlane>()
+            + self.triangles.attributes.as_ref().map_or(0, |attributes| {
                 size_of::<TriangleAttributes>() + attributes.bytes()
             })
-            + self.0.tree.get().map_or(0, Bvh::bytes)
+            + self.triangles.tree.get().map_or(0, Bvh::bytes)
     }
 }
 
@@ -473,11 +502,11 @@ fn root(t: f64, face: u32, crossing: Crossing) -> Root {
 
 impl Geometry for Mesh {
     fn prepare(&mut self) {
-        self.0.tree();
+        self.triangles.tree();
     }
 
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let mesh = &*self.0;
+        let mesh = &*self.triangles;
         let frame = RayFrame::new(ray);
         let first = roots.len();
         let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -499,32 +528,41 @@ impl Geometry for Mesh {
     }
 
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
-        let inside = self.0.inside.as_ref();
+        if self.has_povray_planes {
+            let (t, face) = self.triangles.first_on_planes(ray, to)?;
+            return (from < t).then(|| root(t, face, Crossing::Touch));
+        }
+        let inside = self.triangles.inside.as_ref();
         if inside.is_some_and(|inside| !inside.is_closed) {
             let mut roots = Vec::new();
             self.roots(ray, &mut roots);
             roots.retain(|root| root.face != face);
             return first_visible(&roots, from, to);
         }
-        let (t, hit) = self.0.first(ray, from, to, face)?;
-        let crossing = inside.map_or(Crossing::Touch, |_| self.0.crossing_after(ray, from, face));
+        let (t, hit) = self.triangles.first(ray, from, to, face)?;
+        let crossing = inside.map_or(Crossing::Touch, |_| {
+            self.triangles.crossing_after(ray, from, face)
+        });
         Some(root(t, hit, crossing))
     }
 
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
-        let [a, b, c] = self.0.corners(face);
+        if self.has_povray_planes {
+            return self.triangles.plane(face).normal.as_dvec3();
+        }
+        let [a, b, c] = self.triangles.corners(face);
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
         // With this winding `interior_texture` shows on the side where POV-Ray shows it.
         ((c - a) / size).cross((b - a) / size)
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        let inside = self.0.inside.as_ref();
-        inside.is_some_and(|inside| self.0.contains(point, inside))
+        let inside = self.triangles.inside.as_ref();
+        inside.is_some_and(|inside| self.triangles.contains(point, inside))
     }
 
     fn bounds(&self) -> Bounds {
-        self.0.bounds
+        self.triangles.bounds
     }
 
     fn absorb(&mut self, _: &Step) -> bool {
@@ -532,34 +570,34 @@ impl Geometry for Mesh {
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
-        let smooth = self.0.smooth.get(face as usize).copied();
+        let smooth = self.triangles.smooth.get(face as usize).copied();
         let smooth = smooth.filter(|smooth| *smooth != FLAT)?;
         let weights = self.weights(point, face);
-        let normals = smooth.map(|normal| self.0.normals[normal as usize].as_dvec3());
+        let normals = smooth.map(|normal| self.triangles.normals[normal as usize].as_dvec3());
         let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + weights[i] * normals[i]);
         (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
     fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
-        let Some(attributes) = &self.0.attributes else {
+        let Some(attributes) = &self.triangles.attributes else {
             return Some([0.0; 2]);
         };
         Some(attributes.uv(
             face,
-            self.0.corners[face as usize],
+            self.triangles.corners[face as usize],
             self.weights(point, face),
         ))
     }
 
     fn face_textures(&self) -> &[FaceTexture] {
-        self.0
+        self.triangles
             .attributes
             .as_ref()
             .map_or(&[], |attributes| &attributes.textures)
     }
 
     fn texture_weights(&self, point: DVec3, face: u32) -> TextureWeights {
-        match &self.0.attributes {
+        match &self.triangles.attributes {
             Some(attributes) => attributes.texture_weights(face, || self.weights(point, face)),
             None => TextureWeights::new(),
         }
@@ -570,7 +608,7 @@ impl Geometry for Mesh {
     }
 
     fn is_solid(&self) -> bool {
-        self.0.inside.is_some()
+        self.triangles.inside.is_some()
     }
 
     fn takes_hierarchy(&self) -> bool {
@@ -583,5 +621,6 @@ pub(super) mod build;
 pub(super) mod height_field;
 pub(super) mod instance;
 pub(super) mod mesh2;
+pub(super) mod planes;
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,7 @@ use crate::base::color::{Color, Rgb};
 use crate::base::options::RenderOptions;
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
-use crate::scene::shape::Geometry;
+use crate::scene::shape::{Geometry, Shape};
 use crate::world::compiled::{Globals, World};
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
@@ -110,6 +110,13 @@ impl World {
             uses_packets: false,
             streams: false,
         };
+        if world.has_povray_distances() {
+            for leaf in &mut world.model.leaves {
+                if let Shape::Mesh(mesh) = &mut leaf.shape {
+                    mesh.use_povray_planes();
+                }
+            }
+        }
         let (suited, _) = world.packet_programs(&world.bvh().unbounded);
         world.uses_packets = suited > 0;
         let (suited, others) = world.packet_programs(&world.bvh().bounded);

@@ -1,6 +1,7 @@
 //! Builds a mesh for tracing from the triangles of a scene.
 
 use super::attributes::{NO_TRIPLE, TexturesOf, TriangleAttributes, UvOf, retain};
+use super::planes::FacePlane;
 use super::{FLAT, Inside, Triangles};
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, rounding};
@@ -27,6 +28,10 @@ pub(crate) struct MeshBuilder {
     pub(crate) smooth: Vec<[u32; 3]>,
     pub(crate) inside: Option<DVec3>,
     pub(crate) attributes: TriangleAttributes,
+    /// The planes of triangles from the corners as they were given; none beyond its end.
+    planes: Vec<FacePlane>,
+    /// True if some corner was rounded.
+    is_rounded: bool,
     known_vertices: FxHashMap<[u32; 3], u32>,
     known_normals: FxHashMap<[u32; 3], u32>,
     known_uvs: FxHashMap<[u32; 2], u32>,
@@ -67,11 +72,9 @@ impl MeshBuilder {
     ) -> Result<(), String> {
         let mut indices = [0; 3];
         for (index, corner) in indices.iter_mut().zip(corners) {
-            *index = share(
-                single(corner)?,
-                &mut self.vertices,
-                &mut self.known_vertices,
-            );
+            let stored = single(corner)?;
+            self.is_rounded |= stored.as_dvec3() != corner;
+            *index = share(stored, &mut self.vertices, &mut self.known_vertices);
         }
         let smooth = normals.map_or(FLAT, |normals| {
             normals.map(|normal| {
@@ -80,6 +83,7 @@ impl MeshBuilder {
             })
         });
         self.smooth.push(smooth);
+        self.planes.push(FacePlane::new(corners));
         self.face(indices)
     }
 
@@ -215,6 +219,7 @@ impl MeshBuilder {
         for list in [&mut self.vertices, &mut self.normals] {
             list.shrink_to_fit();
         }
+        self.planes.shrink_to_fit();
         self.attributes.shrink();
         Triangles {
             vertices: self.vertices,
@@ -224,6 +229,10 @@ impl MeshBuilder {
             attributes: (self.attributes != TriangleAttributes::default())
                 .then(|| Box::new(self.attributes)),
             inside,
+            planes: match self.is_rounded {
+                true => OnceLock::from(self.planes),
+                false => OnceLock::new(),
+            },
             bounds: Bounds::EMPTY,
             tree: OnceLock::new(),
         }
@@ -244,6 +253,7 @@ impl MeshBuilder {
         }
         retain(&mut self.corners, &keep);
         retain(&mut self.smooth, &keep);
+        retain(&mut self.planes, &keep);
         self.attributes.retain(&keep);
     }
 

@@ -1,9 +1,7 @@
 //! A mesh with its transform, accessed triangle by triangle: for `mesh_camera`.
 
-use super::build::single_normal;
 use super::{FLAT, Mesh};
 use crate::base::math::Transform;
-use crate::scene::shape::Geometry;
 use glam::{DVec2, DVec3};
 
 /// A mesh and its transform to the world.
@@ -45,12 +43,20 @@ impl MeshInstance {
         })
     }
 
-    /// The normal of the plane of a triangle in the world, of any length; rounded to single precision before the
-    /// transform, as in POV-Ray.
+    /// The centroid of a triangle in the world; computed in single precision before the transform, as in POV-Ray.
+    #[must_use]
+    pub fn centroid(&self, face: usize) -> DVec3 {
+        let triangles = self.mesh.triangles();
+        let [a, b, c] = triangles.corners[face].map(|corner| triangles.vertices[corner as usize]);
+        let centroid = ((a + b + c) / 3.0).as_dvec3();
+        self.transform.world_from_object.transform_point3(centroid)
+    }
+
+    /// The normal of the plane of a triangle in the world, of any length.
     #[must_use]
     pub fn normal(&self, face: usize) -> DVec3 {
         let number = u32::try_from(face).unwrap_or(u32::MAX);
-        let normal = single_normal(self.mesh.normal(DVec3::ZERO, number));
+        let normal = self.mesh.triangles().plane(number).normal;
         self.transform.normal(normal.as_dvec3())
     }
 

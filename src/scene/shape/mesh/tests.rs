@@ -79,7 +79,7 @@ fn a_mesh_without_an_inside_is_a_patch() {
 fn a_closed_mesh_with_an_inside_is_a_solid() {
     for inside in ["inside_vector <0,1,0>", "inside_vector <0.3,-0.2,5>"] {
         let sphere = dented_sphere(7, 11, inside);
-        assert!(sphere.is_solid() && sphere.0.inside.unwrap().is_closed);
+        assert!(sphere.is_solid() && sphere.triangles.inside.unwrap().is_closed);
         solid(&sphere);
     }
 }
@@ -121,7 +121,7 @@ fn rays_through_corners_and_edges_cross_a_solid_an_even_number_of_times() {
     let sphere = dented_sphere(8, 10, "inside_vector <0,1,0>");
     let mut rng = check::Random::new(5);
     for at in 0..sphere.len() {
-        let corners = sphere.0.corners(u32::try_from(at).unwrap());
+        let corners = sphere.triangles.corners(u32::try_from(at).unwrap());
         for target in [corners[0], corners[1].lerp(corners[2], 0.5)] {
             for origin in [rng.vector(3.0), target - 4.0 * DVec3::X, DVec3::ZERO] {
                 let mut roots = Vec::new();
@@ -159,7 +159,7 @@ fn a_ray_misses_the_triangle_it_leaves_but_not_its_neighbours() {
 fn an_open_mesh_is_inside_only_between_its_surfaces() {
     // A roof without a floor: a ray from below crosses one triangle.
     let roof = mesh("triangle { <-1,1,-1>, <1,1,-1>, <0,0,1> } inside_vector <0,1,0>");
-    assert!(roof.is_solid() && !roof.0.inside.unwrap().is_closed);
+    assert!(roof.is_solid() && !roof.triangles.inside.unwrap().is_closed);
     let mut roots = Vec::new();
     roof.roots(&Ray::new(DVec3::new(0.0, 4.0, 0.0), -DVec3::Y), &mut roots);
     assert_eq!(roots.len(), 1);
@@ -172,9 +172,9 @@ fn an_open_mesh_is_inside_only_between_its_surfaces() {
 fn corners_are_single_precision_and_shared() {
     let pair =
         mesh("triangle { <0.1,0,0>, <1,0,0>, <0,1,0> } triangle { <0.1,0,0>, <-0,1,0>, <0,0,1> }");
-    assert_eq!(pair.0.vertices.len(), 4);
+    assert_eq!(pair.triangles.vertices.len(), 4);
     assert_eq!(pair.bounds().min, DVec3::ZERO);
-    assert_eq!(pair.0.corners(0)[0].x, f64::from(0.1_f32));
+    assert_eq!(pair.triangles.corners(0)[0].x, f64::from(0.1_f32));
 }
 
 #[test]
@@ -205,8 +205,8 @@ fn mesh2_takes_normals_by_their_own_indices_or_those_of_the_corners() {
     let partial = mesh2(&format!(
         "{TETRAHEDRON} {normals} face_indices {{ 2, <0,1,3>, <0.2,1.9,2> }} normal_indices {{ 1, <0,1,2> }}"
     ));
-    assert_eq!(partial.0.smooth, [[0, 1, 2], FLAT]);
-    assert_eq!(partial.0.corners, [[0, 1, 3], [0, 1, 2]]);
+    assert_eq!(partial.triangles.smooth, [[0, 1, 2], FLAT]);
+    assert_eq!(partial.triangles.corners, [[0, 1, 3], [0, 1, 2]]);
 }
 
 #[test]
@@ -216,8 +216,8 @@ fn degenerate_triangles_are_dropped_with_their_normals() {
         "{TETRAHEDRON} {normals} uv_vectors {{ 1, <0,0> }} face_indices {{ 3, <0,1,1>, <0,1,2>, <3,3,3> }}
         normal_indices {{ 3, <0,0,0>, <0,1,2>, <0,1,0> }} uv_indices {{ 3, <0,0,0>, <0,0,0>, <0,0,0> }}"
     ));
-    assert_eq!(mesh.0.corners, [[0, 1, 2]]);
-    assert_eq!(mesh.0.smooth, [[0, 1, 2]]);
+    assert_eq!(mesh.triangles.corners, [[0, 1, 2]]);
+    assert_eq!(mesh.triangles.smooth, [[0, 1, 2]]);
     let none = mesh2(&format!("{TETRAHEDRON} face_indices {{ 1, <0,1,1> }}"));
     assert!(none.is_empty() && none.bounds().is_empty());
 }
@@ -412,7 +412,11 @@ fn triangles_have_textures_of_their_own() {
 #[test]
 fn absent_attributes_take_no_memory() {
     let bare = mesh("triangle { <0,0,0>, <1,0,0>, <0,1,0> }");
-    assert!(bare.0.attributes.is_none() && bare.0.smooth.is_empty() && bare.0.normals.is_empty());
+    assert!(
+        bare.triangles.attributes.is_none()
+            && bare.triangles.smooth.is_empty()
+            && bare.triangles.normals.is_empty()
+    );
 }
 
 #[test]
@@ -449,8 +453,8 @@ fn lists_make_the_mesh_of_their_text() {
     };
     let textured = Mesh::from_lists(&textured);
     let textured = textured.unwrap();
-    assert_eq!(textured.0.corners, [[0, 1, 2], [1, 2, 3]]);
-    let attributes = textured.0.attributes.as_ref().unwrap();
+    assert_eq!(textured.triangles.corners, [[0, 1, 2], [1, 2, 3]]);
+    let attributes = textured.triangles.attributes.as_ref().unwrap();
     assert_eq!(attributes.textures_of, TexturesOf::One(vec![u32::MAX, 0]));
     let wrong = [
         MeshLists {

@@ -237,12 +237,12 @@ impl World {
         self.mesh_of_leaf(number)
     }
 
-    /// A leaf, if it is a mesh without an inside.
+    /// A leaf, if it is a mesh that packets intersect.
     #[inline(always)]
     pub(in crate::world) fn mesh_of_leaf(&self, number: u32) -> Option<MeshQuery<'_>> {
         let leaf = &self.model.leaves[number as usize];
         match &leaf.shape {
-            Shape::Mesh(mesh) if mesh.is_patch() => Some(MeshQuery { number, leaf, mesh }),
+            Shape::Mesh(mesh) if mesh.suits_packets() => Some(MeshQuery { number, leaf, mesh }),
             _ => None,
         }
     }
