@@ -296,7 +296,8 @@ impl Default for Antialias {
 /// The rule for the smallest hit distance of rays that leave a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TMinRule {
-    /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length.
+    /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length. Pictures
+    /// with POV-Ray's random numbers follow [`TMinRule::PovRay`] all the same: a ray more or less would shift them.
     #[default]
     Rounding,
     /// POV-Ray's 1/10000 of a unit, 1/1000 for shadow rays: thinner objects are lost, as in POV-Ray. Shows if two
@@ -312,7 +313,8 @@ pub enum RandomOrder {
     /// larger ones each pixel has a random sequence of its own, so that all threads can render.
     #[default]
     BySize,
-    /// In sequence, as POV-Ray with one thread: the numbers are POV-Ray's, but only one thread renders.
+    /// In sequence, as POV-Ray with one thread: the numbers are POV-Ray's, but only one thread renders. Rays follow
+    /// [`TMinRule::PovRay`].
     PovRay,
 }
 

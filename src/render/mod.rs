@@ -24,9 +24,7 @@ use radiosity_pass::RadiosityPass;
 use shade::{BLOCK, BlockScratch, Sample, Tracer};
 use std::ops::Range;
 pub use tiles::Drawn;
-use tiles::{
-    Canvas, DrawnTile, MIN_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, draws_in_order, tiles_of,
-};
+use tiles::{Canvas, DrawnTile, MIN_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, tiles_of};
 
 /// Pixels of a tile, row by row, and the rays traced for them.
 type Pixels = (Vec<Pixel>, RayCounts);
@@ -70,7 +68,9 @@ pub fn render(
             ..drawn
         };
     }
-    let mut in_order = draws_in_order(world, options).then(sequential_scratch);
+    let mut in_order = world
+        .draws_in_order(options)
+        .then(|| sequential_scratch(world));
     // A tile of an earlier run does not record the radiosity samples it added, nor the random numbers it consumed.
     let checkpoint = checkpoint.filter(|_| radiosity_pass.is_none() && in_order.is_none());
     let gathers = radiosity_pass.is_some();
@@ -123,9 +123,9 @@ pub fn render(
 }
 
 /// Scratch memory for rendering in order, with one continuing stream of random numbers.
-fn sequential_scratch() -> BlockScratch {
+fn sequential_scratch(world: &World) -> BlockScratch {
     let mut scratch = BlockScratch::default();
-    scratch.single().random.continues = true;
+    scratch.single().begin_order(world);
     scratch
 }
 

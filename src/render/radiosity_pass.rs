@@ -32,9 +32,14 @@ impl RadiosityPass {
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
-        scratch.single().random.continues = super::tiles::draws_in_order(world, options);
+        let in_order = world.draws_in_order(options);
+        if in_order {
+            scratch.single().begin_order(world);
+        }
         pretrace(tracer, options, scratch.single());
-        scratch.single().random.restart();
+        if in_order {
+            scratch.single().begin_order(world);
+        }
         let rays = scratch.take_rays();
         let mut pretraced = 0;
         if let Some(session) = &mut scratch.single().radiosity {

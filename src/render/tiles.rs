@@ -4,7 +4,7 @@ use super::photon_pass::PhotonPass;
 use super::shade::BlockScratch;
 use crate::base::film::{Film, Levels, Pixel, Quantizer};
 use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions};
-use crate::world::{RayCounts, World};
+use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -146,9 +146,4 @@ pub(super) fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
             })
         })
         .collect()
-}
-
-/// True if pixels are rendered one after the other because the picture depends on the random-number stream.
-pub(super) fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
-    options.uses_sequential_random() && world.uses_random()
 }

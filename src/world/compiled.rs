@@ -141,6 +141,13 @@ impl World {
         self.least_distance == TMinRule::PovRay
     }
 
+    /// Returns true if all surfaces of an item are opaque; false if unknown.
+    pub(super) fn is_all_opaque(&self, item: Item) -> bool {
+        let is_opaque = |leaf: &Leaf| self.summary.opaque[leaf.surface as usize];
+        let leaves = self.leaves_of(item);
+        self.summary.is_opaque || leaves.is_some_and(|leaves| leaves.iter().all(is_opaque))
+    }
+
     /// Returns true if no surface of an item is opaque; false if unknown.
     #[inline(never)]
     fn is_clear(&self, item: Item) -> bool {

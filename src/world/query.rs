@@ -1,5 +1,6 @@
 //! Ray queries, and the buffers that a thread reuses between them.
 
+pub(super) mod blocker_memory;
 pub(super) mod closest;
 mod instance;
 pub(super) mod intersect;
@@ -11,6 +12,7 @@ pub(super) mod transmission;
 
 use super::csg::sweep::{RawHit, Sweep};
 use super::model::IndexedItem;
+use super::query::blocker_memory::BlockerMemory;
 use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;
 use super::query::ray_counts::RayCounts;
@@ -28,6 +30,8 @@ pub struct QueryScratch {
     pub(super) roots: Vec<Root>,
     /// For each light, the item that last blocked a shadow ray to it.
     pub(super) blockers: SmallVec<[Option<IndexedItem>; 8]>,
+    /// POV-Ray's memory of blockers, if shadow rays are traced in its order.
+    pub memory: Option<Box<BlockerMemory>>,
     pub(super) bundle: Bundle,
     pub(super) bests: Vec<Option<ClosestHit>>,
     pub(super) ray_stream: RayStream,

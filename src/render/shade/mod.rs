@@ -266,6 +266,7 @@ impl<'w> Tracer<'w> {
         scratch: &mut Scratch,
     ) -> Sample {
         let mut passed: SmallVec<[PassedSurface; 4]> = SmallVec::new();
+        let was_first = scratch.query.set_first(path.level == 0);
         let end = loop {
             if !self.is_above_bailout(path.level, path.weight, path.irradiance_depth)
                 || passed.len() == MAX_STRAIGHT
@@ -323,6 +324,7 @@ impl<'w> Tracer<'w> {
             path.weight *= transmission.weight;
             path.inside = transmission.inside;
         };
+        scratch.query.set_first(was_first);
         passed.iter().rev().fold(end, |behind, here| {
             let seen = Sample {
                 rgb: here.rgb + here.factor * behind.rgb + here.reflected,

@@ -5,7 +5,7 @@ use crate::base::color::Rgb;
 use crate::base::math::sampling::mersenne::Stream;
 use crate::render::photons::Near;
 use crate::render::radiosity::Session;
-use crate::world::{QueryScratch, ShadowPacket4};
+use crate::world::{BlockerMemory, QueryScratch, ShadowPacket4, World};
 
 /// Per-thread state of tracing.
 #[derive(Debug, Default)]
@@ -14,6 +14,8 @@ pub struct Scratch {
     pub query: QueryScratch,
     /// The random numbers of the current sample.
     pub random: RandomStreams,
+    /// What the rays of irradiance samples hand on to later ones, in POV-Ray's order.
+    pub(super) gathering: Option<Box<GatheringState>>,
     /// The samples of the current area light.
     pub(super) area: AreaScratch,
     /// Recursion depth: the surfaces whose shading waits for the current ray.
@@ -35,10 +37,15 @@ pub struct RandomStreams {
     pub(super) crand: u32,
     /// For subsurface light.
     pub(super) subsurface: SubsurfaceStreams,
-    /// The same for rays of irradiance samples, where random numbers continue.
-    gathering: SubsurfaceStreams,
     /// If true, random numbers continue from sample to sample instead of restarting.
     pub continues: bool,
+}
+
+/// Random numbers and the memory of blockers that all rays of irradiance samples share.
+#[derive(Debug)]
+pub(super) struct GatheringState {
+    random: RandomStreams,
+    memory: Option<Box<BlockerMemory>>,
 }
 
 /// Buffers for the samples of an area light.
@@ -57,36 +64,29 @@ impl Scratch {
         let session = self.radiosity.as_ref();
         self.random.continues || session.is_some_and(|session| session.order_dependent())
     }
-}
 
-impl RandomStreams {
-    /// Sets the streams aside while the rays of an irradiance sample use their own.
-    pub(super) fn set_aside(&mut self, irradiance_depth: usize) -> RandomStreams {
-        let before = *self;
-        if self.continues && irradiance_depth == 0 {
-            self.subsurface = self.gathering;
-        }
-        before
+    /// Starts to trace in POV-Ray's order, or starts again: random numbers continue from sample to sample, and what blocks a
+    /// light is remembered if the world has POV-Ray's distances.
+    pub fn begin_order(&mut self, world: &World) {
+        let memory = || world.has_povray_distances().then(Box::default);
+        let random = RandomStreams {
+            continues: true,
+            ..RandomStreams::default()
+        };
+        self.random = random;
+        self.query.memory = memory();
+        self.gathering = Some(Box::new(GatheringState {
+            random,
+            memory: memory(),
+        }));
     }
 
-    /// Resumes the streams that were set aside. Where random numbers continue, all rays of irradiance samples share one
-    /// set of streams for subsurface light.
-    pub(super) fn resume(&mut self, before: RandomStreams, irradiance_depth: usize) {
-        let used = self.subsurface;
-        *self = before;
-        match irradiance_depth {
-            _ if !self.continues => {}
-            0 => self.gathering = used,
-            _ => self.subsurface = used,
+    /// Turns to what the rays of irradiance samples hand on to later ones, and back. Changes nothing outside of
+    /// POV-Ray's order.
+    pub(super) fn swap_gathering(&mut self) {
+        if let Some(gathering) = &mut self.gathering {
+            std::mem::swap(&mut self.random, &mut gathering.random);
+            std::mem::swap(&mut self.query.memory, &mut gathering.memory);
         }
-    }
-
-    /// Restarts all streams.
-    pub fn restart(&mut self) {
-        self.lights = Stream::default();
-        self.media = Stream::default();
-        self.crand = 0;
-        self.subsurface = SubsurfaceStreams::default();
-        self.gathering = SubsurfaceStreams::default();
     }
 }

@@ -4,10 +4,20 @@
 //! all earlier draws. With one thread its pictures are reproducible. Scenes in which that matters are rendered here in
 //! the same order, by one thread, whatever the thread count.
 
-use crate::scene::interior::{PreparedMedia, Sampling};
+use crate::base::options::{RenderOptions, Sampling};
+use crate::scene::interior::{self, PreparedMedia};
 use crate::world::compiled::World;
 
 impl World {
+    /// Returns true if pixels are rendered one after the other, because the picture depends on the sequence of random
+    /// numbers.
+    #[must_use]
+    pub fn draws_in_order(&self, options: &RenderOptions) -> bool {
+        options.uses_sequential_random()
+            && !matches!(options.sampling, Sampling::Adaptive(_))
+            && self.uses_random()
+    }
+
     /// Returns true if random numbers affect the picture: in lights, grain, rainbows, media or subsurface light.
     #[must_use]
     pub fn uses_random(&self) -> bool {
@@ -26,7 +36,7 @@ impl World {
 
 /// Returns true if the positions or the number of a medium's samples are random.
 fn is_sampled_randomly(media: &PreparedMedia) -> bool {
-    let Sampling {
+    let interior::Sampling {
         method,
         jitter,
         samples: [least, most],

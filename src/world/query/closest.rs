@@ -23,7 +23,7 @@ use smallvec::SmallVec;
 pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;
 /// POV-Ray's minimum hit distances, in scene units: for shadow rays and for all other rays.
 pub(in crate::world) const POV_RAY_SHADOW: f64 = 1e-3;
-const POV_RAY_T_MIN: f64 = 1e-4;
+pub(in crate::world) const POV_RAY_T_MIN: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
@@ -448,8 +448,8 @@ impl World {
             // picture.
             (_, RayKind::Radiosity) => POV_RAY_T_MIN,
             (TMinRule::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
-            (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW,
-            (TMinRule::PovRay, _) => POV_RAY_T_MIN,
+            (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW * self.globals.unit,
+            (TMinRule::PovRay, _) => POV_RAY_T_MIN * self.globals.unit,
         }
     }
 

@@ -71,7 +71,7 @@ impl World {
     pub fn shadow_t_max(&self, centre: DVec3, distance: f64) -> f64 {
         match self.least_distance {
             TMinRule::Rounding => distance - BLUR * centre.abs().max_element().max(distance),
-            TMinRule::PovRay => distance - POV_RAY_SHADOW,
+            TMinRule::PovRay => distance - POV_RAY_SHADOW * self.globals.unit,
         }
     }
 
@@ -83,7 +83,7 @@ impl World {
         for (reach, size) in reach.iter_mut().zip(size) {
             *reach -= match self.least_distance {
                 TMinRule::Rounding => BLUR * size,
-                TMinRule::PovRay => POV_RAY_SHADOW,
+                TMinRule::PovRay => POV_RAY_SHADOW * self.globals.unit,
             };
         }
         reach
@@ -123,7 +123,10 @@ impl World {
     ) -> Occlusion {
         with_widest(
             #[inline(always)]
-            |lanes| self.find_occlusion(lanes, query, light, scratch),
+            |lanes| match scratch.memory.is_some() {
+                true => self.occlusion_by_memory(lanes, query, light, scratch),
+                false => self.find_occlusion(lanes, query, light, scratch),
+            },
         )
     }
 

@@ -139,7 +139,7 @@ impl Tracer<'_> {
             .area
             .light
             .resize(columns as usize * rows as usize, None);
-        area_light.hits = self.packet_for(area_light);
+        area_light.hits = self.packet_for(area_light, scratch);
         if area_light.hits.is_some() {
             let first = area_light.area.initial_grid_lights();
             self.sample_grid(area_light, first, scratch);
@@ -157,12 +157,14 @@ impl Tracer<'_> {
     }
 
     /// The shading point in all four lanes, if shadow rays can be traced as packets. Not with jitter, which moves grid
-    /// lights on every query, nor in media, which draw random numbers: both follow POV-Ray's order.
-    fn packet_for(&self, area_light: &AreaLight) -> Option<HitPacket4> {
+    /// lights on every query, nor in media, which draw random numbers, nor with a memory of blockers: all three follow
+    /// POV-Ray's order.
+    fn packet_for(&self, area_light: &AreaLight, scratch: &Scratch) -> Option<HitPacket4> {
         let lights = &self.world.lights;
         let spawn_surface = area_light.lit.spawn_surface?;
         let is_fit = !area_light.area.has_jitter
             && !self.features.has_media
+            && scratch.query.memory.is_none()
             && !area_light.light.is_shadowless()
             && !lights.is_projected(area_light.light_index)
             && self.world.can_bundle_from_point();

@@ -97,7 +97,10 @@ impl Tracer<'_> {
             nearest: MISS_DISTANCE * self.world.globals.unit,
             to_nearest: DVec3::ZERO,
         };
-        let random = scratch.random.set_aside(depth);
+        let random = scratch.random;
+        if depth == 0 {
+            scratch.swap_gathering();
+        }
         if self.is_parallel(depth, count, scratch) {
             self.trace_in_parallel(
                 irradiance_point,
@@ -115,7 +118,12 @@ impl Tracer<'_> {
                 );
             }
         }
-        scratch.random.resume(random, depth);
+        if depth == 0 {
+            scratch.swap_gathering();
+        }
+        if !random.continues {
+            scratch.random = random;
+        }
         let eye = self.world.camera.location().distance(cache_query.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
         let sample = IrradianceSample {
@@ -139,7 +147,7 @@ impl Tracer<'_> {
             && count >= MIN_PARALLEL_RAYS
             && session.is_some_and(|session| session.mode == Mode::Store)
             && rayon::current_num_threads() > 1
-            && !(self.subsurface.is_some() && scratch.random.continues)
+            && !scratch.random.continues
     }
 
     /// Traces all rays of a sample in parallel.
@@ -215,12 +223,12 @@ impl Tracer<'_> {
                 session.notes.begin();
             }
         }
-        // Every ray seeds its own random numbers, or they would depend on the rays before it.
-        let seed = cache_query.point.x + cache_query.point.y + cache_query.point.z;
-        scratch.random.lights = Stream::of_sample(f64::from(number), seed);
-        scratch.random.media = scratch.random.lights;
-        scratch.random.crand = seed_of_sample(f64::from(number), seed);
+        // Every ray seeds its own random numbers, unless these depend on the rays before it.
         if !scratch.random.continues {
+            let seed = cache_query.point.x + cache_query.point.y + cache_query.point.z;
+            scratch.random.lights = Stream::of_sample(f64::from(number), seed);
+            scratch.random.media = scratch.random.lights;
+            scratch.random.crand = seed_of_sample(f64::from(number), seed);
             scratch.random.subsurface = SubsurfaceStreams::of_seed(scratch.random.crand);
         }
         let path = Path {
