@@ -378,7 +378,7 @@ impl NewEnds {
 
     /// Calls `visit` with each ray that has a new end, and that end.
     #[inline(always)]
-    pub(super) fn each(&self, mut visit: impl FnMut(usize, f64)) {
+    pub(crate) fn each(&self, mut visit: impl FnMut(usize, f64)) {
         for lane in (0..LANES).filter(|lane| self.lanes >> lane & 1 == 1) {
             visit(lane, self.ends[lane]);
         }

@@ -1,10 +1,10 @@
 //! Atmosphere along a ray outside of solid objects: media, rainbows and fog.
 
-use super::{InteriorStack, Path, Sample, Tracer};
+use super::{Path, Sample, Tracer};
 use crate::base::math::Ray;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::{MISS_DISTANCE, Tint, combined_tint, mean_tint};
-use crate::world::LightList;
+use crate::world::{InteriorId, LightList};
 
 /// Attenuation and in-scattered light along a ray, in the order in which they apply.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +79,7 @@ impl Tracer<'_> {
     }
 
     /// Returns true if no solid object is around a ray.
-    pub(super) fn is_outside_solids(&self, inside: &InteriorStack) -> bool {
+    pub(super) fn is_outside_solids(&self, inside: &[InteriorId]) -> bool {
         let interiors = &self.world.interiors;
         inside.iter().all(|&id| interiors.is_hollow(id))
     }

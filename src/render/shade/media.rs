@@ -14,7 +14,7 @@ use crate::base::math::sampling::chi_square::chi_square;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::Tint;
 use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
-use crate::world::LightList;
+use crate::world::{InteriorId, LightList};
 use glam::DVec3;
 pub(super) use intervals::{LightBeam, MediaInterval, common_sampling, parts_of, subdivided};
 use scattering::MediaPoints;
@@ -105,7 +105,7 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         length: f64,
-        inside: &InteriorStack,
+        inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
         if !self.is_outside_solids(inside) {

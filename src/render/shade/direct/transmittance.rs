@@ -85,26 +85,26 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let (query, light) = (&shadow_path.query, shadow_path.light);
-        let source = self.world.lights.get(light);
-        let by_media = self.is_attenuated_by_media(source);
-        let is_attenuated = self.is_attenuated_by_atmosphere(light);
-        match shadow_path
-            .known
-            .unwrap_or_else(|| self.world.occlusion(query, light, &mut scratch.query))
-        {
-            Occlusion::Clear if !is_attenuated => return arriving,
-            Occlusion::Opaque => return Rgb::BLACK,
+        let occlusion = match shadow_path.known {
             // Packet queries do not record the transparent hits.
-            Occlusion::Clear | Occlusion::Transmissive if shadow_path.known.is_some() => {
-                let occlusion = self
-                    .world
-                    .occlusion_unrecorded(query, light, &mut scratch.query);
-                if occlusion == Occlusion::Opaque {
-                    return Rgb::BLACK;
-                }
+            Some(Occlusion::Transmissive) => {
+                self.world
+                    .occlusion_unrecorded(query, light, &mut scratch.query)
             }
-            Occlusion::Clear | Occlusion::Transmissive => {}
+            Some(known) => known,
+            None => self.world.occlusion(query, light, &mut scratch.query),
+        };
+        let length = shadow_path.distance;
+        match occlusion {
+            Occlusion::Clear => {
+                let inside = shadow_path.inside;
+                return self
+                    .through_atmosphere(arriving, light, &query.ray, length, inside, scratch);
+            }
+            Occlusion::Opaque => return Rgb::BLACK,
+            Occlusion::Transmissive => {}
         }
+        let is_attenuated = self.is_attenuated_by_atmosphere(light);
         if !(is_attenuated || self.features.has_media || !self.quality.has_transparency)
             && let Some(passed) = self.world.transmissive_hits(query, &mut scratch.query)
         {
@@ -122,22 +122,12 @@ impl Tracer<'_> {
         let ray = query.ray;
         let mut query = *query;
         let mut inside = InteriorStack::from_slice(shadow_path.inside);
-        let mut left = shadow_path.distance;
+        let mut left = length;
         for _ in 0..MAX_STRAIGHT {
             let hit = self.world.next_transmissive_hit(&query, &mut scratch.query);
-            if is_attenuated {
-                let length = hit.map_or(left, |hit| hit.t);
-                if source.media_attenuation
-                    && let Some(fog) = self.fog(&query.ray, length)
-                    && self.is_outside_solids(&inside)
-                {
-                    arriving *= fog.factor;
-                }
-            }
-            if by_media {
-                let length = hit.map_or(left, |hit| hit.t);
-                arriving *= self.atmosphere_transmittance(&query.ray, length, &inside, scratch);
-            }
+            let length = hit.map_or(left, |hit| hit.t);
+            arriving =
+                self.through_atmosphere(arriving, light, &query.ray, length, &inside, scratch);
             let Some(hit) = hit else {
                 // As in POV-Ray, interiors do not attenuate the last segment, which no surface ends.
                 return arriving;
@@ -157,6 +147,29 @@ impl Tracer<'_> {
             query.t_max -= hit.t;
         }
         Rgb::BLACK
+    }
+
+    /// The light that remains behind the fog and the media of the atmosphere over `length` of a shadow ray.
+    pub(in crate::render::shade) fn through_atmosphere(
+        &self,
+        mut arriving: Rgb,
+        light: u32,
+        ray: &Ray,
+        length: f64,
+        inside: &[InteriorId],
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let source = self.world.lights.get(light);
+        if source.media_attenuation
+            && let Some(fog) = self.fog(ray, length)
+            && self.is_outside_solids(inside)
+        {
+            arriving *= fog.factor;
+        }
+        if self.is_attenuated_by_media(source) {
+            arriving *= self.atmosphere_transmittance(ray, length, inside, scratch);
+        }
+        arriving
     }
 
     /// The light that remains behind surfaces with a uniform transmittance each, apart from the angle.

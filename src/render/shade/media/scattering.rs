@@ -76,7 +76,13 @@ impl Tracer<'_> {
                 continue;
             };
             let left = match occlusions[i] {
-                Some(Occlusion::Clear) => light.arriving,
+                Some(Occlusion::Clear) => {
+                    let Arrival { to_light, distance } = light.arrival;
+                    let ray = Ray::new(at.points[i], to_light);
+                    let inside = &segment.path.inside;
+                    let arriving = light.arriving;
+                    self.through_atmosphere(arriving, beam.number, &ray, distance, inside, scratch)
+                }
                 Some(Occlusion::Opaque) => continue,
                 Some(Occlusion::Transmissive) | None => {
                     let (distance, point) = (at.distances[i], at.points[i]);
@@ -90,14 +96,13 @@ impl Tracer<'_> {
         scattered
     }
 
-    /// Returns true if shadow rays to a light may be traced together, and need no more where nothing lies before it.
+    /// Returns true if shadow rays to a light may be traced together.
     fn can_stream(&self, segment: &MediaSegment, number: u32) -> bool {
         let light = self.world.lights.get(number);
         !self.features.uses_random
             && self.quality.has_shadows
             && (light.area.is_none() || !self.samples_areas(segment.path))
             && !self.world.lights.is_projected(number)
-            && !self.is_attenuated_by_atmosphere(number)
     }
 
     /// Finds out what lies before a light at up to [`MAX_STREAM_RAYS`] points, except in the surface that the ray has

@@ -50,6 +50,16 @@ pub(in crate::world) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
     }
 }
 
+/// Mask of the rays, of the first eight, that are not blocked.
+#[inline(always)]
+fn unblocked(occlusions: &[Occlusion]) -> u32 {
+    let mut bits = 0;
+    for (lane, occlusion) in occlusions.iter().take(MAX_STREAM_RAYS).enumerate() {
+        bits |= u32::from(*occlusion != Occlusion::Opaque) << lane;
+    }
+    bits
+}
+
 impl World {
     /// Finds the closest visible hits of the first `count` camera rays from `origin`, ordered so that neighbours differ
     /// little. Lanes past the last ray repeat some ray.
@@ -252,10 +262,22 @@ impl World {
                 stream.load_rays(count, query, |query| self.t_min(query));
                 let occlusions = &mut occlusions[..count];
                 self.occlude_by_unbounded(lanes, &query, &mut stream, occlusions, scratch);
-                match self.light_buffers.of_light(light) {
-                    Some(buffer) => self.occlude_through(buffer, &query, occlusions, scratch),
-                    None => self.occlude_streams(lanes, &query, &mut stream, occlusions, scratch),
-                }
+                let Some(buffer) = self.light_buffers.of_light(light) else {
+                    self.occlude_streams(lanes, &query, &mut stream, occlusions, scratch);
+                    return;
+                };
+                let centre = self.lights.get(light).centre;
+                let distances = [0, 4].map(|first| {
+                    [0, 1, 2, 3].map(|lane| centre.distance(query(first + lane).ray.origin))
+                });
+                self.occlude_through(
+                    lanes,
+                    (buffer, &distances),
+                    &query,
+                    &mut stream,
+                    occlusions,
+                    scratch,
+                );
             },
         );
         scratch.ray_stream = stream;
@@ -505,33 +527,42 @@ impl World {
         });
     }
 
-    /// Tests the shadow rays that are not yet blocked through the light buffer of their light.
+    /// Tests up to eight shadow rays that are not yet blocked through the light buffer of their light, at these distances
+    /// from it.
     #[inline(always)]
     fn occlude_through(
         &self,
-        buffer: &LightBuffer,
+        lanes: SimdLevel,
+        (buffer, distances): (&LightBuffer, &[[f64; 4]; 2]),
         query: &impl Fn(usize) -> Query,
+        stream: &mut RayStream,
         occlusions: &mut [Occlusion],
         scratch: &mut QueryScratch,
     ) {
-        for (ray, occlusion) in occlusions.iter_mut().enumerate() {
-            if *occlusion == Occlusion::Opaque {
-                continue;
-            }
-            let query = query(ray);
-            let search = self.search_for(&query);
-            let is_blocked = buffer.any_between(
-                query.ray.origin,
-                #[inline(always)]
-                |position| {
-                    let item = self.bvh().bounded[position as usize];
-                    self.occludes(item, &query, &search, occlusion, scratch)
-                },
-            );
-            if is_blocked {
-                *occlusion = Occlusion::Opaque;
-            }
+        let active = unblocked(occlusions);
+        if active == 0 {
+            return;
         }
+        let last = (occlusions.len() - 1) / 4;
+        let half = |half: usize| (stream.dirs(half.min(last)), &distances[half]);
+        let mut rays = buffer.load_to_point([half(0), half(1)], active);
+        buffer.visit_packet(
+            lanes,
+            &mut rays,
+            #[inline(always)]
+            |position, active, rays| {
+                let item_rays = ItemRays {
+                    item: self.bvh().bounded[position as usize],
+                    kind: RayKind::Shadow,
+                    first: 0,
+                    active,
+                    query,
+                };
+                let mut ended = NewEnds::default();
+                self.occlude_packet8(lanes, &item_rays, stream, occlusions, &mut ended, scratch);
+                ended.each(|lane, end| rays.shorten(lane, end));
+            },
+        );
     }
 
     /// Tests the shadow rays that are not yet blocked against the items of the BVH, in streams: for incoherent rays.
@@ -545,13 +576,9 @@ impl World {
         scratch: &mut QueryScratch,
     ) {
         for first in (0..occlusions.len()).step_by(MAX_STREAM_RAYS) {
-            let mut active = 0;
-            for (lane, occlusion) in occlusions[first..].iter().take(MAX_STREAM_RAYS).enumerate() {
-                active |= u32::from(*occlusion != Occlusion::Opaque) << lane;
-            }
             self.bvh().tree.traverse_stream(
                 lanes,
-                active,
+                unblocked(&occlusions[first..]),
                 #[inline(always)]
                 |lane| {
                     let query = query(first + lane);
