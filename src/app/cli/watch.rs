@@ -379,6 +379,7 @@ impl Watch {
         Order {
             number: self.versions,
             text: text.and_then(|text| source::edited(&text, edits)),
+            is_wished: wish.0 != self.drawn,
             wish,
         }
     }

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 use super::files::Known;
@@ -26,6 +26,8 @@ pub(super) const PREVIEW: u32 = 4;
 const COARSEST: u32 = 16;
 /// Previews of a camera in motion become coarser above the longer of these times, and finer below the shorter.
 const PREVIEW_TIMES: [Duration; 2] = [Duration::from_millis(8), Duration::from_millis(25)];
+/// Time without new wishes after which the whole picture of a camera in motion is begun.
+const REST: Duration = Duration::from_millis(60);
 /// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
 /// Time for a worker to cancel a picture before it is killed.
@@ -60,6 +62,8 @@ pub(super) struct Order {
     pub(super) text: Option<String>,
     /// The number of the wishes, and these.
     pub(super) wish: (u64, Wish),
+    /// True if viewers have asked for it, and not a change of files.
+    pub(super) is_wished: bool,
 }
 
 impl Painter {
@@ -164,6 +168,9 @@ impl Painter {
             );
             if is_preview {
                 self.adapt(seconds);
+                if order.is_wished {
+                    drawing.wait_for_wishes(REST);
+                }
                 continue;
             }
             *lock(&self.drawn) = Some((order.number, view.cloned()));
@@ -273,6 +280,8 @@ pub(super) struct Drawing {
     /// The files that the scene has read, once it has.
     read: Mutex<Option<Known>>,
     progress: Mutex<Progress>,
+    /// Notified when other wishes have come, or files have changed.
+    superseded: Condvar,
 }
 
 #[derive(Debug, Default)]
@@ -307,11 +316,23 @@ impl Drawing {
         let is_preview = {
             let mut progress = lock(&self.progress);
             progress.is_superseded = true;
+            self.superseded.notify_all();
             progress.pass.is_none() || progress.is_preview
         };
         if !is_preview {
             self.cancel();
         }
+    }
+
+    /// Waits for other wishes, for this time at most.
+    fn wait_for_wishes(&self, time: Duration) {
+        let is_current =
+            |progress: &mut Progress| !progress.is_superseded && progress.cancelled.is_none();
+        let progress = lock(&self.progress);
+        drop(
+            self.superseded
+                .wait_timeout_while(progress, time, is_current),
+        );
     }
 
     /// Returns the files that the scene has read, once.
@@ -324,6 +345,7 @@ impl Drawing {
         let mut progress = lock(&self.progress);
         if progress.cancelled.is_none() {
             progress.cancelled = Some(Instant::now());
+            self.superseded.notify_all();
             if let Some((control, _)) = &progress.pass {
                 control.stop();
             }

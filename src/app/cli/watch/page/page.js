@@ -388,7 +388,7 @@ const AGAIN = 1000;
 function listen() {
   const events = new EventSource('events');
   // A server that has been started again counts from the beginning.
-  events.onopen = () => { state = null; };
+  events.onopen = () => { state = chosen = null; loaded = -1; };
   events.onmessage = event => {
     const now = JSON.parse(event.data);
     if (state === null || now.number !== state.number) show(now);

@@ -1,0 +1,313 @@
+"""The page of `povr live` as people use it, in headless Chromium. `tools/live_test` runs it."""
+
+import argparse
+import contextlib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import traceback
+
+from playwright.sync_api import expect, sync_playwright
+
+SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
+#declare Height = 1; // live: 0..3
+camera { location <0, 2, -6> look_at 0 angle 40 }
+light_source { <-4, 6, -8>, rgb 1 }
+sphere { Height*y, 1 pigment { rgb <1, 0.2, 0.1> } }
+plane { y, -1 pigment { checker rgb 1 rgb 0.3 } }
+"""
+LIMIT = 60_000
+TESTS = []
+
+
+def test(function):
+    TESTS.append(function)
+    return function
+
+
+class Live:
+    """A running `povr live`, and pages of it."""
+
+    def __init__(self, povr, browser, folder):
+        self.povr, self.browser, self.folder = povr, browser, pathlib.Path(folder)
+        self.scene = self.folder / "s.pov"
+        self.scene.write_text(SCENE)
+        self.faults = []
+        self.process = None
+
+    def start(self, *arguments):
+        command = [self.povr, "live", "s.pov", "+W320", "+H240", *arguments]
+        self.process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        for line in self.process.stderr:
+            if found := re.search(r"http://\S+", line):
+                self.address = found[0]
+                break
+        threading.Thread(target=self.process.stderr.read, daemon=True).start()
+
+    def stop(self):
+        if self.process:
+            self.process.kill()
+            self.process.wait()
+            self.process.stderr.close()
+
+    def page(self, **options):
+        page = self.browser.new_page(**{"viewport": {"width": 1200, "height": 800}, **options})
+        page.set_default_timeout(LIMIT)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.goto(self.address)
+        whole(page)
+        return page
+
+
+def whole(page):
+    """Waits for a whole picture, with the errors gone."""
+    expect(page.locator("#state")).to_contain_text("drawn in", timeout=LIMIT)
+    page.wait_for_selector("canvas[data-final=true]")
+
+
+def picture(page):
+    return page.evaluate("document.querySelector('canvas').toDataURL()")
+
+
+def after(page, act):
+    """The whole picture after an act that changes it."""
+    before = picture(page)
+    act()
+    page.wait_for_function("before => document.querySelector('canvas').toDataURL() !== before", arg=before)
+    page.wait_for_timeout(200)
+    whole(page)
+    assert picture(page) != before
+    return picture(page)
+
+
+def centre(page):
+    box = page.locator("canvas").bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def drag(page, across, down):
+    x, y = centre(page)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + across, y + down, steps=8)
+    page.mouse.up()
+
+
+def location(page):
+    text = page.locator("#camera").inner_text()
+    return [float(number) for number in re.search(r"location <(.*)>", text)[1].split(",")]
+
+
+@test
+def dragging_orbits_and_reset_returns(live):
+    live.start()
+    page = live.page()
+    first = picture(page)
+    after(page, lambda: drag(page, 60, 0))
+    x, y, z = location(page)
+    assert x < -1 and abs(y - 2) < 0.1, (x, y, z)
+    page.get_by_role("button", name="Reset").nth(1).click()
+    expect(page.locator("#write-camera")).to_be_disabled()
+    page.wait_for_function("first => document.querySelector('canvas').toDataURL() === first", arg=first)
+
+
+@test
+def wheel_and_keys_move_the_camera(live):
+    live.start()
+    page = live.page()
+    page.mouse.move(*centre(page))
+    after(page, lambda: page.mouse.wheel(0, -300))
+    assert abs(location(page)[2]) < 5.5
+    page.locator("canvas").focus()
+    for key in ["ArrowLeft", "Shift+ArrowUp", "+", "w", "q"]:
+        after(page, lambda: page.keyboard.press(key))
+
+
+@test
+def a_slider_changes_a_number_and_the_file_on_request(live):
+    live.start()
+    page = live.page()
+    after(page, lambda: page.get_by_label("Height").fill("2.5"))
+    assert live.scene.read_text() == SCENE
+    page.locator("#write-values").click()
+    expect(page.locator("#message")).to_have_text("Written to the file.")
+    assert live.scene.read_text() == SCENE.replace("Height = 1;", "Height = 2.5;")
+
+
+@test
+def a_number_of_the_source_is_dragged(live):
+    live.start()
+    page = live.page()
+    page.locator("summary").click()
+    number = page.locator(".number[data-written='40']")
+    number.scroll_into_view_if_needed()
+    box = number.bounding_box()
+
+    def pull():
+        page.mouse.move(box["x"] + 4, box["y"] + 4)
+        page.mouse.down()
+        page.mouse.move(box["x"] + 44, box["y"] + 4, steps=4)
+        page.mouse.up()
+
+    after(page, pull)
+    assert float(number.inner_text()) > 45
+    after(page, lambda: page.locator("#reset-values").click())
+
+
+@test
+def an_error_is_shown_beside_the_last_picture_and_goes(live):
+    live.start()
+    page = live.page()
+    before = picture(page)
+    live.scene.write_text(SCENE.replace("plane", "plone"))
+    expect(page.locator("#errors")).to_contain_text("plone")
+    expect(page.locator("#errors")).to_contain_text("s.pov:6:1")
+    assert picture(page) == before
+    live.scene.write_text(SCENE.replace("0.3", "0.1"))
+    expect(page.locator("#errors")).to_have_text("")
+    page.wait_for_function("before => document.querySelector('canvas').toDataURL() !== before", arg=before)
+
+
+@test
+def a_click_names_the_object(live):
+    live.start()
+    page = live.page()
+    x, y = centre(page)
+    page.mouse.click(x, y - 30)
+    expect(page.locator("#pixel")).to_contain_text("s.pov, line 5, column 1")
+    page.mouse.click(x, y + 100)
+    expect(page.locator("#pixel")).to_contain_text("s.pov, line 6, column 1")
+    expect(page.locator("#pixel")).to_contain_text("rays")
+
+
+@test
+def earlier_pictures_return(live):
+    live.start()
+    page = live.page()
+    first = picture(page)
+    after(page, lambda: drag(page, 80, 10))
+    earlier = page.locator("#history button")
+    expect(earlier).to_have_count(2)
+    earlier.first.click()
+    page.wait_for_function("first => document.querySelector('canvas').toDataURL() === first", arg=first)
+    expect(earlier.first).to_have_attribute("aria-pressed", "true")
+
+
+@test
+def the_clock_is_scrubbed(live):
+    live.scene.write_text(SCENE.replace("Height*y", "(Height - clock)*y"))
+    live.start()
+    page = live.page()
+    after(page, lambda: page.get_by_role("slider", name="clock").fill("0.5"))
+
+
+@test
+def two_viewers_see_the_same(live):
+    live.start()
+    one, two = live.page(), live.page()
+    after(two, lambda: drag(one, 60, 20))
+    whole(one)
+    two.wait_for_function("other => document.querySelector('canvas').toDataURL() === other", arg=picture(one))
+    assert one.locator("#camera").inner_text() == two.locator("#camera").inner_text()
+
+
+@test
+def a_page_outlives_a_restart(live):
+    again = ["--token", "0123456789abcdef"]
+    live.start(*again)
+    port = live.address.split(":")[2].split("/")[0]
+    page = live.page()
+    live.stop()
+    expect(page.locator("#state")).to_contain_text("does not answer")
+    live.scene.write_text(SCENE.replace("0.3", "0.1"))
+    before = picture(page)
+    live.start(*again, "--port", port)
+    page.wait_for_function("before => document.querySelector('canvas').toDataURL() !== before", arg=before)
+    whole(page)
+    after(page, lambda: drag(page, 50, 0))
+
+
+@test
+def a_phone_shows_all_in_its_width_and_fingers_move_the_camera(live):
+    live.start()
+    page = live.page(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    session = page.context.new_cdp_session(page)
+    x, y = centre(page)
+
+    def touch(kind, *points):
+        points = [{"x": across, "y": down, "id": index} for index, (across, down) in enumerate(points)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def pinch():
+        touch("touchStart", (x - 30, y), (x + 30, y))
+        for step in range(1, 6):
+            touch("touchMove", (x - 30 - 8 * step, y), (x + 30 + 8 * step, y))
+        touch("touchEnd")
+
+    after(page, pinch)
+    assert abs(location(page)[2]) < 4
+
+
+@test
+def colours_follow_the_scheme_of_the_system(live):
+    live.start()
+    page = live.page()
+    colour = "getComputedStyle(document.body).backgroundColor"
+    page.emulate_media(color_scheme="light")
+    light = page.evaluate(colour)
+    page.emulate_media(color_scheme="dark")
+    assert page.evaluate(colour) != light
+
+
+@test
+def all_that_answers_has_a_name(live):
+    live.start()
+    page = live.page()
+    nameless = page.evaluate(
+        """[...document.querySelectorAll('button, input, canvas')].filter(part => !(part.ariaLabel
+        || part.textContent.trim() || part.labels?.length)).map(part => part.outerHTML)"""
+    )
+    assert nameless == [], nameless
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--povr", required=True)
+    parser.add_argument("--chromium", required=True)
+    parser.add_argument("--pictures", type=pathlib.Path, help="folder for a screenshot of each page at its end")
+    parser.add_argument("names", nargs="*")
+    wanted = parser.parse_args()
+    failed = 0
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=wanted.chromium, args=["--no-sandbox"])
+        for function in TESTS:
+            name = function.__name__
+            if wanted.names and name not in wanted.names:
+                continue
+            with tempfile.TemporaryDirectory() as folder, contextlib.closing(browser.new_context()) as _:
+                live = Live(str(pathlib.Path(wanted.povr).resolve()), browser, folder)
+                try:
+                    function(live)
+                    assert live.faults == [], live.faults
+                    print(f"ok      {name}")
+                except Exception:
+                    failed += 1
+                    print(f"FAILED  {name}")
+                    traceback.print_exc()
+                finally:
+                    for context in browser.contexts:
+                        for page in context.pages:
+                            if wanted.pictures:
+                                wanted.pictures.mkdir(parents=True, exist_ok=True)
+                                page.screenshot(path=wanted.pictures / f"{name}.png")
+                        context.close()
+                    live.stop()
+        browser.close()
+    sys.exit(failed > 0)
+
+
+main()
