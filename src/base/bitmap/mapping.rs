@@ -43,7 +43,8 @@ pub enum Interpolation {
     Bicubic,
     /// 4: normalised distance.
     NormalisedDistance,
-    /// Any other number where POV-Ray takes it: no pixel contributes, and every colour and index is 0. POV-Ray's bumps may differ: they are undefined.
+    /// Any other number where POV-Ray takes it: no pixel contributes, and every colour and index is 0. POV-Ray's bumps
+    /// may differ, since they are undefined.
     Unknown,
 }
 

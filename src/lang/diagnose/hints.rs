@@ -431,9 +431,12 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
         return Some(translated);
     }
     let in_pigment = wanted.contains("in `pigment`");
+    if wanted.ends_with("comes first, and once") {
+        return Some("Remove one of the two, or blend them in a `pigment_map`.".to_owned());
+    }
     if let Some(block) = block_of(word)
         && (wanted.starts_with("a modifier") || in_pigment)
-        && !is_in(&format!("`{block}`"))
+        && !wanted.contains(&format!("`{block}`"))
     {
         return Some(match in_pigment {
             true => format!(

@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Most tokens that a rewritten vector spans.
 const VECTOR_TOKENS: usize = 64;
 
-/// What the author can do, and the change of the text where it is certain.
+/// A hint for the author, with the change of the text where that is certain.
 pub(crate) struct Remedy {
     hint: String,
     fix: Option<Fix>,
@@ -85,18 +85,20 @@ impl Reader<'_> {
 
     /// A vector in the brackets that open at a token: `(1, 0, 0)`.
     pub(crate) fn vector_in_brackets(&self, open: usize) -> Option<Remedy> {
-        let close = match char::from_u32(self.token(open)?.value)? {
-            '(' => ')',
-            '[' => ']',
-            '{' => '}',
-            _ => return None,
-        };
+        let brackets = [('(', ')'), ('[', ']'), ('{', '}')];
+        let opening = self.token(open)?;
+        let (_, close) = brackets
+            .into_iter()
+            .find(|&(mark, _)| opening.is_mark(mark))?;
         let mut depth = 0;
         let mut commas = 0;
         for at in open + 1..open + VECTOR_TOKENS {
             let token = self.token(at)?;
-            match (token.kind, char::from_u32(token.value)?) {
-                (Kind::Mark, mark) if depth == 0 && mark == close => {
+            let mark = (token.kind == Kind::Mark)
+                .then(|| char::from_u32(token.value))
+                .flatten();
+            match (token.kind, mark) {
+                (Kind::Mark, Some(mark)) if depth == 0 && mark == close => {
                     let span = self.tokens_span(open..at + 1);
                     let inner = self.source_text(span);
                     let inner = inner.get(1..inner.len() - 1)?.trim();
@@ -106,10 +108,10 @@ impl Reader<'_> {
                         Remedy::fix(format!("Write a vector as `{vector}`."), span, vector)
                     });
                 }
-                (Kind::Mark, '(') => depth += 1,
-                (Kind::Mark, ')') => depth -= 1,
-                (Kind::Mark, ',') if depth == 0 => commas += 1,
-                (Kind::Mark, '+' | '-' | '*' | '/' | '.' | ',') => {}
+                (Kind::Mark, Some('(')) => depth += 1,
+                (Kind::Mark, Some(')')) => depth -= 1,
+                (Kind::Mark, Some(',')) if depth == 0 => commas += 1,
+                (Kind::Mark, Some('+' | '-' | '*' | '/' | '.' | ',')) => {}
                 (Kind::Number | Kind::Name, _) => {}
                 (Kind::Word, _) if token.word()?.is_value() => {}
                 _ => return None,
@@ -139,25 +141,36 @@ impl Reader<'_> {
         let operator = ['+', '-', '*', '/']
             .into_iter()
             .find(|&mark| is_mark(1, mark));
-        let (length, start) = match operator {
+        let (replaced, text) = match operator {
             None if is_mark(1, '=') && !is_mark(2, '=') => (0, "#declare ".to_owned()),
-            Some(mark) if is_mark(2, '=') => (3, format!("#declare {name} = {name} {mark}")),
+            Some(mark) if is_mark(2, '=') => {
+                let operators = self.tokens_span(at..at + 3);
+                let value = statement.get((operators.end - operators.start) as usize..)?;
+                let value = value.trim_end_matches(';').trim();
+                let value =
+                    match value.contains(|c: char| !(c.is_alphanumeric() || "_.".contains(c))) {
+                        true => format!("({value})"),
+                        false => value.to_owned(),
+                    };
+                let end = if statement.ends_with(';') { ";" } else { "" };
+                let text = format!("#declare {name} = {name} {mark} {value}{end}");
+                (statement.len(), text)
+            }
             Some(mark @ ('+' | '-')) if is_mark(2, mark) => {
-                (3, format!("#declare {name} = {name} {mark} 1"))
+                let operators = self.tokens_span(at..at + 3);
+                let text = format!("#declare {name} = {name} {mark} 1");
+                ((operators.end - operators.start) as usize, text)
             }
             _ => return None,
         };
-        let span = match length {
-            0 => self.bytes_from(at, 0),
-            _ => self.tokens_span(at..at + length),
-        };
-        let rest = statement.get((span.end - span.start) as usize..)?;
-        let whole = format!("{start}{rest}");
-        if !whole.ends_with(';') || whole.len() > limits::QUOTED {
+        let rest = statement.get(replaced..)?;
+        let whole = format!("{text}{rest}");
+        let has_comment = whole.contains("//") || whole.contains("/*");
+        if !whole.ends_with(';') || has_comment || whole.len() > limits::QUOTED {
             return Some("A name gets its value by `#declare NAME = value;`.".into());
         }
         let hint = format!("A name gets its value by `#declare`: `{whole}`.");
-        Some(Remedy::fix(hint, span, start))
+        Some(Remedy::fix(hint, self.bytes_from(at, replaced), text))
     }
 
     /// An axis and a number side by side after a transform, of which the next token is the second: `rotate y 45`.
@@ -216,9 +229,15 @@ impl Reader<'_> {
         }
         let mut numbers = Vec::new();
         let mut sign = "";
+        let mut has_difference = false;
         for at in start..end {
             let token = self.token(at)?;
             if token.is_mark('-') {
+                let follows_number = at > start && self.token(at - 1)?.kind == Kind::Number;
+                let [before, here, after] =
+                    [at.saturating_sub(1), at, at + 1].map(|at| self.here.tokens.span(at));
+                let is_sign = before.end < here.start && here.end == after.start;
+                has_difference |= follows_number && !is_sign;
                 sign = "-";
             } else if token.kind == Kind::Number {
                 let number = self.source_text(self.here.tokens.span(at));
@@ -242,7 +261,7 @@ impl Reader<'_> {
         let vector = format!("<{}>", numbers.join(", "));
         let remedy = Remedy::fix(format!("Write a vector as `{vector}`."), span, vector);
         Some(match before {
-            Some(word) if numbers.len() == 3 && !word.is_value() => remedy,
+            Some(word) if numbers.len() == 3 && !word.is_value() && !has_difference => remedy,
             _ => remedy.uncertain(),
         })
     }
