@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1
-  radiosity { count 20 nearest_count 3 error_bound 1 recursion_limit 1 pretrace_end 0.02 }
+  radiosity { count 20 nearest_count 3 error_bound 1 recursion_limit 3 pretrace_end 0.02 }
 }
 camera { location <0, 2, -6> look_at <0, 1, 0> }
 light_source { <5, 9, -4>, rgb 1.2 }

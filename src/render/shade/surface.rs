@@ -371,15 +371,12 @@ impl<'w> Tracer<'w> {
                 is_lit_by_radiosity &= !transport.has_radiosity;
                 bsdf.opacity = 0.0;
             }
-            own += emitted;
-            own += self.illuminate(&lit, &bsdf, scratch);
-            if lit.collects {
-                own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
-            }
+            // Before the lights, as in POV-Ray: both draw random numbers behind an irradiance sample.
+            let mut indirect = Rgb::BLACK;
             if let Some(radiosity) = self.radiosity.as_ref().filter(|_| is_lit_by_radiosity) {
                 let irradiance_point =
                     IrradiancePoint::new(radiosity, &lit, flat, layer.finish.brilliance);
-                own += self.irradiance_radiance(
+                indirect = self.irradiance_radiance(
                     &irradiance_point,
                     layer,
                     color,
@@ -388,6 +385,12 @@ impl<'w> Tracer<'w> {
                     scratch,
                 );
             }
+            own += emitted;
+            own += self.illuminate(&lit, &bsdf, scratch);
+            if lit.collects {
+                own += self.caustics(&lit, &bsdf, flat, &mut photons, scratch);
+            }
+            own += indirect;
             shaded.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let ior = || self.relative_ior(&path.inside, surface.interior);
