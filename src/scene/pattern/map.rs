@@ -16,8 +16,8 @@ pub const MAX_ENTRIES: usize = 256;
 /// Largest number of entries with the syntax of 3.8, a bound on memory.
 const MOST_ENTRIES: usize = 1_000_000;
 
-/// Maps of at most this many entries are searched linearly.
-const MAX_LINEAR_SEARCH: usize = 8;
+/// Maps of at most this many entries are counted through rather than bisected: no step waits for the one before.
+const MAX_COUNTED: usize = 32;
 
 /// Entries at positions, in the order of the scene; never empty.
 #[derive(Debug)]
@@ -329,11 +329,13 @@ impl<T> Map<T> {
             return Between::One(&last.1);
         }
         let is_below = |entry: &(f32, T)| f64::from(entry.0) < value;
-        let next = if self.is_sorted && entries.len() > MAX_LINEAR_SEARCH {
-            entries.partition_point(is_below)
-        } else {
+        let next = if !self.is_sorted {
             let at_or_above = entries.iter().position(|entry| !is_below(entry));
             at_or_above.unwrap_or(entries.len() - 1)
+        } else if entries.len() <= MAX_COUNTED {
+            entries.iter().filter(|entry| is_below(entry)).count()
+        } else {
+            entries.partition_point(is_below)
         };
         let to = &entries[next];
         if next == 0 || f64::from(to.0) == value {
