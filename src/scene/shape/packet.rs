@@ -151,6 +151,7 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.supports_packets(),
+            Shape::Cone(cone) => cone.supports_packets(),
             Shape::Plane(_) | Shape::Quadric(_) => true,
             _ => false,
         }
@@ -165,6 +166,7 @@ impl Shape {
             Shape::JuliaFractal(fractal) => fractal.supports_packets(),
             Shape::Plane(_) | Shape::Cuboid(_) | Shape::Quadric(_) => true,
             Shape::Cylinder(cylinder) => cylinder.supports_packets(),
+            Shape::Cone(cone) => cone.supports_packets(),
             _ => false,
         }
     }
@@ -177,7 +179,7 @@ impl Shape {
     /// True if its roots lie on several faces.
     #[inline(always)]
     pub(crate) fn has_faces(&self) -> bool {
-        matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_))
+        matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Cone(_))
     }
 
     /// Nearest roots of the active lanes, as [`RootPacket::nearest`] finds them. With `ANY` the distance may be that of
@@ -200,7 +202,7 @@ impl Shape {
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => NearestPacket::load(
                 &self.search_packet(&NearestQuery4::new(rays, from, far, left, active)),
             ),
-            Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
+            Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Cone(_) | Shape::Quadric(_) => {
                 // No end beyond the first is needed.
                 let mut nearest = self.span_packet(rays, from, from).nearest(from, far);
                 nearest.unknown |= left[0] | left[1];
@@ -267,6 +269,7 @@ impl Shape {
             Shape::Sphere(sphere) => sphere.span_packet(rays),
             Shape::Cuboid(cuboid) => cuboid.span_packet(rays),
             Shape::Cylinder(cylinder) => cylinder.span_packet(rays),
+            Shape::Cone(cone) => cone.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
             Shape::Quadric(quadric) => quadric.span_packet(rays, low, high),
             _ => {
@@ -332,7 +335,9 @@ mod tests {
     use crate::base::math::Ray;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdKernel, SimdLevel};
-    use crate::scene::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
+    use crate::scene::shape::{
+        Cone, Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus,
+    };
     use glam::DVec3;
 
     /// Roots of a ray packet per lane, in the form of the scalar path.
@@ -378,6 +383,9 @@ mod tests {
             Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0))),
             Shape::Cylinder(Cylinder::read(&mut read("<-1, 0.5, 0>, <1, 1, 2>, 0.7")).unwrap()),
             Shape::Cylinder(Cylinder::read(&mut read("<-2, 0, 0>, <2, 0, 0>, 0.6")).unwrap()),
+            Shape::Cone(Cone::read(&mut read("<-1, 0.5, 0>, 0.2, <1, 1, 2>, 0.7")).unwrap()),
+            Shape::Cone(Cone::read(&mut read("<0, 2, 0>, 1, <0, 0, 0>, 0")).unwrap()),
+            Shape::Cone(Cone::read(&mut read("<0, 2, 0>, 2, <0, 1, 0>, 0.5")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 1")).unwrap()),

@@ -2,8 +2,13 @@
 //! caps.
 
 use crate::base::math::conditioning::unit;
+use crate::base::math::simd::F64Lanes;
+use crate::base::math::simd::vec3::{dot, splat, sub};
 use crate::base::math::{Bounds, Ray, Step, rotation};
-use crate::scene::shape::{Root, SpanEnd, WELL_INSIDE, along, span, uniform_scale};
+use crate::scene::shape::ray_packet::RayPacket;
+use crate::scene::shape::{
+    CLEAR_MARGIN, Crossing, Root, SpanEnd, WELL_INSIDE, along, span, uniform_scale,
+};
 use glam::{DAffine3, DVec3};
 
 pub(crate) const SIDE: u32 = 0;
@@ -80,6 +85,49 @@ impl Axis {
         distance > WELL_INSIDE * radius && radial.dot(ray.dir) > slope * dir_height * distance
     }
 
+    /// The root that a ray is known to have at `t` on a closed cone; `None` unless it lies clearly on the side or on one
+    /// cap. The cone has `base_radius` at the base, growing by `slope` towards the apex, and at most `max_radius`.
+    #[inline(always)]
+    pub(crate) fn root_at(
+        &self,
+        ray: &Ray,
+        t: f64,
+        base_radius: f64,
+        max_radius: f64,
+        slope: f64,
+    ) -> Option<Root> {
+        let (from_base, displacement) = (ray.origin - self.base, t * ray.dir);
+        let p = from_base + displacement;
+        let to_apex = self.apex - self.base;
+        let height = self.unit.dot(p);
+        let to_top = self.unit.dot(to_apex) - height;
+        let radial = p - height * self.unit;
+        let radius = base_radius + slope * height;
+        let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
+        let margin = CLEAR_MARGIN * (lengths.max_element() + max_radius) * (1.0 + slope * slope);
+        let is_on_cap = radial.length_squared() < (radius - margin) * (radius - margin);
+        let rise = self.unit.dot(ray.dir);
+        let outward = radial.dot(ray.dir) - radius * slope * rise;
+        let (enters, is_sure, face) = match (height > margin, to_top > margin) {
+            (true, true) => {
+                let is_sure = outward.abs() > margin * ray.dir.abs().max_element();
+                (outward < 0.0, is_sure, SIDE)
+            }
+            (false, true) => (rise > 0.0, is_on_cap && rise != 0.0, BASE),
+            (true, false) => (rise < 0.0, is_on_cap && rise != 0.0, APEX),
+            (false, false) => return None,
+        };
+        (is_sure && radius > margin).then_some(Root {
+            t,
+            crossing: match enters {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face,
+            is_visible: true,
+        })
+    }
+
     /// Computes `t` at the caps from their own centres, so that the cap of an upright cylinder gets the same bits as
     /// the face of a box at that height.
     #[inline]
@@ -103,6 +151,19 @@ impl Axis {
             (apex, base)
         };
         Some(Slab { enter, leave })
+    }
+
+    /// Same for a ray packet: where each ray enters and leaves, and the component of its direction along the axis.
+    #[inline(always)]
+    pub(crate) fn slab_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> (F, F, F) {
+        let unit = splat(self.unit);
+        let slope = dot(unit, rays.dir);
+        let to_base = dot(unit, sub(splat(self.base), rays.origin)) / slope;
+        let to_apex = dot(unit, sub(splat(self.apex), rays.origin)) / slope;
+        let is_up = F::splat(0.0).lt(slope);
+        let enter = F::select(is_up, to_base, to_apex);
+        let leave = F::select(is_up, to_apex, to_base);
+        (enter, leave, slope)
     }
 
     /// The height of a point above the base, and its depth below the apex.

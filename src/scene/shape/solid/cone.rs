@@ -13,9 +13,13 @@
 
 use super::axial::{APEX, Axis, BASE};
 use crate::base::args::{Args, Parse, Word};
-use crate::base::math::conditioning::{RescaledRay, is_comfortable};
+use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::base::math::simd::F64Lanes;
+use crate::base::math::simd::vec3::{add, scale};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::packet::{self, SpanPacket, across, dot, splat, sub};
+use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
     Geometry, Root, Rounded, Start, SurfaceSide, first_visible, original_span, read,
 };
@@ -102,6 +106,53 @@ impl Cone {
     /// Change of the radius per unit of height.
     fn slope(&self) -> f64 {
         (self.apex_radius - self.base_radius) / self.axis.length()
+    }
+
+    /// True if [`Cone::span_packet`] applies to this cone.
+    pub(crate) fn supports_packets(&self) -> bool {
+        !self.is_open && self.apex_radius >= 0.0 && is_comfortable_size(self.max_radius())
+    }
+
+    /// Spans of a ray packet. Lanes parallel to the axis, to the caps or to a line of the cone take the scalar path.
+    #[inline(always)]
+    pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+        let zero = F::splat(0.0);
+        let (unit, widening) = (splat(self.axis.unit), F::splat(self.slope()));
+        let origin = sub(rays.origin, splat(self.axis.base));
+        let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(origin, origin));
+        let (first, last, dir_height) = self.axis.slab_packet(rays);
+        let height = dot(unit, origin);
+        let (offset, dir) = (across(unit, origin), across(unit, rays.dir));
+        let dir_sq = dot(dir, dir);
+        let closest = -dot(offset, dir) / dir_sq;
+        let middle = closest.lane_max(first).lane_min(last);
+        let p = add(offset, scale(dir, middle));
+        let distance = dot(p, p).sqrt();
+        let is_near = distance.le(F::splat(self.max_radius() * (1.0 + 8.0 * f64::EPSILON)));
+        let width = F::splat(self.base_radius) + widening * (height + middle * dir_height);
+        let widening = widening * dir_height;
+        let speed = dir_sq.sqrt();
+        let a = (speed - widening) * (speed + widening);
+        let b = dot(p, dir) - width * widening;
+        let c = (distance - width) * (distance + width);
+        let discriminant = b * b - a * c;
+        let is_inner = zero.lt(a);
+        let root = discriminant.lane_max(zero).sqrt();
+        let q = F::select(b.lt(zero), root - b, -(root + b));
+        let is_double = q.eq(zero);
+        let t = F::select(is_double, zero, q / a);
+        let other = F::select(is_double, zero, c / q);
+        let (near, far) = (middle + t.lane_min(other), middle + t.lane_max(other));
+        // The slab holds the nappe with the positive radius.
+        let endless = F::splat(f64::INFINITY);
+        let is_ahead = zero.lt(widening);
+        let from = F::select(is_inner, near, F::select(is_ahead, far, -endless));
+        let to = F::select(is_inner, far, F::select(is_ahead, endless, near));
+        let enter = F::select(from.lt(first), first, from);
+        let leave = F::select(last.lt(to), last, to);
+        let is_hit = is_near & (a.lt(zero) | zero.lt(discriminant));
+        let is_slanted = zero.lt(dir_sq) & zero.lt(dir_height.abs()) & zero.lt(a.abs());
+        SpanPacket::new(enter, leave, is_hit, is_known & is_slanted)
     }
 
     fn crossings(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
@@ -238,6 +289,16 @@ impl Geometry for Cone {
     fn is_exiting(&self, ray: &Ray) -> bool {
         let is_convex = self.apex_radius >= 0.0;
         is_convex && self.axis.is_exiting(ray, self.base_radius, self.slope())
+    }
+
+    #[inline]
+    fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        if self.is_open {
+            return None;
+        }
+        let (base_radius, max_radius) = (self.base_radius, self.max_radius());
+        self.axis
+            .root_at(ray, t, base_radius, max_radius, self.slope())
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
@@ -379,6 +440,33 @@ mod tests {
             let t = near.nearest(&ray, 0.0, 10.0).unwrap().t;
             assert!((t - (4.0 + 0.5 * shrink)).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn root_at_identifies_the_root_by_its_point() {
+        let mut rng = check::Random::new(13);
+        let mut known = [0; 3];
+        for number in 0..40_000 {
+            let base = rng.vector(1.0);
+            // Some end in a point.
+            let radii = [1.5 * rng.uniform(), (2.0 * rng.uniform() - 0.5).max(0.0)];
+            let Some(cone) = Cone::new(base, radii[0], base + rng.vector(1.0), radii[1]) else {
+                continue;
+            };
+            let away = 2.0_f64.powi(number % 20 - 2);
+            let origin = away * rng.vector(1.0);
+            let aim = base + rng.vector(0.5);
+            let ray = Ray::new(origin, (0.1 + rng.uniform()) * (aim - origin));
+            for root in cone.crossings(&ray) {
+                let result = cone.root_at(&ray, root.t);
+                assert!(
+                    result.is_none_or(|result| result == root),
+                    "{cone:?} {ray:?} {root:?}"
+                );
+                known[root.face as usize] += usize::from(result.is_some());
+            }
+        }
+        assert!(known.iter().all(|&known| known > 4000), "{known:?}");
     }
 
     #[test]

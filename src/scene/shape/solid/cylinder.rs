@@ -7,7 +7,7 @@
 //! Error bound: as for a sphere; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹
 //! times its size (`shape/roundings.rs`).
 
-use super::axial::{APEX, Axis, BASE, SIDE};
+use super::axial::{APEX, Axis, BASE};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
 use crate::base::math::roots::ray_sphere::sphere_span;
@@ -18,8 +18,7 @@ use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, Rounded, Start, SurfaceSide, first_visible,
-    original_span, push_span, read,
+    Geometry, Root, Rounded, Start, SurfaceSide, first_visible, original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -126,12 +125,7 @@ impl Cylinder {
             let is_slanted = F::splat(0.0).lt(dot(dir, dir));
             return SpanPacket::new(side_enter, side_leave, is_hit, is_slanted);
         }
-        let slope = dot(unit, rays.dir);
-        let to_base = dot(unit, sub(splat(self.axis.base), rays.origin)) / slope;
-        let to_apex = dot(unit, sub(splat(self.axis.apex), rays.origin)) / slope;
-        let is_up = F::splat(0.0).lt(slope);
-        let first = F::select(is_up, to_base, to_apex);
-        let last = F::select(is_up, to_apex, to_base);
+        let (first, last, slope) = self.axis.slab_packet(rays);
         let enter = F::select(side_enter.lt(first), first, side_enter);
         let leave = F::select(last.lt(side_leave), last, side_leave);
         let is_slanted = F::splat(0.0).lt(dot(dir, dir)) & F::splat(0.0).lt(slope.abs());
@@ -171,38 +165,12 @@ impl Geometry for Cylinder {
         self.axis.is_exiting(ray, self.radius, 0.0)
     }
 
-    /// `None` unless it lies clearly on the side or on one cap.
     #[inline]
     fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
-        let (from_base, displacement) = (ray.origin - self.axis.base, t * ray.dir);
-        let p = from_base + displacement;
-        let to_apex = self.axis.apex - self.axis.base;
-        let height = self.axis.unit.dot(p);
-        let to_top = self.axis.unit.dot(to_apex) - height;
-        let radial = p - height * self.axis.unit;
-        let lengths = from_base.abs() + displacement.abs() + to_apex.abs();
-        let margin = CLEAR_MARGIN * (lengths.max_element() + self.radius);
-        let is_on_cap = radial.length_squared() < (self.radius - margin) * (self.radius - margin);
-        let slope = self.axis.unit.dot(ray.dir);
-        let outward = radial.dot(ray.dir);
-        let (enters, is_sure, face) = match (height > margin, to_top > margin) {
-            (true, true) => {
-                let is_sure = outward.abs() > margin * ray.dir.abs().max_element();
-                (outward < 0.0, is_sure, SIDE)
-            }
-            (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
-            (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
-            (false, false) => return None,
-        };
-        (is_sure && !self.is_open && self.radius > margin).then_some(Root {
-            t,
-            crossing: match enters {
-                true => Crossing::Enter,
-                false => Crossing::Leave,
-            },
-            face,
-            is_visible: true,
-        })
+        if self.is_open {
+            return None;
+        }
+        self.axis.root_at(ray, t, self.radius, self.radius, 0.0)
     }
 
     fn bounding_cylinder(&self) -> Option<(DVec3, DVec3, f64)> {
@@ -268,6 +236,7 @@ mod tests {
     use crate::base::args::text::TextArgs;
     use crate::base::math::Transform;
     use crate::base::math::sampling::random::Random;
+    use crate::scene::shape::Crossing;
     use crate::scene::shape::tests::check;
 
     fn cylinder(text: &str) -> Cylinder {
