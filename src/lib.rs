@@ -30,6 +30,7 @@
 pub mod app;
 pub mod base;
 pub mod lang;
+pub mod lint;
 pub mod output;
 pub mod render;
 pub mod scene;
@@ -43,7 +44,7 @@ use base::options::{
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
 use base::sync::lock;
 use glam::DVec3;
-use lang::{ReadEvent, Texts, TokenCache};
+use lang::{ObjectSpan, ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
 use render::{Checkpoint, CheckpointStatus};
 use scene::camera::Camera;
@@ -559,11 +560,10 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
             let seen = model.trace(object, hit.from, hit.point - hit.from);
             seen.is_some_and(|(point, _)| point.distance(hit.point) <= SAME_POINT * distance)
         };
-        let objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
-        let start = objects
-            .zip(&reading.objects)
-            .find_map(|(object, start)| has_point(&object).then_some(*start));
-        Ok(start.map(|start| Message::new(&Diagnostic::warning(start, ""), &sources)))
+        let mut objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
+        let index = objects.position(|object| has_point(&object));
+        let start = index.and_then(|index| ObjectSpan::of(&reading.object_spans, index));
+        Ok(start.map(|start| Message::new(&Diagnostic::warning(start.span, ""), &sources)))
     };
     with_deep_stack(&|_| {}, locate).ok().flatten()
 }
@@ -771,6 +771,13 @@ fn read_scene(
             if render.quality >= QUALITY_OF_RADIOSITY {
                 for undrawn in &reading.undrawn {
                     report(undrawn, &sources);
+                }
+            }
+            if let (true, Some(scene)) = (options.lints, &reading.scene) {
+                for doubt in lint::doubts(scene, &reading.object_spans) {
+                    if !sources.allows(file, &doubt, &options.allowed_lints) {
+                        report(&doubt, &sources);
+                    }
                 }
             }
             listen(Event::Read {

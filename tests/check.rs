@@ -5,8 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-const RIGHT: &str =
-    "camera { location -5*z look_at 0 }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 }\n";
+const RIGHT: &str = "camera { location -5*z look_at 0 }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 pigment { rgb 1 } }\n";
 const FAULTY: &str = "sphere { 0, 1 pigmnet { rgb 1 } }\nbox { -1, 1 rotaet y }\n";
 
 /// The two output streams of the program, and its exit code.
@@ -30,7 +29,10 @@ fn folder() -> tempfile::TempDir {
             "#debug \"here\\n\"\n#warning \"old\"\n#include \"../right.pov\"\n",
         ),
         ("inner/part.inc", "}"),
-        ("library/ball.inc", "#declare Ball = sphere { 0, Size }\n"),
+        (
+            "library/ball.inc",
+            "#declare Ball = sphere { 0, Size pigment { rgb 1 } }\n",
+        ),
         (
             "needy.txt",
             "#include \"ball.inc\"\ncamera { location -5*z }\nobject { Ball }\n",

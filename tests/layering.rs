@@ -10,6 +10,7 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
     ("scene", &["base"]),
     ("lang", &["base", "scene", "output"]),
     ("world", &["base", "scene"]),
+    ("lint", &["base", "scene", "lang", "world"]),
     ("output", &["base"]),
     ("render", &["base", "scene", "world"]),
     (
@@ -61,6 +62,7 @@ const LAYERS: &[&[&str]] = &[
     &["world::query", "world::plan"],
     &["world::lower"],
     &["world"],
+    &["lint"],
     &["render::radiosity", "render::photons"],
     &["render::shade"],
     &["render::checkpoint", "render::photon_pass"],

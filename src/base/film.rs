@@ -109,6 +109,15 @@ impl Film {
         Film::new(width, height, 0..width, 0..height)
     }
 
+    /// True if all pixels have one colour, those outside of the rendered part among them.
+    #[must_use]
+    pub fn is_flat(&self) -> bool {
+        match &self.levels {
+            Some(levels) => levels.is_flat(),
+            None => self.pixels.windows(2).all(|two| two[0] == two[1]),
+        }
+    }
+
     /// The pixels of each row, from the top.
     pub fn rows_of_pixels(&self) -> impl Iterator<Item = &[Pixel]> {
         self.pixels.chunks(self.width.max(1) as usize)

@@ -109,8 +109,12 @@ pub struct ReadOptions {
     pub max_repeated_tokens: u64,
     /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
-    /// True to note the statement of each object, for which they are read one by one.
+    /// True to note the statement of each object, for which they are read one by one. Lints need it.
     pub notes_objects: bool,
+    /// True to report doubts about the scene as a whole, which cost time: see `lint`.
+    pub lints: bool,
+    /// The names of lints that are switched off.
+    pub allowed_lints: Vec<String>,
     /// Cancels reading.
     #[serde(skip)]
     pub stop: CancelToken,
@@ -473,6 +477,8 @@ impl Default for ReadOptions {
             max_repeated_tokens: MAX_REPEATED_TOKENS,
             memory: None,
             notes_objects: false,
+            lints: false,
+            allowed_lints: Vec::new(),
             stop: CancelToken::default(),
         }
     }

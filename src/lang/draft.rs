@@ -27,8 +27,6 @@ pub(super) struct SceneDraft {
     pub(super) default_camera: Camera,
     /// The camera, with its keyword and its whole statement.
     pub(super) camera: Option<(Camera, [Span; 2])>,
-    /// The first token of the statement of each object, if they are noted.
-    pub(super) starts: Vec<Span>,
     /// True once a light source was read.
     pub(super) has_light: bool,
     pub(super) background: Option<Color>,
@@ -49,7 +47,6 @@ impl SceneDraft {
             default_texture: Arc::new(Texture::from(Layer::default())),
             default_camera: Camera::default(),
             camera: None,
-            starts: Vec::new(),
             has_light: false,
             background: None,
             atmosphere: Atmosphere::default(),

@@ -23,7 +23,7 @@ pub mod syntax;
 mod token_cache;
 
 pub use probe::{NoProbe, Probe};
-pub use reader::Reading;
+pub use reader::{ObjectSpan, Reading};
 pub use token_cache::TokenCache;
 
 use crate::base::options::ReadOptions;
@@ -95,8 +95,8 @@ pub fn evaluate_with(
                 undrawn: Vec::new(),
                 has_new_tokens: false,
                 camera: None,
-                objects: Vec::new(),
                 dependencies: sources.dependencies().to_vec(),
+                object_spans: Vec::new(),
             }
         }
     }

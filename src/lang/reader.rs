@@ -21,10 +21,12 @@ use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
 use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
-use crate::lang::syntax::{Names, Tokens, tokenize_around_data};
+use crate::lang::syntax::{Kind, Names, Tokens, tokenize_around_data};
 use crate::scene::Scene;
-use rustc_hash::FxHashMap;
+use crate::scene::texture::Texture;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The state of reading one scene.
 pub(super) struct Reader<'a> {
@@ -71,6 +73,8 @@ pub(super) struct Reader<'a> {
     pub(super) memory: Memory,
     /// The findings so far.
     pub(super) report: Report<'a>,
+    /// As [`Reading::object_spans`].
+    pub(super) object_spans: Vec<ObjectSpan>,
 }
 
 /// The result of reading a scene.
@@ -90,8 +94,27 @@ pub struct Reading {
     pub has_new_tokens: bool,
     /// The statement of the camera that counts.
     pub camera: Option<Span>,
-    /// The first token of the statement of each object, with [`ReadOptions::notes_objects`].
-    pub objects: Vec<Span>,
+    /// The spans of the objects of the scene, in their order, with [`ReadOptions::notes_objects`].
+    pub object_spans: Vec<ObjectSpan>,
+}
+
+/// The span of consecutive objects of a scene, all from one statement.
+#[derive(Clone, Debug)]
+pub struct ObjectSpan {
+    /// The index of the first of them.
+    pub first: usize,
+    /// The word or name that begins the statement.
+    pub span: Span,
+    /// The texture that objects without one take, unless the scene has set it.
+    pub stock_texture: Option<Arc<Texture>>,
+}
+
+impl ObjectSpan {
+    /// The span of an object of a scene, from its index.
+    pub(crate) fn of(object_spans: &[ObjectSpan], index: usize) -> Option<&ObjectSpan> {
+        let at = object_spans.partition_point(|one| one.first <= index);
+        at.checked_sub(1).map(|at| &object_spans[at])
+    }
 }
 
 const NO_MEMORY: &str = "this file needs more memory than there is";
@@ -161,6 +184,7 @@ impl<'a> Reader<'a> {
             draft: SceneDraft::new(options),
             memory: Memory::default(),
             report: Report::new(listener),
+            object_spans: Vec::new(),
         };
         reader.scopes.qualify(reader.names.qualified());
         reader.declare_options();
@@ -244,7 +268,12 @@ impl<'a> Reader<'a> {
 
     /// Records a warning, once for each span.
     pub(super) fn warning(&mut self, warning: Diagnostic) {
-        self.report.warning(warning, self.sources);
+        if !self
+            .sources
+            .allows(self.scene, &warning, &self.options.allowed_lints)
+        {
+            self.report.warning(warning, self.sources);
+        }
     }
 
     /// The result, at the end of the scene.
@@ -254,19 +283,22 @@ impl<'a> Reader<'a> {
             self.close_files();
         }
         self.warn_of_missing_parts();
+        if self.options.lints && self.report.errors == 0 {
+            self.warn_of_unused();
+        }
         let has_new_tokens = self.token_cache.take().is_some_and(|token_cache| {
             let names = std::mem::take(&mut self.names);
             token_cache.update(names, &self.tokenized, self.sources, self.scene)
         });
         Reading {
             camera: self.draft.camera.as_ref().map(|(_, [_, all])| *all),
-            objects: std::mem::take(&mut self.draft.starts),
             scene: (self.report.errors == 0).then(|| self.draft.into_scene()),
             findings: self.report.findings,
             messages: self.report.messages,
             undrawn: self.report.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
             has_new_tokens,
+            object_spans: self.object_spans,
         }
     }
 }
@@ -279,7 +311,9 @@ impl Reader<'_> {
             return;
         }
         if self.draft.objects.is_empty() {
-            self.warning(Diagnostic::warning(None, "no objects in scene"));
+            self.warning(
+                Diagnostic::warning(None, "no objects in scene").with_code(Code::NoObjects),
+            );
             return;
         }
         if self.draft.camera.is_none() && self.draft.has_stock_camera() {
@@ -288,6 +322,7 @@ impl Reader<'_> {
                     None,
                     "no camera: using one at the origin that looks along z",
                 )
+                .with_code(Code::NoCamera)
                 .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
             );
         }
@@ -297,8 +332,52 @@ impl Reader<'_> {
                     None,
                     "no light source: only the default ambient light is seen",
                 )
+                .with_code(Code::NoLight)
                 .with_hint("Write `light_source { <4, 6, -8>, rgb 1 }`."),
             );
+        }
+    }
+
+    /// Warns of textures, parts of textures and macros that the scene declares and no file mentions again.
+    fn warn_of_unused(&mut self) {
+        let Some(scene) = self.tokenized.get(&self.scene).cloned() else {
+            return;
+        };
+        let is_name_of = |tokens: &Tokens, at: usize| {
+            let before = at.checked_sub(1).map(|before| tokens.tokens[before]);
+            before.is_some_and(|token| {
+                token.kind == Kind::Directive
+                    && matches!(
+                        tokens.directives[token.value as usize].word,
+                        Some(Word::Declare | Word::Local | Word::Macro)
+                    )
+            })
+        };
+        let mut used = FxHashSet::default();
+        for tokens in self.tokenized.values() {
+            for (at, token) in tokens.tokens.iter().enumerate() {
+                if let Some(name) = token.symbol().filter(|_| !is_name_of(tokens, at)) {
+                    used.insert(name);
+                }
+            }
+        }
+        for (at, token) in scene.tokens.iter().enumerate() {
+            let name = token.symbol().filter(|_| is_name_of(&scene, at));
+            let Some(name) = name.filter(|name| !used.contains(name)) else {
+                continue;
+            };
+            let (code, what) = match self.scopes.get(name) {
+                Some(Value::Macro(_)) => (Code::UnusedMacro, "macro"),
+                Some(Value::Element(element))
+                    if matches!(element.name, "texture" | "pigment" | "finish" | "normal") =>
+                {
+                    (Code::UnusedTexture, element.name)
+                }
+                _ => continue,
+            };
+            let message = format!("the {what} `{}` is not used", self.names.spelling(name));
+            let warning = Diagnostic::warning(scene.span(at), message).with_code(code);
+            self.warning(warning.with_hint("Remove it, or use it."));
         }
     }
 

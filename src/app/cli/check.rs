@@ -25,8 +25,9 @@ use super::options::raw_args::RawArgs;
 use super::options::safety::{LimitOptions, SafetyOptions};
 use super::options::settings::{Scene, find_scene, read_options};
 use crate::app::batch::scenes_below;
+use crate::base::nearest::nearest;
 use crate::base::options::{Event, ReadOptions};
-use crate::base::source::{Diagnostic, Message, Sources};
+use crate::base::source::{Code, Diagnostic, Message, Sources};
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
@@ -50,9 +51,10 @@ Examples:
 In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
 that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
+A comment `// povr: allow NAME` in a scene leaves out a kind of warning as --allow does.
 Exit code: 0 no errors, 1 errors found, 2 bad command line.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
-is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `scene_output` (text of #debug), \
+is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints, fix), `scene_output` (text of #debug), \
 `file` or `total` (counts of errors and warnings)."
 )]
 struct CommandOptions {
@@ -62,6 +64,9 @@ struct CommandOptions {
     /// Print errors, and nothing of scenes without errors
     #[arg(long)]
     quiet: bool,
+    /// Leave out a kind of warning, by the name in brackets after it; may be given several times
+    #[arg(long, value_name = "NAME", value_parser = lint)]
+    allow: Vec<String>,
     #[command(flatten)]
     safety: SafetyOptions,
     #[command(flatten)]
@@ -74,6 +79,23 @@ struct Wanted {
     scenes: Vec<String>,
     format: Option<MessageFormat>,
     is_quiet: bool,
+    allowed: Vec<String>,
+}
+
+/// The name of a lint.
+fn lint(name: &str) -> Result<String, CliError> {
+    let names = || Code::LINTS.iter().map(|(_, name)| *name);
+    if names().any(|known| known == name) {
+        return Ok(name.to_owned());
+    }
+    let refusal = CliError::new(format!("`--allow`: there is no warning `{name}`"));
+    Err(match nearest(name, names()) {
+        Some(near) => refusal.with_hint(format!("Did you mean `{near}`?")),
+        None => {
+            let all: Vec<&str> = names().collect();
+            refusal.with_hint(format!("Names are {}.", all.join(", ")))
+        }
+    })
 }
 
 fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
@@ -98,8 +120,12 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
         }
     }
     let limits = LimitOptions::of(&raw_args);
-    let options_of =
-        |scene: &Scene| read_options(&raw_args, library_paths.clone(), scene.path(), environment);
+    let options_of = |scene: &Scene| ReadOptions {
+        lints: true,
+        notes_objects: true,
+        allowed_lints: wanted.allowed.clone(),
+        ..read_options(&raw_args, library_paths.clone(), scene.path(), environment)
+    };
     if raw_args.safety.sandbox {
         kernel::enter_to_read(&scenes, &options_of);
     }
@@ -137,6 +163,7 @@ fn read_arguments(
         match command_line::parse::<CommandOptions>(option) {
             Ok(options) => {
                 wanted.is_quiet |= options.quiet;
+                wanted.allowed.extend(options.allow);
                 reader.raw_args.safety.add(options.safety);
                 reader.raw_args.limits.add(options.limits);
                 wanted.format = options.message_format.or(wanted.format);

@@ -247,6 +247,9 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         written?;
         unfinished::forget(settings);
     }
+    if let Some(doubt) = done::flat(settings, &picture.film) {
+        reporter.report(Event::Finding(&doubt));
+    }
     done::report(settings, started.elapsed());
     report_statistics(&picture.statistics, verbosity, &reporter);
     console.drawn(settings, &picture.statistics);

@@ -76,6 +76,13 @@ pub struct Levels {
 }
 
 impl Levels {
+    /// True if all pixels are equal.
+    pub(crate) fn is_flat(&self) -> bool {
+        let pixels = self.width as usize * self.height as usize;
+        let size = self.bytes.len().checked_div(pixels).unwrap_or(0);
+        size == 0 || self.bytes.windows(size + 1).all(|two| two[0] == two[size])
+    }
+
     /// A black picture.
     pub(crate) fn black(quantizer: &Quantizer, width: u32, height: u32) -> Self {
         let black = quantizer.levels(&[Pixel::default()]);

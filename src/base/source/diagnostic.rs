@@ -41,6 +41,58 @@ pub enum Code {
     Memory,
     /// The scene exceeds a limit on time, memory or depth.
     Limit,
+    /// Lint: the scene has no objects.
+    NoObjects,
+    /// Lint: the scene has no camera.
+    NoCamera,
+    /// Lint: the scene has no light, and nothing glows.
+    NoLight,
+    /// Lint: an object without a pigment is black.
+    NoPigment,
+    /// Lint: a colour counts from 0 to 255.
+    ByteColor,
+    /// Lint: a declared texture, or a part of one, is not used.
+    UnusedTexture,
+    /// Lint: a macro is not used.
+    UnusedMacro,
+    /// Lint: the camera sees no object.
+    NothingInView,
+    /// Lint: the camera is inside an object and sees nothing else.
+    CameraInside,
+    /// Lint: one object hides all others.
+    HidesEverything,
+    /// Lint: surfaces of two objects coincide where both are seen.
+    CoincidentSurfaces,
+    /// Lint: a light is inside an opaque object.
+    LightInside,
+    /// Lint: the whole picture has one colour.
+    OneColor,
+}
+
+impl Code {
+    /// The lints, with the names that switch them off.
+    pub const LINTS: [(Code, &'static str); 13] = [
+        (Code::NoObjects, "no-objects"),
+        (Code::NoCamera, "no-camera"),
+        (Code::NoLight, "no-light"),
+        (Code::NoPigment, "no-pigment"),
+        (Code::ByteColor, "byte-color"),
+        (Code::UnusedTexture, "unused-texture"),
+        (Code::UnusedMacro, "unused-macro"),
+        (Code::NothingInView, "nothing-in-view"),
+        (Code::CameraInside, "camera-inside"),
+        (Code::HidesEverything, "hides-everything"),
+        (Code::CoincidentSurfaces, "coincident-surfaces"),
+        (Code::LightInside, "light-inside"),
+        (Code::OneColor, "one-color"),
+    ];
+
+    /// The name of a lint; `None` for other codes.
+    #[must_use]
+    pub fn lint_name(self) -> Option<&'static str> {
+        let lint = Code::LINTS.iter().find(|(code, _)| *code == self);
+        lint.map(|(_, name)| *name)
+    }
 }
 
 /// A note on a related span.
@@ -140,6 +192,12 @@ impl Diagnostic {
     }
 }
 
+/// ` [name]` for a lint, the name that switches it off; nothing for other codes.
+pub(super) fn lint_suffix(code: Option<Code>) -> String {
+    let name = code.and_then(Code::lint_name);
+    name.map_or_else(String::new, |name| format!(" [{name}]"))
+}
+
 /// Formats a hint as a sentence, with a capital and a full stop.
 pub(super) fn sentence(hint: &str) -> String {
     let mut letters = hint.chars();
@@ -158,6 +216,13 @@ pub(super) fn sentence(hint: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::sentence;
+
+    #[test]
+    fn lints_have_their_serial_names() {
+        for (code, name) in super::Code::LINTS {
+            assert_eq!(serde_json::to_string(&code).unwrap(), format!("\"{name}\""));
+        }
+    }
 
     #[test]
     fn a_hint_becomes_a_sentence() {

@@ -1,6 +1,6 @@
 //! Diagnostics resolved to files, lines and columns, and formatted for output. They need no source texts.
 
-use super::diagnostic::sentence;
+use super::diagnostic::{lint_suffix, sentence};
 use super::print::{Styling, annotated, pov_line};
 use super::{Code, Diagnostic, Label, Severity, Sources, Span};
 use serde::{Deserialize, Serialize};
@@ -105,7 +105,11 @@ impl Message {
             format!("{}:{}:{}: ", start.file, start.line, start.column)
         });
         let remedies = self.remedies();
-        let line = format!("{prefix}{}: {}{remedies}", self.severity, self.message);
+        let lint = lint_suffix(self.code);
+        let line = format!(
+            "{prefix}{}: {}{lint}{remedies}",
+            self.severity, self.message
+        );
         line.replace(char::is_control, " ")
     }
 

@@ -23,4 +23,5 @@ pub use files::{Declared, Sources};
 pub(crate) use held_file::HeldFile;
 pub use message::{Location, Message, Note, Position};
 pub(crate) use refusal::refusal;
+pub(crate) use search::allows_lint;
 pub use span::{FileId, Span};

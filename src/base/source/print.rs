@@ -1,6 +1,6 @@
 //! Diagnostics as text, for people and programs. Nothing here writes to a stream.
 
-use super::diagnostic::sentence;
+use super::diagnostic::{lint_suffix, sentence};
 use super::files::char_start;
 use super::{Diagnostic, FileId, Fix, Label, Severity, Sources, Span};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
@@ -20,6 +20,9 @@ pub enum Styling {
 /// the excerpt stays small in a text of any size.
 const NEAR_LINES: usize = 200;
 
+/// Most bytes of lines that are shown as changed.
+const MAX_CHANGED: usize = 1000;
+
 /// Steps of the trace shown from each end; a recursive macro has thousands.
 const TRACE_ENDS: usize = 4;
 
@@ -35,7 +38,8 @@ pub fn pov_line(diagnostic: &Diagnostic, sources: &Sources) -> String {
         Severity::Error => "Parse Error",
         Severity::Warning => "Parse Warning",
     };
-    clean(&format!("{location}{kind}: {}", diagnostic.message))
+    let lint = lint_suffix(diagnostic.code);
+    clean(&format!("{location}{kind}: {}{lint}", diagnostic.message))
 }
 
 /// The diagnostic with an excerpt of the scene: file, line and column, the span underlined, labels, hints as `help`,
@@ -46,18 +50,21 @@ pub fn annotated(diagnostic: &Diagnostic, sources: &Sources, styling: Styling) -
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
+    let title = format!("{}{}", diagnostic.message, lint_suffix(diagnostic.code));
     let mut group = level
-        .primary_title(clean(&diagnostic.message))
+        .primary_title(clean(&title))
         .elements(snippets(diagnostic, sources));
-    let (hints, fix) = match (&diagnostic.fix, diagnostic.hints.split_last()) {
-        (Some(fix), Some((last, others))) => (others, Some((last, fix))),
-        _ => (diagnostic.hints.as_slice(), None),
-    };
+    let mut hints = diagnostic.hints.as_slice();
+    let mut changed = None;
+    if let (Some(fix), Some((last, others))) = (&diagnostic.fix, hints.split_last()) {
+        changed = change(last, fix, sources);
+        hints = if changed.is_some() { others } else { hints };
+    }
     for hint in hints {
         group = group.element(Level::HELP.message(clean(&sentence(hint))));
     }
     let mut groups = vec![group];
-    groups.extend(fix.map(|(hint, fix)| change(hint, fix, sources)));
+    groups.extend(changed);
     groups.extend(trace(&diagnostic.trace, sources));
     let renderer = match styling {
         Styling::Plain => Renderer::plain(),
@@ -104,13 +111,15 @@ fn is_near(first: &Mark, other: &Mark, sources: &Sources) -> bool {
     first.span.file == other.span.file && line(first).abs_diff(line(other)) <= NEAR_LINES
 }
 
-/// The lines of a fix as a difference, with the hint that describes it.
-fn change(hint: &str, fix: &Fix, sources: &Sources) -> Group<'static> {
+/// The lines of a fix as a difference, with the hint that describes it; `None` for very long lines, which the renderer
+/// would show in full.
+fn change(hint: &str, fix: &Fix, sources: &Sources) -> Option<Group<'static>> {
     let range = visible(fix.span, sources);
     let (first_line, start, lines) = lines(fix.span.file, iter::once(range.clone()), sources);
     let patch = Patch::new(range.start - start..range.end - start, clean(&fix.text));
     let title = Level::HELP.secondary_title(clean(&sentence(hint)));
-    title.element(Snippet::source(lines).line_start(first_line).patch(patch))
+    let is_short = lines.len() <= MAX_CHANGED;
+    is_short.then(|| title.element(Snippet::source(lines).line_start(first_line).patch(patch)))
 }
 
 /// A snippet with all marks, which are near each other in one file.
@@ -326,6 +335,26 @@ error: bad word
             "{text:.300}"
         );
         assert!(text.len() < 1000, "{}", text.len());
+    }
+
+    #[test]
+    fn a_fix_is_shown_as_a_change_unless_its_line_is_endless() {
+        for (blanks, is_shown) in [(1, true), (100_000, false)] {
+            let mut sources = Sources::new(Vec::new());
+            let file =
+                sources.add_text("x.pov", format!("{}Sphere {{ 0, 1 }}", " ".repeat(blanks)));
+            let at = u32::try_from(blanks).unwrap();
+            let span = Span::new(file, at, at + 6);
+            let fix = Fix {
+                span,
+                text: "sphere".to_owned(),
+            };
+            let error = Diagnostic::error(span, "bad word").with_fix("write `sphere`", fix);
+            let text = annotated(&error, &sources, Styling::Plain);
+            assert!(text.contains("help: Write `sphere`."), "{text:.300}");
+            assert_eq!(text.contains("+  sphere { 0, 1 }"), is_shown, "{text:.300}");
+            assert!(text.len() < 1000, "{}", text.len());
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Search for the files that a scene names, and the error for a missing one.
 
-use super::{Diagnostic, Sources};
+use super::{Code, Diagnostic, FileId, Sources};
 use crate::base::file::Folders;
 use crate::base::nearest::nearest;
 use std::fs;
@@ -24,7 +24,30 @@ pub(super) fn candidates(
     })
 }
 
+/// The start of a comment that switches lints off.
+const ALLOW: &str = "// povr: allow ";
+
+/// True if a comment in the text of a scene switches a lint off.
+pub(crate) fn allows_lint(text: &str, name: &str) -> bool {
+    let comments = text
+        .match_indices(ALLOW)
+        .map(|(at, _)| &text[at + ALLOW.len()..]);
+    let mut names = comments.flat_map(|rest| {
+        let line = rest.lines().next().unwrap_or_default();
+        line.split([' ', ',']).map(str::trim)
+    });
+    names.any(|one| one == name)
+}
+
 impl Sources {
+    /// True if a finding is a lint that is switched off: by one of these names, or by a comment in the scene.
+    pub(crate) fn allows(&self, scene: FileId, finding: &Diagnostic, allowed: &[String]) -> bool {
+        let Some(name) = finding.code.and_then(Code::lint_name) else {
+            return false;
+        };
+        allowed.iter().any(|one| one == name) || allows_lint(self.text(scene), name)
+    }
+
     /// The error for a missing file; `what` is "the include file" or the like.
     pub(super) fn not_found(&self, what: &str, name: &str, folders: &[PathBuf]) -> Diagnostic {
         let searched = if Path::new(name).is_absolute() {

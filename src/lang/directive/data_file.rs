@@ -3,6 +3,7 @@
 //! POV-Ray takes the token after each value for its comma, whatever it is: of `1 2 3` it reads 1 and 3. This reader
 //! does the same, and warns.
 
+use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::syntax::{Kind, Token, Tokens};
@@ -39,10 +40,7 @@ impl DataFile {
     }
 
     /// The next value, `None` at the end of the file.
-    pub(crate) fn next(
-        &mut self,
-        warn: &mut dyn FnMut(Diagnostic),
-    ) -> Result<Option<Value>, Diagnostic> {
+    pub(crate) fn next(&mut self, warn: &mut dyn FnMut(Diagnostic)) -> Parse<Option<Value>> {
         if self.is_at_end || self.token().kind == Kind::End {
             self.is_at_end = true;
             return Ok(None);
@@ -67,7 +65,7 @@ impl DataFile {
         self.tokens.tokens[self.at]
     }
 
-    fn value(&mut self) -> Result<Value, Diagnostic> {
+    fn value(&mut self) -> Parse<Value> {
         let token = self.token();
         match token.kind {
             Kind::String => {
@@ -79,7 +77,7 @@ impl DataFile {
         }
     }
 
-    fn vector(&mut self) -> Result<Number, Diagnostic> {
+    fn vector(&mut self) -> Parse<Number> {
         self.at += 1;
         let mut number = Number {
             v: [0.0; 5],
@@ -100,7 +98,7 @@ impl DataFile {
         Ok(number)
     }
 
-    fn number(&mut self) -> Result<f64, Diagnostic> {
+    fn number(&mut self) -> Parse<f64> {
         let is_negative = self.token().is_mark('-');
         self.at += usize::from(is_negative || self.token().is_mark('+'));
         let token = self.token();
@@ -112,7 +110,7 @@ impl DataFile {
         Ok(if is_negative { -value } else { value })
     }
 
-    fn expected(&self, what: &str) -> Diagnostic {
+    fn expected(&self, what: &str) -> Box<Diagnostic> {
         let span = self.tokens.span(self.at);
         let found = match self.token().kind {
             Kind::End => "the end of the file".to_owned(),
@@ -122,8 +120,8 @@ impl DataFile {
                 format!("`{}`", token.unwrap_or_default())
             }
         };
-        Diagnostic::error(span, format!("expected {what}, found {found}"))
-            .with_hint("A file that is read holds values only, no expressions.")
+        let error = Diagnostic::error(span, format!("expected {what}, found {found}"));
+        Box::new(error.with_hint("A file that is read holds values only, no expressions."))
     }
 }
 

@@ -249,7 +249,7 @@ impl Reader<'_> {
             match data.next(&mut |warning| self.warning(warning)) {
                 Ok(Some(value)) => self.scopes.declare(symbol, value),
                 Ok(None) => {}
-                Err(error) => return Err(self.with_trace(error)),
+                Err(error) => return Err(self.with_trace(*error)),
             }
         }
     }

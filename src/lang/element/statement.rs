@@ -9,7 +9,7 @@ use crate::lang::fast_path::common_object::Read;
 use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::frame::Entered;
 use crate::lang::limits;
-use crate::lang::reader::Reader;
+use crate::lang::reader::{ObjectSpan, Reader};
 use crate::lang::syntax::{Class, Kind};
 use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::scene::camera::Camera;
@@ -62,7 +62,7 @@ impl Reader<'_> {
     pub(crate) fn statements(&mut self) {
         loop {
             match self.statement() {
-                Ok(true) => self.note_objects(),
+                Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
                     let mut is_unbuilt =
@@ -88,14 +88,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Notes the start of the statement for the objects that it has added.
-    fn note_objects(&mut self) {
-        if self.options.notes_objects {
-            let start = self.span_of(self.statement.start);
-            self.draft.starts.resize(self.draft.objects.len(), start);
-        }
-    }
-
     fn report(&mut self, error: Diagnostic) {
         let unended = self.statement.without_semicolon.take();
         if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
@@ -112,6 +104,7 @@ impl Reader<'_> {
         self.statement.depth = 0;
         self.statement.has_faulty_directive = false;
         if !self.options.notes_objects {
+            // Spans of objects are noted one by one.
             self.take_literal_objects(&mut TopLevel)?;
         }
         let token = self.peek()?;
@@ -186,7 +179,17 @@ impl Reader<'_> {
                 self.pass();
                 self.run_version()?;
             }
-            _ => self.object_statement()?,
+            _ => {
+                if self.options.notes_objects {
+                    self.object_spans.push(ObjectSpan {
+                        first: self.draft.objects.len(),
+                        span: self.here_span(),
+                        stock_texture: (!self.draft.has_default)
+                            .then(|| Arc::clone(&self.draft.default_texture)),
+                    });
+                }
+                self.object_statement()?;
+            }
         }
         Ok(true)
     }

@@ -173,6 +173,12 @@ impl Camera {
         })
     }
 
+    /// True for a `mesh_camera`, whose rays start on surfaces.
+    #[must_use]
+    pub fn is_mesh(&self) -> bool {
+        self.meshes.is_some()
+    }
+
     /// Number of rays per image point; [`Camera::primary_ray`] is the first.
     #[must_use]
     pub fn rays_per_pixel(&self) -> usize {

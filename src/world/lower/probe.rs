@@ -67,6 +67,14 @@ impl ProbeModel {
         point.is_finite() && world.is_some_and(|(_, world)| world.holds(point))
     }
 
+    /// Returns true if no part of an object transmits light.
+    pub fn is_opaque(&mut self, object: &Arc<Object>) -> bool {
+        self.prepare(object);
+        self.worlds
+            .last()
+            .is_some_and(|(_, world)| world.is_opaque())
+    }
+
     /// Moves the object to the end of the cache, and compiles it if needed.
     fn prepare(&mut self, object: &Arc<Object>) {
         let known = |(known, _): &(Arc<Object>, World)| Arc::ptr_eq(known, object);

@@ -1,9 +1,12 @@
 //! The line about a finished picture, for people: `gears.png  1280x960  11.2 s`.
 
+use std::fs;
 use std::time::Duration;
 
 use super::report::say;
 use crate::app::cli::options::settings::{Settings, Verbosity};
+use crate::base::film::Film;
+use crate::base::source::{Code, Diagnostic, Message, Sources, allows_lint};
 use crate::output::Target;
 
 /// Reports a finished picture, on a terminal.
@@ -22,6 +25,26 @@ pub(crate) fn report_frames(settings: &Settings, first: &str, last: &str, took: 
         };
         say(line(&name, settings, took));
     }
+}
+
+/// Fewer pixels are of one colour without a reason.
+const LEAST_PIXELS: usize = 1000;
+
+/// A warning, for people, if the whole picture has one colour.
+pub(crate) fn flat(settings: &Settings, film: &Film) -> Option<Message> {
+    let pixels = film.columns.len() * film.rows.len();
+    if pixels < LEAST_PIXELS || !is_reported(settings.verbosity) || !film.is_flat() {
+        return None;
+    }
+    let name = settings.scene.name();
+    let text = fs::read_to_string(&name).unwrap_or_default();
+    if allows_lint(&text, Code::OneColor.lint_name()?) {
+        return None;
+    }
+    let warning = Diagnostic::warning(None, "all pixels of this picture have one colour")
+        .with_code(Code::OneColor)
+        .with_hint(format!("`povr check {name}` looks for the reason."));
+    Some(Message::new(&warning, &Sources::default()))
 }
 
 fn is_reported(verbosity: Verbosity) -> bool {

@@ -4,7 +4,8 @@
 //! * `{"type":"finding", ...}`: `severity` ("error" or "warning"), `message`, and where they are known `code`
 //!   ("not-built", "undeclared", "missing-file", "author", "limit", "writes-files", "memory"), `file`, `line`, `column`,
 //!   `end` (`line` and `column` of the position after it); `labels` and `trace` (related positions, and the enclosing calls and includes,
-//!   innermost first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
+//!   innermost first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences); `fix`, where the last hint is certain
+//!   (the `text` to write in place of what is at `file`, `line`, `column` to `end`). The code of a lint is its name.
 //! * `{"type":"scene_output","text":...}`: the scene's `#debug` output.
 //! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,
 //!   "errors":N,"warnings":N}`: the counts of `povr check`.

@@ -1,0 +1,64 @@
+//! Lints: doubts about scenes that can be drawn, which `povr check` reports as warnings. Each has a name, the code of
+//! its warning. `--allow NAME` switches it off, and so does a comment `// povr: allow NAME` in the scene.
+//!
+//! Doubts about the language are raised by the reader; those here need the finished scene. Scenes whose view takes too
+//! long to examine are left alone.
+
+mod material;
+mod view;
+
+use crate::base::source::{Code, Diagnostic, Span};
+use crate::lang::ObjectSpan;
+use crate::scene::{Object, Scene};
+use std::sync::Arc;
+
+/// An object of the scene and its position in the text.
+struct Located {
+    object: Arc<Object>,
+    span: Option<Span>,
+    /// True if it took the default texture, which the scene has not set.
+    has_stock_texture: bool,
+}
+
+/// The doubts about a scene, of whose objects the reader has noted the spans.
+#[must_use]
+pub fn doubts(scene: &Scene, object_spans: &[ObjectSpan]) -> Vec<Diagnostic> {
+    let located = located(scene, object_spans);
+    let mut doubts = material::doubts(scene, &located);
+    doubts.extend(view::doubts(scene, &located));
+    doubts
+}
+
+impl Located {
+    /// True if both have one and the same texture.
+    fn has_texture_of(&self, other: &Located) -> bool {
+        let (Some(a), Some(b)) = (&self.object.texture, &other.object.texture) else {
+            return false;
+        };
+        let colors = (a.what.bare(), b.what.bare());
+        Arc::ptr_eq(&a.what, &b.what) || matches!(colors, (Some((a, _)), Some((b, _))) if a == b)
+    }
+}
+
+fn located(scene: &Scene, object_spans: &[ObjectSpan]) -> Vec<Located> {
+    let objects = scene.objects.iter().enumerate();
+    objects
+        .map(|(index, object)| {
+            let known = ObjectSpan::of(object_spans, index);
+            let stock = known.and_then(|known| known.stock_texture.as_ref());
+            let own = object.texture.as_ref().map(|texture| &texture.what);
+            Located {
+                span: known.map(|known| known.span),
+                has_stock_texture: stock.zip(own).is_some_and(|(a, b)| Arc::ptr_eq(a, b)),
+                object,
+            }
+        })
+        .collect()
+}
+
+/// A doubt of a kind, with a remedy.
+fn doubt(code: Code, span: Option<Span>, message: &str, hint: &str) -> Diagnostic {
+    Diagnostic::warning(span, message)
+        .with_code(code)
+        .with_hint(hint)
+}
