@@ -214,6 +214,23 @@ fn switches_and_ini_files_count_and_standard_input_is_a_scene() {
 }
 
 #[test]
+fn a_lint_is_switched_off_on_the_command_line() {
+    let folder = folder();
+    let bare = RIGHT.replace(" pigment { rgb 1 }", "");
+    let check =
+        |arguments: &[&str]| povr(folder.path(), &[&["check", "-"], arguments].concat(), &bare);
+    assert!(check(&[]).out.contains("[no-pigment]"));
+    assert_eq!(
+        check(&["--allow", "no-pigment"]).out,
+        "standard input: ok\n"
+    );
+    let refused = check(&["--allow", "no-pigmnt"]);
+    let expected =
+        "povr: `--allow`: there is no warning `no-pigmnt`\n  hint: Did you mean `no-pigment`?\n";
+    assert_eq!((refused.err.as_str(), refused.code), (expected, Some(2)));
+}
+
+#[test]
 fn a_missing_scene_is_an_error_and_a_bad_option_a_usage_error() {
     let folder = folder();
     let ended = povr(folder.path(), &["check", "none.pov", "right.pov"], "");

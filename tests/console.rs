@@ -91,6 +91,25 @@ fn people_see_an_error_once_with_its_lines_and_in_colour() {
 }
 
 #[test]
+fn people_are_warned_of_a_picture_of_one_colour() {
+    let folder = folder();
+    let flat = SCENE.replace("look_at 0", "look_at -9*z");
+    fs::write(folder.path().join("flat.pov"), &flat).expect("a scene");
+    let allowed = format!("// povr: allow one-color\n{flat}");
+    fs::write(folder.path().join("allowed.pov"), allowed).expect("a scene");
+    for (name, is_warned) in [("flat", true), ("allowed", false), ("s", false)] {
+        let (said, _) = on_a_terminal(folder.path(), &format!("{name}.pov +W64 +H48"));
+        assert_eq!(said.contains("[one-color]"), is_warned, "{said}");
+    }
+    let output = through_a_pipe(
+        folder.path(),
+        env!("CARGO_BIN_EXE_povr"),
+        "flat.pov +W64 +H48",
+    );
+    assert_eq!(said(&output), "");
+}
+
+#[test]
 fn a_console_switch_selects_povrays_format() {
     let folder = folder();
     for switch in ["+GD", "-GW", "-GA", "--message-format povray"] {
