@@ -79,7 +79,7 @@ fn a_batch_shows_failures_first_and_its_pictures_one_by_one() {
     }
     povr(
         here,
-        &["batch", "in", "-o", "out", "--sheet", "+W64", "+H48"],
+        &["batch", "in", "-o", "in/../out", "--sheet", "+W64", "+H48"],
     );
     let Some(browser) = browser() else {
         println!("skipped: there is no Chromium; `tools/test` installs it");

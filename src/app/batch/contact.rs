@@ -176,7 +176,9 @@ fn text(folder: &Path, figure: &Figure, cell: &RgbImage) -> String {
 
 /// The path of a scene as seen from a folder.
 fn from_folder(folder: &Path, scene: &Path) -> PathBuf {
-    let (Ok(folder), Ok(scene)) = (absolute(folder), absolute(scene)) else {
+    // `..` in the path of the folder would be taken for a folder to leave.
+    let real = |path: &Path| fs::canonicalize(path).or_else(|_| absolute(path));
+    let (Ok(folder), Ok(scene)) = (real(folder), real(scene)) else {
         return scene.to_owned();
     };
     let parts = |path: &Path| {
