@@ -560,7 +560,8 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
             let seen = model.trace(object, hit.from, hit.point - hit.from);
             seen.is_some_and(|(point, _)| point.distance(hit.point) <= SAME_POINT * distance)
         };
-        let mut objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
+        let objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
+        let mut objects = objects.take_while(|_| !options.stop.is_cancelled());
         let index = objects.position(|object| has_point(&object));
         let start = index.and_then(|index| ObjectSpan::of(&reading.object_spans, index));
         Ok(start.map(|start| Message::new(&Diagnostic::warning(start.span, ""), &sources)))

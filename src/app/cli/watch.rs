@@ -49,8 +49,19 @@ pub(super) const LIVE: Command = Command {
     name: "live",
     about: "show a scene on a page that answers to mouse and keys",
     run: run_live,
-    options: <CommandOptions as clap::CommandFactory>::command,
+    options: live_options,
 };
+
+fn live_options() -> clap::Command {
+    <CommandOptions as clap::CommandFactory>::command()
+        .name("povr live")
+        .about("Shows a scene on a page that moves its camera and changes its numbers")
+        .override_usage("povr live [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE")
+        .after_help(
+            "All options and switches of drawing count: `povr live scene.pov +W640 +H480 +A0.3`. No browser is opened: \
+             open the address that is printed. With `-o picture.png` each picture is stored. Ctrl-C ends it.",
+        )
+}
 
 /// Runs `povr watch` with its page, nothing in the terminal, and no picture written unless it is asked for.
 fn run_live(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliError> {
@@ -190,7 +201,7 @@ fn run_as(
         is_silent: wanted.is_silent,
         worker: Mutex::default(),
         wishes,
-        preview: AtomicU32::new(painter::PREVIEW),
+        preview_side: AtomicU32::new(painter::PREVIEW),
         drawn: Mutex::default(),
         picked: Mutex::default(),
     };
@@ -362,7 +373,7 @@ impl Watch {
         let painter = &self.painter;
         if self.scene.is_none() {
             let limits = FileLimits::default();
-            let bytes = read_limited(&painter.scene, Named::ByUser, &limits)
+            let bytes = read_limited(&painter.scene, Named::ByScene, &limits)
                 .ok()
                 .flatten();
             let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());

@@ -1,6 +1,7 @@
 //! One rendering for `povr watch`: a coarse picture first, then the whole one; both are shown. The worker compiles the
 //! scene once for both, and keeps it for other cameras.
 
+use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -26,6 +27,9 @@ pub(super) const PREVIEW: u32 = 4;
 const COARSEST: u32 = 16;
 /// Previews of a camera in motion become coarser above the longer of these times, and finer below the shorter.
 const PREVIEW_TIMES: [Duration; 2] = [Duration::from_millis(8), Duration::from_millis(25)];
+/// A picture that takes longer than this, as its preview tells, has a second preview. It takes a ninth of the time of the
+/// picture at most.
+const LONG: Duration = Duration::from_secs(1);
 /// Time without new wishes after which the whole picture of a camera in motion is begun.
 const REST: Duration = Duration::from_millis(60);
 /// Pictures of fewer pixels have no preview.
@@ -46,7 +50,7 @@ pub(super) struct Painter {
     pub(super) worker: Mutex<Option<Worker>>,
     pub(super) wishes: Arc<Wishes>,
     /// Side of a picture over side of its preview.
-    pub(super) preview: AtomicU32,
+    pub(super) preview_side: AtomicU32,
     /// The number of the scene in the last whole picture, with its camera.
     pub(super) drawn: Mutex<Option<(u64, Option<View>)>>,
     /// The number of the last pixel that was reported on.
@@ -111,7 +115,10 @@ impl Painter {
         let is_drawn = *lock(&self.drawn) == Some((order.number, view.cloned()));
         let work = pick.map(|pixel| (self.settings.render.clone(), Some(pixel)));
         let passes = passes.into_iter().filter(|_| !(is_drawn && pick.is_some()));
-        for (render, pick) in work.into_iter().chain(passes.map(|render| (render, None))) {
+        let passes = passes.map(|render| (render, None));
+        let mut work: VecDeque<_> = work.into_iter().chain(passes).collect();
+        let mut has_better = false;
+        while let Some((render, pick)) = work.pop_front() {
             let is_preview = render.width < self.settings.render.width;
             let output = self.settings.output.as_ref();
             let output = output.filter(|_| !is_preview && view.is_none() && order.text.is_none());
@@ -167,7 +174,13 @@ impl Painter {
                 seconds.as_secs_f64(),
             );
             if is_preview {
-                self.adapt(seconds);
+                if !has_better {
+                    has_better = true;
+                    if let Some(better) = self.better_preview(seconds) {
+                        work.push_front((better, None));
+                    }
+                    self.adapt(seconds);
+                }
                 if order.is_wished {
                     drawing.wait_for_wishes(REST);
                 }
@@ -201,13 +214,13 @@ impl Painter {
     /// Adapts the size of the next preview to the time of one.
     fn adapt(&self, time: Duration) {
         let [short, long] = PREVIEW_TIMES;
-        let side = self.preview.load(Ordering::Relaxed);
+        let side = self.preview_side.load(Ordering::Relaxed);
         let side = match time {
             _ if time > long => (side + 1).min(COARSEST),
             _ if time < short => (side - 1).max(2),
             _ => side,
         };
-        self.preview.store(side, Ordering::Relaxed);
+        self.preview_side.store(side, Ordering::Relaxed);
     }
 
     /// The files of a picture, from the worker of the last picture or a new one.
@@ -240,7 +253,7 @@ impl Painter {
         }
     }
 
-    /// The passes: a small picture without antialiasing first, unless the picture is small itself.
+    /// The passes: a preview first, unless the picture is small itself.
     fn passes(&self) -> Vec<RenderOptions> {
         let whole = self.settings.render.clone();
         let (width, height) = (whole.width, whole.height);
@@ -248,17 +261,35 @@ impl Painter {
         if !is_whole || u64::from(width) * u64::from(height) < SMALL {
             return vec![whole];
         }
-        let side = self.preview.load(Ordering::Relaxed);
-        let (width, height) = ((width / side).max(1), (height / side).max(1));
-        let preview = RenderOptions {
+        vec![
+            self.preview(self.preview_side.load(Ordering::Relaxed)),
+            whole,
+        ]
+    }
+
+    /// A preview between the first, which took this time, and a picture that takes long.
+    fn better_preview(&self, time: Duration) -> Option<RenderOptions> {
+        let first = self.preview_side.load(Ordering::Relaxed);
+        let side = match self.settings.render.sampling {
+            Sampling::Centres => 3,
+            Sampling::PovRay(_) | Sampling::Adaptive(_) => 2,
+        };
+        let is_long = time.saturating_mul(first * first) > LONG;
+        (is_long && side < first).then(|| self.preview(side))
+    }
+
+    /// The picture without antialiasing in a smaller size, for a side that is this part of the whole.
+    fn preview(&self, side: u32) -> RenderOptions {
+        let whole = &self.settings.render;
+        let (width, height) = ((whole.width / side).max(1), (whole.height / side).max(1));
+        RenderOptions {
             width,
             height,
             columns: 0..width,
             rows: 0..height,
             sampling: Sampling::Centres,
             ..whole.clone()
-        };
-        vec![preview, whole]
+        }
     }
 
     fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {

@@ -40,6 +40,8 @@ struct State {
     /// Incremented by every change.
     number: u64,
     picture: Option<Picture>,
+    /// The number of the picture.
+    pictures: u64,
     /// The errors of the scene; empty if none.
     errors: String,
     /// Incremented by every new text.
@@ -54,6 +56,8 @@ struct State {
 #[derive(Serialize)]
 struct Event<'a> {
     number: u64,
+    /// The number of the picture.
+    picture: u64,
     errors: &'a str,
     is_preview: bool,
     seconds: Option<f64>,
@@ -90,6 +94,7 @@ impl Shown {
                 state.remember(picture.png.clone());
             }
             state.picture = Some(picture);
+            state.pictures += 1;
             state.errors.clear();
         });
     }
@@ -170,6 +175,7 @@ impl State {
         let values = wish.scene.edits.into_iter();
         let event = Event {
             number: self.number,
+            picture: self.pictures,
             errors: &self.errors,
             is_preview: picture.is_some_and(|picture| picture.is_preview),
             seconds: picture.map(|picture| picture.seconds),

@@ -3,12 +3,12 @@
 use super::WatchEvent;
 use super::source::{self, Edit, Edits};
 use crate::app::worker::CameraReport;
+use crate::base::file::{FileLimits, Named, read_limited};
 use crate::base::options::ReadOptions;
 use crate::base::sync::lock;
 use crate::output::{self, Target};
 use crate::scene::camera::{Movement, View};
 use serde::Deserialize;
-use std::fs;
 use std::path::PathBuf;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex};
@@ -253,8 +253,9 @@ impl Wishes {
     fn write(&self, text: Option<&str>, edits: &Edits) -> Result<(), String> {
         let text = text.ok_or("the scene is not a text in UTF-8")?;
         let path = self.path.display();
-        let now = fs::read(&self.path).map_err(|error| format!("cannot read `{path}`: {error}"))?;
-        if now != text.as_bytes() {
+        let now = read_limited(&self.path, Named::ByScene, &FileLimits::default())
+            .map_err(|error| format!("cannot read `{path}`: {error}"))?;
+        if now.as_deref() != Some(text.as_bytes()) {
             return Err(format!("`{path}` has changed meanwhile: try it again"));
         }
         let new = source::edited(text, edits).ok_or("the numbers are no longer there")?;

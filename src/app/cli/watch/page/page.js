@@ -58,11 +58,11 @@ async function send() {
 // The picture.
 let isLoading = false, loaded = -1, chosen = null;
 async function load() {
-  if (isLoading || !state || state.width === null || loaded === state.number) return;
+  if (isLoading || !state || state.width === null || loaded === state.picture) return;
   isLoading = true;
   const wanted = state;
   try {
-    const path = chosen === null ? 'picture.png?' + wanted.number : 'history.png?' + chosen;
+    const path = chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen;
     const reply = await fetch(path);
     if (reply.ok) {
       const bitmap = await createImageBitmap(await reply.blob());
@@ -77,12 +77,12 @@ async function load() {
       canvas.dataset.pictures = pictures;
       canvas.dataset.final = chosen === null && !wanted.is_preview;
     }
-    loaded = wanted.number;
+    loaded = wanted.picture;
   } catch {
     // The stream of events reports a server that has ended.
   }
   isLoading = false;
-  if (state.number !== loaded) load();
+  if (state && state.picture !== loaded) load();
 }
 
 function status(now) {
@@ -315,7 +315,7 @@ canvas.addEventListener('pointermove', event => {
     if (from.length > 0 && to.length > 0) move('zoom', to.length / from.length);
     let turn = (from.angle - to.angle) / (2 * Math.PI);
     turn -= Math.round(turn);
-    move('roll', turn);
+    if (turn) move('roll', turn);
     return;
   }
   fingers.set(event.pointerId, now);
