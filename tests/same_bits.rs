@@ -84,7 +84,12 @@ fn any_number_of_threads_draws_the_same_picture() {
 
 #[test]
 fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
-    for method in [Method::One, Method::Two] {
+    let of_38 = SCENE.replace("3.7", "3.8");
+    for (method, scene) in [
+        (Method::One, SCENE),
+        (Method::Two, SCENE),
+        (Method::Three, &of_38),
+    ] {
         let with = |threads| {
             let sampling = Sampling::PovRay(Antialias {
                 method,
@@ -97,7 +102,7 @@ fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
             };
             let Picture {
                 film, statistics, ..
-            } = picture(SCENE, &options);
+            } = picture(scene, &options);
             (film, statistics.rays)
         };
         let one = with(1);

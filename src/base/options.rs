@@ -267,7 +267,10 @@ pub struct Antialias {
     /// Threshold of the difference of two colours, summed over red, green, blue and transmit, above which a pixel is
     /// supersampled.
     pub threshold: f64,
-    /// Side of the sample grid in method 1; number of subdivisions of a pixel in method 2. 1 to 9.
+    /// Confidence, in `[0, 1]`, that the mean of a pixel's samples is within the threshold, in method 3.
+    pub confidence: f64,
+    /// Side of the sample grid in method 1; number of subdivisions of a pixel in method 2; in method 3 a pixel has up to
+    /// 4 to this power samples. 1 to 9.
     pub depth: u32,
     /// Jitter of samples as a fraction of a grid cell, 0 to 1.
     pub jitter: f64,
@@ -282,6 +285,8 @@ pub enum Method {
     One,
     /// Recursive subdivision of pixels whose corners differ (`+AM2`).
     Two,
+    /// Samples until the mean is known with some confidence (`+AM3` from version 3.8 on; before that, method 2).
+    Three,
 }
 
 impl Default for Antialias {
@@ -290,6 +295,7 @@ impl Default for Antialias {
         Antialias {
             method: Method::One,
             threshold: 0.3,
+            confidence: 0.9,
             depth: 3,
             jitter: 1.0,
             gamma: 2.5,

@@ -47,6 +47,8 @@ pub struct Globals {
     pub irid_wavelength: Rgb,
     /// If true, transparency and background follow the rules of version 3.7 and later (the effective version).
     pub rules_37: bool,
+    /// True if the scene follows the rules of version 3.8.
+    pub is_3_8: bool,
     /// If true, the picture has an alpha channel: the transparency of the background.
     pub has_alpha: bool,
     /// The working space; `None` without gamma handling.

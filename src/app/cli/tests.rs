@@ -302,7 +302,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
         (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, T is TGA, C is compressed TGA, B is BMP, P is PPM, J is JPEG, E is EXR, H is HDR; N16 has 16 bits, Ng is grey.".to_owned()),
         (vec!["File_Gamma=bt601"], "`File_Gamma=bt601` needs `sRGB`, `BT709`, `BT2020` or a number greater than 0, found `bt601`".to_owned()),
-        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`.".to_owned()),
+        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1 to 4\n  hint: 4 samples until the error is small, see `--error`.".to_owned()),
         (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not supported yet\n  hint: Use `-UO` (or `Odd_Field=off`).".to_owned()),
         (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not supported yet\n  hint: Use `-UF` (or `Field_Render=off`).".to_owned()),
         (vec![&scene, "Clockless_Animation=on"], "`Clockless_Animation=on`: animation by several cameras is not supported yet\n  hint: Leave `Clockless_Animation` out and move one camera with `clock`.".to_owned()),
@@ -348,20 +348,22 @@ fn antialiasing_is_set_by_switches_and_by_ini_words() {
     assert_eq!(how(&["+A"]), Sampling::PovRay(Antialias::default()));
     assert_eq!(how(&["+A0.1", "-A"]), Sampling::Centres);
     let fine = Antialias {
-        method: Method::Two,
+        method: Method::Three,
         threshold: 0.1,
+        confidence: 0.95,
         depth: 5,
         jitter: 0.5,
         gamma: 1.5,
     };
     assert_eq!(
-        how(&["+A0.1", "+AM2", "+R5", "+J0.5", "+AG1.5"]),
+        how(&["+A0.1", "+AM3", "+AC0.95", "+R5", "+J0.5", "+AG1.5"]),
         Sampling::PovRay(fine)
     );
     let words = [
         "Antialias=on",
         "Antialias_Threshold=0.1",
         "Sampling_Method=3",
+        "Antialias_Confidence=0.95",
         "Antialias_Depth=5",
     ];
     let more = ["Jitter_Amount=0.5", "Antialias_Gamma=1.5"];

@@ -12,7 +12,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// The switches that a scene may use.
-const SWITCHES: [&str; 8] = ["A", "AM", "AG", "J", "R", "Q", "K", "UA"];
+const SWITCHES: [&str; 10] = ["A", "AC", "AM", "AG", "FN", "J", "R", "Q", "K", "UA"];
 
 /// A scene to be compared.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,10 @@
-//! POV-Ray's two methods of antialiasing, sample by sample.
+//! POV-Ray's methods of antialiasing, sample by sample.
 //!
-//! Both work on tiles of 32 by 32 pixels, which share only the samples at their borders ([`lattice`]). Method 1
+//! All work on tiles of 32 by 32 pixels, which share only the samples at their borders ([`lattice`]). Method 1
 //! ([`neighbours`]) traces the centre of each pixel, and supersamples a pixel on a grid where it differs from its left
 //! or upper neighbour. Method 2 ([`corners`]) traces the corners of each pixel and divides it as long as they differ.
-//! (The fact sheet, section 7; checked against pictures.)
+//! Method 3 ([`repeated`]) takes further samples until the mean is known. (The fact sheet, sections 7 and 15; checked
+//! against pictures.)
 //!
 //! POV-Ray traces a sample when it needs it. Here a method decides as far as the known samples allow and collects the
 //! missing ones. These are traced together, in packets, and the method decides again until none is missing. The samples
@@ -14,6 +15,7 @@ mod centres;
 mod corners;
 mod lattice;
 mod neighbours;
+mod repeated;
 
 use super::tiles::{TILE, Tile};
 use crate::base::color::Gamma;
@@ -176,7 +178,10 @@ impl<'a> Sampler<'a> {
     pub(super) fn tile(&self, tile: &Tile, scratch: &mut BlockScratch) -> Vec<Pixel> {
         match self.settings.method {
             Method::One => Neighbours::new(self, tile, scratch).pixels(),
-            Method::Two => Corners::new(self, tile, scratch).pixels(),
+            Method::Three if self.tracer.world().globals.is_3_8 => {
+                repeated::pixels(self, tile, scratch)
+            }
+            Method::Two | Method::Three => Corners::new(self, tile, scratch).pixels(),
         }
     }
 

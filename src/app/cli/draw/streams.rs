@@ -189,6 +189,7 @@ pub(crate) fn drawn_how(settings: &Settings) -> String {
             let method = match how.method {
                 Method::One => 1,
                 Method::Two => 2,
+                Method::Three => 3,
             };
             let jitter = match how.jitter {
                 0.0 => "Off".to_owned(),

@@ -1,7 +1,7 @@
 //! The options by their ini names: one list with the effect of each, and those without effect here.
 //!
 //! Switches are other names of these (see `switches`). The list is that of the POV-Ray 3.7 reference, checked against
-//! the options that the program of 3.7.0.10 accepts.
+//! the options that the program of 3.7.0.10 accepts, and the options that 3.8 added.
 
 use super::error::CliError;
 use super::raw_args::{Output, RawArgs, Shellout, Unbuilt};
@@ -58,6 +58,7 @@ const KEYS: &[(&str, Set)] = &[
     ("All_Console", |t, v, s| { t.has_console = true; t.quiet = !flag(t, v, s); Ok(()) }),
     ("All_File", |t, v, _| { t.stream(Stream::All, v); Ok(()) }),
     ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
+    ("Antialias_Confidence", |t, v, s| { t.antialias.confidence = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
     ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MAX_DEPTH, v, s)?.max(1)); Ok(()) }),
     ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
     ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
@@ -147,6 +148,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Start_Row", |t, v, s| { t.start_row = Some(single(v, s)?); Ok(()) }),
     ("Statistic_Console", |t, v, s| { t.has_console = true; t.statistics = flag(t, v, s); Ok(()) }),
     ("Statistic_File", |t, v, _| { t.stream(Stream::Statistics, v); Ok(()) }),
+    ("Stochastic_Seed", IDLE),
     ("Subset_End_Frame", |t, v, s| { t.frames.subset_end = Some(single(v, s)?); Ok(()) }),
     ("Subset_Start_Frame", |t, v, s| { t.frames.subset_start = Some(single(v, s)?); Ok(()) }),
     ("Test_Abort", SCREEN),
@@ -190,17 +192,17 @@ fn above_zero(value: &str, word: &str) -> Result<f64, CliError> {
     }
 }
 
-/// Method 3 is a second name of method 2, as in POV-Ray; method 4 exists only in this program and turns antialiasing
-/// on.
+/// Method 4 exists only in this program and turns antialiasing on.
 fn method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
     raw_args.converges = false;
     match whole(value, word)? {
         1 => raw_args.antialias.method = Method::One,
-        2 | 3 => raw_args.antialias.method = Method::Two,
+        2 => raw_args.antialias.method = Method::Two,
+        3 => raw_args.antialias.method = Method::Three,
         4 => raw_args.converge(),
         other => {
             return Err(CliError::new(format!(
-                "`{word}`: there is no sampling method {other}; there are 1, 2 and 4"
+                "`{word}`: there is no sampling method {other}; there are 1 to 4"
             ))
             .with_hint("4 samples until the error is small, see `--error`."));
         }

@@ -27,6 +27,7 @@ use Form::{Both, FileType, Flag, Idle, Value};
 
 const SWITCHES: &[(&str, Form)] = &[
     ("A", Both("Antialias", "Antialias_Threshold")),
+    ("AC", Value("Antialias_Confidence")),
     ("AG", Value("Antialias_Gamma")),
     ("AM", Value("Sampling_Method")),
     ("B", Idle),
@@ -77,6 +78,7 @@ const SWITCHES: &[(&str, Form)] = &[
     ("SF", Value("Subset_Start_Frame")),
     ("SP", Value("Preview_Start_Size")),
     ("SR", Value("Start_Row")),
+    ("SS", Value("Stochastic_Seed")),
     ("SU", Flag("Split_Unions")),
     ("TH", Both("Dither", "Dither_Method")),
     ("UA", Flag("Output_Alpha")),
