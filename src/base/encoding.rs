@@ -47,7 +47,7 @@ impl std::fmt::Debug for Format {
 pub struct EncodeOptions {
     /// The file format.
     pub format: Format,
-    /// Bits per channel: PNG and PPM take 8 or 16 (below 9 is 8), EXR 16 or 32, the others have one size.
+    /// Bits per channel: PNG and PPM take 5 to 16, from version 3.8 on 1 to 16; EXR 16 or 32, the others have one size.
     pub bits: u8,
     /// One grey channel instead of three colours (PNG, PPM).
     pub grayscale: bool,

@@ -1,6 +1,6 @@
-//! PPM and PGM, binary: 8 or 16 bits, no alpha.
+//! PPM and PGM, binary: 1 to 16 bits, no alpha.
 
-use super::quantize::{self, Depth};
+use super::quantize::{self, Depth, bits_of, max_level};
 use super::{EncodeOptions, EncodeResult, Format, FormatProperties};
 use crate::base::film::Film;
 
@@ -20,12 +20,18 @@ impl Format {
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let kind = if options.grayscale { 5 } else { 6 };
-    let max_level = match Depth::of(options) {
-        Depth::Byte => 255,
-        Depth::Word => 65535,
-    };
+    let bits = bits_of(options);
     let data = quantize::levels_of(film, options)?;
-    let mut file = format!("P{kind}\n{} {}\n{max_level}\n", film.width, film.height).into_bytes();
-    file.extend_from_slice(&data);
+    let (width, height, max_level) = (film.width, film.height, max_level(bits));
+    let mut file = format!("P{kind}\n{width} {height}\n{max_level}\n").into_bytes();
+    // The high bits are the level, the others repeat them.
+    match Depth::of(options) {
+        Depth::Byte => file.extend(data.iter().map(|&byte| byte >> (8 - bits))),
+        Depth::Word => {
+            let words = data.as_chunks().0.iter().copied();
+            let levels = words.map(|word| u16::from_be_bytes(word) >> (16 - bits));
+            file.extend(levels.flat_map(u16::to_be_bytes));
+        }
+    }
     Ok(file)
 }

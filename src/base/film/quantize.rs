@@ -66,6 +66,34 @@ impl Depth {
     }
 }
 
+/// Bits per channel that count, 1 to 16. POV-Ray 3.7 takes fewer than 5 for 5.
+pub(crate) fn bits_of(options: &EncodeOptions) -> u8 {
+    let least = match options.rounding {
+        Rounding::Encoded => 5,
+        Rounding::Working => 1,
+    };
+    match options.format.has_words {
+        true => options.bits.clamp(least, 16),
+        false => 8,
+    }
+}
+
+/// The highest level of 1 to 16 bits.
+pub(crate) fn max_level(bits: u8) -> u16 {
+    u16::MAX >> (16 - bits)
+}
+
+/// A level of 1 to 16 bits, repeated until it fills 16; a byte takes the high ones. POV-Ray's PNG files have such levels.
+fn spread(level: u16, bits: u8) -> u16 {
+    let mut spread = level << (16 - bits);
+    let mut filled = bits;
+    while filled < 16 {
+        spread |= spread >> filled;
+        filled *= 2;
+    }
+    spread
+}
+
 /// A picture as the quantized levels of one kind of file: channels interleaved, rows from the top, no padding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Levels {
@@ -139,9 +167,9 @@ impl Quantizer {
             return None;
         }
         let curve = Rounded::of(options);
-        let table = match Depth::of(options) {
-            Depth::Byte => StepTable::new(curve),
-            Depth::Word => None,
+        let table = match bits_of(options) {
+            8 => StepTable::new(curve),
+            _ => None,
         };
         Some(Quantizer {
             options: options.clone(),
@@ -159,16 +187,30 @@ impl Quantizer {
 
     fn fill(&self, pixels: &[Pixel], out: &mut [u8]) {
         let channels = Channels::of(&self.options);
+        let bits = bits_of(&self.options);
+        let max = f32::from(max_level(bits));
+        let level = |c| spread(word(self.curve.level(c, max)), bits);
+        let alpha = |a: f32| spread(word(a * max + 0.5), bits);
         match (Depth::of(&self.options), &self.table) {
             (Depth::Byte, Some(table)) => {
                 fill(pixels, channels, out, |c| table.level(c), alpha_8);
             }
-            (Depth::Byte, None) => {
+            (Depth::Byte, None) if bits == 8 => {
                 fill(pixels, channels, out, |c| self.curve.level_8(c), alpha_8);
             }
+            (Depth::Byte, None) => {
+                let high = |level: u16| level.to_be_bytes()[0];
+                fill(
+                    pixels,
+                    channels,
+                    out,
+                    |c| high(level(c)),
+                    |a| high(alpha(a)),
+                );
+            }
             (Depth::Word, _) => {
-                let level = |c| self.curve.level_16(c).to_be_bytes();
-                let alpha = |a| word(a * 65535.0 + 0.5).to_be_bytes();
+                let level = |c| level(c).to_be_bytes();
+                let alpha = |a| alpha(a).to_be_bytes();
                 fill(pixels, channels, out.as_chunks_mut().0, level, alpha);
             }
         }
@@ -318,10 +360,6 @@ impl Rounded {
 
     fn level_8(self, c: f32) -> u8 {
         byte(self.level(c, 255.0))
-    }
-
-    fn level_16(self, c: f32) -> u16 {
-        word(self.level(c, 65535.0))
     }
 
     /// The level of a value among those from 0 to `max`; its fraction does not count.
@@ -531,12 +569,32 @@ mod tests {
         assert_eq!(levels(Gamma::Srgb), [51, 102, 179]);
     }
 
+    /// Levels in files of POV-Ray 3.8 with `+FN1` to `+FN10`.
+    #[test]
+    fn a_level_is_repeated_to_fill_its_bytes() {
+        let high = |level, bits| spread(level, bits) >> 8;
+        assert_eq!([high(1, 1), high(2, 2), high(9, 4)], [0xff, 0xaa, 0x99]);
+        assert_eq!(high(0b11110, 5), 0xf7);
+        assert_eq!(spread(0x3e2, 10), 0xf8be);
+        assert_eq!(spread(0x1234, 16), 0x1234);
+        let bits = |bits, rounding| {
+            bits_of(&EncodeOptions {
+                bits,
+                rounding,
+                ..EncodeOptions::new(crate::output::Format::PNG)
+            })
+        };
+        assert_eq!(bits(4, Rounding::Encoded), 5);
+        assert_eq!(bits(4, Rounding::Working), 4);
+        assert_eq!(bits(20, Rounding::Working), 16);
+    }
+
     #[test]
     fn nan_is_black_and_infinity_white() {
         for curve in curves() {
             assert_eq!(curve.level_8(f32::NAN), 0);
-            assert_eq!(curve.level_16(f32::INFINITY), 65535);
-            assert_eq!(curve.level_16(f32::NEG_INFINITY), 0);
+            assert_eq!(word(curve.level(f32::INFINITY, 65535.0)), 65535);
+            assert_eq!(word(curve.level(f32::NEG_INFINITY, 65535.0)), 0);
         }
     }
 
@@ -552,8 +610,8 @@ mod tests {
             curve: Curve::Same,
             spaces: None,
         };
-        let levels = [rgb.r, rgb.g, rgb.b].map(|c| same.level_16(c));
+        let levels = [rgb.r, rgb.g, rgb.b].map(|c| word(same.level(c, 65535.0)));
         assert_eq!(levels, [65535, 62668, 47001]);
-        assert_eq!(same.level_16(alpha), 32896);
+        assert_eq!(word(same.level(alpha, 65535.0)), 32896);
     }
 }
