@@ -43,6 +43,7 @@ use base::options::{
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
 use base::sync::lock;
+use base::word::Word;
 use glam::DVec3;
 use lang::{ObjectSpan, ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
@@ -578,7 +579,7 @@ fn load(input: &Input, sources: &mut Sources) -> Result<FileId, Box<Diagnostic>>
     }
 }
 
-/// As [`read()`], for the findings alone.
+/// As [`read()`], for the findings alone. Returns the words that the scene uses and POV-Ray 3.7 lacks.
 ///
 /// # Errors
 /// When the scene could not be drawn.
@@ -586,8 +587,8 @@ pub fn check(
     input: &Input,
     options: &ReadOptions,
     listen: &EventHandler<'_>,
-) -> Result<(), Failure> {
-    read(input, options, listen).map(drop)
+) -> Result<Vec<Word>, Failure> {
+    read(input, options, listen).map(|scene| scene.words_of_3_8)
 }
 
 /// Runs `work` on a stack that is deep enough for deeply nested scenes.

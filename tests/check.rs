@@ -333,3 +333,29 @@ fn an_impossible_bevelled_body_is_reported_with_its_position() {
         assert!(output.contains("bevelled.pov:2:"), "{body}: {output}");
     }
 }
+
+#[test]
+fn the_words_that_need_version_3_8_are_named() {
+    let folder = folder();
+    let new = "#version 3.8;\ncamera { location -5*z }\nlight_source { -9*z, rgb 1 }\n\
+               #declare Sizes = array mixed[2] { 1, y };\nlemon { 0, 0, Sizes[1], 0, Sizes[0] finish { fresnel } }\n";
+    let old = "#version 3.7;\n#macro Ball(At, optional Size) sphere { At, 1 } #end\nBall(0,)\n";
+    fs::write(folder.path().join("new.pov"), new).expect("a file");
+    fs::write(folder.path().join("old.pov"), old).expect("a file");
+    let of = |arguments: &[&str]| povr(folder.path(), arguments, "").out;
+    let out = of(&["check", "--message-format=short", "new.pov"]);
+    assert_eq!(
+        out,
+        "new.pov: ok; needs POV-Ray 3.8 for `fresnel`, `lemon`, `mixed`\n"
+    );
+    let out = of(&["check", "--message-format=json", "new.pov"]);
+    let file: serde_json::Value =
+        serde_json::from_str(out.lines().next().unwrap_or_default()).expect("an object");
+    assert_eq!(
+        file["words_of_3_8"],
+        serde_json::json!(["fresnel", "lemon", "mixed"])
+    );
+    let out = of(&["check", "--message-format=short", "old.pov"]);
+    let hint = "(Begin the scene with `#version 3.8;` if parameters are `optional`.)";
+    assert!(out.contains(hint), "{out}");
+}

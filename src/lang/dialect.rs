@@ -7,6 +7,7 @@ use super::syntax::{Kind, Names, Symbol, Token};
 use crate::base::args::Word;
 use crate::base::version::has_syntax_of_3_8;
 use crate::base::word::FREE_SINCE_3_8;
+use std::cell::Cell;
 
 /// The reserved words in force.
 #[derive(Debug)]
@@ -16,6 +17,8 @@ pub(crate) struct Dialect {
     words: Vec<Word>,
     /// The symbol of the word that 3.8 frees.
     freed: u32,
+    /// The words read so far, a bit for each of `words`.
+    used: Cell<u32>,
 }
 
 impl Dialect {
@@ -27,6 +30,7 @@ impl Dialect {
             freed: names
                 .symbol(FREE_SINCE_3_8.spelling())
                 .map_or(u32::MAX, |symbol| symbol.0),
+            used: Cell::new(0),
         }
     }
 
@@ -46,7 +50,10 @@ impl Dialect {
     pub(crate) fn token(&self, token: Token) -> Token {
         let (kind, value) = match token.kind {
             Kind::Name => match self.words.get(token.value as usize) {
-                Some(&word) => (Kind::Word, word as u32),
+                Some(&word) => {
+                    self.used.set(self.used.get() | 1 << token.value);
+                    (Kind::Word, word as u32)
+                }
                 None => return token,
             },
             Kind::Word if token.value == FREE_SINCE_3_8 as u32 => (Kind::Name, self.freed),
@@ -57,6 +64,13 @@ impl Dialect {
             value,
             ..token
         }
+    }
+
+    /// The words of POV-Ray 3.8 read so far.
+    pub(crate) fn used(&self) -> impl Iterator<Item = Word> {
+        let used = self.used.get();
+        let words = Word::since_3_8().enumerate();
+        words.filter_map(move |(bit, word)| (used >> bit & 1 == 1).then_some(word))
     }
 
     /// True if a name, which has no value here, means something where the words of 3.8 are reserved.

@@ -4,6 +4,7 @@ use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
 use crate::base::version::is_3_8;
+use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::texture::{Layer, Texture};
@@ -18,6 +19,8 @@ const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 pub(super) struct SceneDraft {
     pub(super) version: f64,
     pub(super) has_version: bool,
+    /// The words so far that POV-Ray 3.7 lacks.
+    pub(super) words_of_3_8: Vec<Word>,
     /// True once a `#default` was read: a later `#version` leaves the defaults alone.
     pub(super) has_default: bool,
     /// Width over height of the image, for pixels as wide as high.
@@ -41,6 +44,7 @@ impl SceneDraft {
         let mut draft = SceneDraft {
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
+            words_of_3_8: Vec::new(),
             has_default: false,
             aspect: f64::from(options.width) / f64::from(options.height),
             default_layer: Layer::default(),
@@ -86,6 +90,13 @@ impl SceneDraft {
         }
     }
 
+    /// Notes that the scene uses a word which POV-Ray 3.7 lacks.
+    pub(super) fn note_word_of_3_8(&mut self, word: Word) {
+        if !self.words_of_3_8.contains(&word) {
+            self.words_of_3_8.push(word);
+        }
+    }
+
     /// The scene, at the end of its text.
     pub(super) fn into_scene(self) -> Scene {
         let version = self.version_of_rules();
@@ -103,6 +114,7 @@ impl SceneDraft {
             atmosphere: self.atmosphere,
             globals: self.globals,
             version,
+            words_of_3_8: self.words_of_3_8,
         }
     }
 }

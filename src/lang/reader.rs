@@ -286,6 +286,9 @@ impl<'a> Reader<'a> {
         if self.options.lints && self.report.errors == 0 {
             self.warn_of_unused();
         }
+        for word in self.dialect.used() {
+            self.draft.note_word_of_3_8(word);
+        }
         let has_new_tokens = self.token_cache.take().is_some_and(|token_cache| {
             let names = std::mem::take(&mut self.names);
             token_cache.update(names, &self.tokenized, self.sources, self.scene)

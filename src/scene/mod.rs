@@ -33,6 +33,7 @@ use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
 use crate::base::version::is_3_8;
+use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::pattern::Settings;
@@ -53,6 +54,8 @@ pub struct Scene {
     pub globals: Globals,
     /// The effective language version: the last `#version` of the file, or 3.62 without any.
     pub version: f64,
+    /// The words that the scene uses and POV-Ray 3.7 lacks, each once.
+    pub words_of_3_8: Vec<Word>,
 }
 
 impl Default for Scene {
@@ -65,6 +68,7 @@ impl Default for Scene {
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             version: 3.7,
+            words_of_3_8: Vec::new(),
         }
     }
 }

@@ -166,6 +166,10 @@ pub trait Args {
     }
     /// The language version in force, as `#version` writes it: 3.7, 3.1.
     fn version(&self) -> f64;
+    /// Notes that the scene uses a word which POV-Ray 3.7 lacks.
+    fn note_word_of_3_8(&mut self, word: Word) {
+        let _ = word;
+    }
 }
 
 /// Values of a function over the unit square, sampled as a picture.
@@ -212,8 +216,9 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
 }
 
 /// An error for a word, read last, that an element takes since version 3.8 only.
-pub(crate) fn since_3_8(args: &dyn Args, word: Word, element: Word) -> Parse<()> {
+pub(crate) fn since_3_8(args: &mut dyn Args, word: Word, element: Word) -> Parse<()> {
     if has_syntax_of_3_8(args.version()) {
+        args.note_word_of_3_8(word);
         return Ok(());
     }
     let message = format!("`{word}` in `{element}` needs version 3.8");

@@ -216,6 +216,9 @@ impl Reader<'_> {
     fn call_form(&self, name: Symbol, called: &Macro) -> String {
         let spelling = |&symbol: &Symbol| self.names.spelling(symbol);
         let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
+        if parameters.contains(&Word::Optional.spelling()) {
+            return "Begin the scene with `#version 3.8;` if parameters are `optional`.".to_owned();
+        }
         format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
 

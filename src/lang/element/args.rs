@@ -279,6 +279,10 @@ impl Args for Reader<'_> {
         self.draft.version
     }
 
+    fn note_word_of_3_8(&mut self, word: Word) {
+        self.draft.note_word_of_3_8(word);
+    }
+
     fn effective_version(&self) -> f64 {
         self.draft.version_of_rules()
     }

@@ -13,7 +13,8 @@ use crate::app::cli::options::output_kinds::MessageFormat;
 /// Settings from outside the command line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Environment {
-    /// The system's ini file. Only its library paths are used; display and verbosity are ignored.
+    /// The system's ini file, that of POV-Ray 3.8 where 3.7 is not installed. Only its library paths are used; display
+    /// and verbosity are ignored.
     pub system_ini: Option<PathBuf>,
     /// The user's ini file.
     pub user_ini: Option<PathBuf>,
@@ -49,7 +50,7 @@ impl Environment {
         let of_user = home.map(|home| home.join(".povray/3.7/povray.ini"));
         let mut candidates = named.clone().into_iter().chain(near).chain(of_user);
         Environment {
-            system_ini: Some(PathBuf::from("/etc/povray/3.7/povray.ini")).filter(|f| f.is_file()),
+            system_ini: system_ini(Path::new("/etc/povray")),
             warning: missing
                 .map(|file| format!("`POVINI` names `{}`, which is not there", file.display())),
             is_terminal: io::stderr().is_terminal(),
@@ -94,5 +95,32 @@ impl Environment {
             Reader::new(&mut raw_args, standard_folders).read_file(file, None)?;
         }
         Ok(raw_args)
+    }
+}
+
+/// The ini file of the first version that is installed.
+fn system_ini(folder: &Path) -> Option<PathBuf> {
+    let mut files = ["3.7", "3.8"]
+        .map(|version| folder.join(version).join("povray.ini"))
+        .into_iter();
+    files.find(|file| file.is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn povray_3_8_alone_gives_its_include_folders() -> io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        assert_eq!(system_ini(folder.path()), None);
+        for version in ["3.8", "3.7"] {
+            let own = folder.path().join(version);
+            fs::create_dir(&own)?;
+            fs::write(own.join("povray.ini"), "")?;
+            assert_eq!(system_ini(folder.path()), Some(own.join("povray.ini")));
+        }
+        Ok(())
     }
 }
