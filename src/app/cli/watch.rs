@@ -262,7 +262,13 @@ fn read_arguments(
                 wanted.is_silent |= options.no_terminal;
                 wanted.times = options.times.or(wanted.times);
             }
-            Err(error) => return command_line::printed::<CommandOptions>(&error).map(Err),
+            Err(error) => {
+                let help = command_line::printed::<CommandOptions>(&error)?;
+                return Ok(Err(match wanted.is_live {
+                    true => live_options().render_help().to_string(),
+                    false => help,
+                }));
+            }
         }
         rest = behind;
     }
