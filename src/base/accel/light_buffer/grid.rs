@@ -286,7 +286,9 @@ impl CellGrid {
             if (is_sparse || is_single) && is_sharp(&grid) {
                 break;
             }
-            if is_single {
+            let coarsest = [0, 1].map(|side| 2.0 * (window.high[side] - window.low[side]));
+            let is_coarsest = |side: usize| cell[side] >= coarsest[side] || coarsest[side].is_nan();
+            if is_single || (is_coarsest(0) && is_coarsest(1)) {
                 return None;
             }
             let factor = if is_dense {
@@ -294,9 +296,9 @@ impl CellGrid {
             } else {
                 1.5
             };
-            for (side, cell) in cell.iter_mut().enumerate() {
-                let wide = window.high[side] - window.low[side];
-                *cell = (cell.max(wide / MAX_CELLS_PER_SIDE) * factor).min(2.0 * wide);
+            for (cell, coarsest) in cell.iter_mut().zip(coarsest) {
+                let finest = 0.5 * coarsest / MAX_CELLS_PER_SIDE;
+                *cell = (cell.max(finest) * factor).min(coarsest);
             }
             grid = Grid::new(&window, cell, pixel_block);
         }
