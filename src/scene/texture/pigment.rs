@@ -307,8 +307,12 @@ impl Pigment {
         Ok(color.is_some())
     }
 
-    /// Reads a colour or a pattern with its list; false if none is next.
+    /// Reads a colour or a pattern with its list; false if none is next. Before it, `uv_mapping` has no effect in a
+    /// density.
     fn read_source(&mut self, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
+        while family == PigmentSyntax::Density && args.word()? == Some(Word::UvMapping) {
+            skip_idle(Word::UvMapping, args, family)?;
+        }
         if self.read_own_color(args)? {
             return Ok(true);
         }
@@ -339,16 +343,14 @@ impl Pigment {
         Ok(is_read)
     }
 
-    /// Reads a map without a pattern before it, or `uv_mapping` in a density: neither has an effect. False if none is
-    /// next.
+    /// Reads a map without a pattern before it, which has no effect; false if none is next.
     fn read_idle(&mut self, word: Word, args: &mut dyn Args, family: PigmentSyntax) -> Parse<bool> {
         let is_color_map = matches!(word, Word::ColorMap | Word::ColourMap);
         let is_map = is_color_map || word == family.map_word();
         let plain = self.plain_color();
-        let is_unmapped = is_map
+        let is_idle = is_map
             && (plain == Some(Color::opaque(Rgb::BLACK))
                 || plain == Some(Color::opaque(Rgb::WHITE)) && is_3_8(args.version()));
-        let is_idle = is_unmapped || (word, family) == (Word::UvMapping, PigmentSyntax::Density);
         if is_idle {
             skip_idle(word, args, family)?;
         }
