@@ -109,7 +109,7 @@ pub struct ReadOptions {
     pub max_repeated_tokens: u64,
     /// Memory limit of reading in bytes, if it is below the memory of the machine.
     pub memory: Option<u64>,
-    /// True to note the statement of each object, for which they are read one by one. Lints need it.
+    /// True to note the statement of each object, for which they are read one by one.
     pub notes_objects: bool,
     /// True to report doubts about the scene as a whole, which cost time: see `lint`.
     pub lints: bool,
@@ -457,6 +457,13 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl ReadOptions {
+    /// True if the statement of each object is noted: on request, and for lints.
+    pub(crate) fn locates_objects(&self) -> bool {
+        self.notes_objects || self.lints
+    }
+}
 
 impl Default for ReadOptions {
     /// A still picture of 800 by 600 pixels, as on Debian.

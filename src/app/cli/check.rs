@@ -123,7 +123,6 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     let limits = LimitOptions::of(&raw_args);
     let options_of = |scene: &Scene| ReadOptions {
         lints: true,
-        notes_objects: true,
         allowed_lints: wanted.allowed.clone(),
         ..read_options(&raw_args, library_paths.clone(), scene.path(), environment)
     };

@@ -103,7 +103,7 @@ impl Reader<'_> {
         self.blocks.clear();
         self.statement.depth = 0;
         self.statement.has_faulty_directive = false;
-        if !self.options.notes_objects {
+        if !self.options.locates_objects() {
             // Spans of objects are noted one by one.
             self.take_literal_objects(&mut TopLevel)?;
         }
@@ -180,7 +180,7 @@ impl Reader<'_> {
                 self.run_version()?;
             }
             _ => {
-                if self.options.notes_objects {
+                if self.options.locates_objects() {
                     self.object_spans.push(ObjectSpan {
                         first: self.draft.objects.len(),
                         span: self.here_span(),
