@@ -113,7 +113,8 @@ fn pictures_of_unlike_kinds_are_compared() {
     assert!(first["max"].as_f64().expect("a number") <= 2.0, "{said}");
 }
 
-/// A folder with a scene that is equal, one that is random, and one that neither program can read.
+/// A folder with a scene that is equal, one that is random (in pictures of more than 131,072 pixels), and one that neither
+/// program can read.
 fn scenes(folder: &Path) {
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a scene");
     write("equal.pov", &HEAD.replace("LAMPS", ""));
@@ -130,7 +131,7 @@ fn scenes_are_compared_with_povray() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
     scenes(here);
-    let ended = povr(here, &[".", "--json", "--keep", "kept", "+W80", "+H60"]);
+    let ended = povr(here, &[".", "--json", "--keep", "kept", "+W420", "+H315"]);
     let said = String::from_utf8_lossy(&ended.stdout).into_owned();
     let lines: Vec<Value> = said
         .lines()
@@ -155,7 +156,7 @@ fn scenes_are_compared_with_povray() {
         ],
         "{said}"
     );
-    assert_eq!(lines[0]["pixels"], 4800);
+    assert_eq!(lines[0]["pixels"], 132_300);
     let why = lines[0]["why"].as_str().unwrap_or_default();
     assert!(why.starts_with("random: drawn again"), "{why}");
     assert_eq!(lines[4]["scenes"], 4);
@@ -226,8 +227,8 @@ fn a_browser_shows_sorts_and_filters_the_report() {
         "report.html",
         "--fail",
         "1e-6",
-        "+W80",
-        "+H60",
+        "+W420",
+        "+H315",
     ];
     assert_eq!(exit(here, &strict), Some(2));
     let Some(browser) = browser() else {

@@ -56,7 +56,7 @@ const GALLERY: &str = "
   const box = document.querySelector('dialog').getBoundingClientRect();
   told.fits = box.left >= 0 && box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1;
   document.querySelector('dialog').close();
-  await new Promise(done => setTimeout(done, 100));
+  for (let i = 0; i < 50 && location.hash; i++) await new Promise(done => setTimeout(done, 100));
   told.closed = location.hash === '';
   const filter = document.querySelector('#filter'); filter.value = 'NONE'; filter.dispatchEvent(new Event('input'));
   told.shown = document.querySelector('#shown').textContent;

@@ -54,6 +54,8 @@ pub(super) const LIVE: Command = Command {
 
 fn live_options() -> clap::Command {
     <CommandOptions as clap::CommandFactory>::command()
+        .mut_arg("serve", |serve| serve.hide(true))
+        .mut_arg("no_terminal", |no_terminal| no_terminal.hide(true))
         .name("povr live")
         .about("Shows a scene on a page that moves its camera and changes its numbers")
         .override_usage("povr live [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE")

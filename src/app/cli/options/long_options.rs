@@ -27,7 +27,7 @@ Examples:
     disable_version_flag = true
 )]
 pub(crate) struct LongOptions {
-    /// Output file; the extension selects the format (`-` for standard output)
+    /// Output file, in the format of its extension; `-`: standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<String>,
     /// Size of the picture in pixels
@@ -54,13 +54,13 @@ pub(crate) struct LongOptions {
     /// Stop after this time with the best picture so far: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
     time: Option<Duration>,
-    /// Use POV-Ray's minimum distances, dropping very thin surfaces as it does
+    /// Use POV-Ray's minimum distances, which drop very thin surfaces
     #[arg(long)]
     pov_distances: bool,
     /// Cut coincident faces in CSG cleanly, where POV-Ray leaves a skin
     #[arg(long)]
     clean_cuts: bool,
-    /// Match POV-Ray's random numbers in large images as well (renders on one thread)
+    /// Match POV-Ray's random numbers in large images too (one thread)
     #[arg(long)]
     pov_random: bool,
     #[command(flatten)]

@@ -74,7 +74,8 @@ fn commands_with(name: &str, own: &clap::Command) -> Vec<String> {
 }
 
 fn long_options(options: &clap::Command) -> Vec<String> {
-    let longs = options.get_arguments().filter_map(clap::Arg::get_long);
+    let shown = options.get_arguments().filter(|arg| !arg.is_hide_set());
+    let longs = shown.filter_map(clap::Arg::get_long);
     longs.map(str::to_owned).collect()
 }
 
@@ -97,7 +98,7 @@ mod tests {
         let own = LongOptions::command();
         for (option, expected) in [
             ("--serve", "`--serve` is an option of `povr watch`"),
-            ("--port=80", "`--port` is an option of `povr watch`"),
+            ("--port=80", "`--port` is an option of `povr live`"),
             (
                 "--verbose",
                 "unknown option `--verbose`\n  hint: Did you mean `+V` (`Verbose`)?",
