@@ -3,13 +3,13 @@
 //! It listens on the loopback address, and answers requests only if their `Host` names this machine, so that a page
 //! elsewhere cannot reach it by a name of its own (DNS rebinding). The port in `Host` is free: it differs behind a
 //! tunnel. The first part of a path is a secret token, which the program prints: other users of this machine do not know
-//! it, and neither does a page elsewhere that sends a form here, whose `Origin` is refused besides. Each connection
-//! carries one request, and must be done with it in a limited time; streams of events last, as long as their readers
-//! read.
+//! it, unless it is an option of the program, which they can list; and neither does a page elsewhere that sends a form
+//! here, whose `Origin` is refused besides. Each connection carries one request, and must be done with it in a limited
+//! time; streams of events last, as long as their readers read.
 //!
-//! HTTP itself is hyper's, on one thread.
+//! HTTP itself is hyper's, on one thread beside those of the handlers that may wait.
 
-use http_body_util::{BodyExt, Either, Full, Limited};
+use http_body_util::{BodyExt, Either, Full, LengthLimitError, Limited};
 use hyper::body::{Body, Bytes, Frame, Incoming};
 use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 use hyper::{Method, Request, Response, StatusCode};
@@ -24,6 +24,7 @@ use std::thread;
 use std::time::Duration;
 use tokio::net::TcpStream;
 use tokio::sync::{Semaphore, mpsc, oneshot, watch};
+use tokio::task::spawn_blocking;
 use tokio::time::{sleep, timeout};
 
 /// Names of this machine in `Host`.
@@ -44,6 +45,9 @@ const HEADERS: [(HeaderName, &str); 5] = [
         "same-origin",
     ),
 ];
+
+/// Most threads for handlers of `POST`; more requests wait for one of them.
+const BLOCKING_THREADS: usize = 8;
 
 /// Limits of a server.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +103,8 @@ pub(crate) struct Call<'a> {
     pub(crate) body: &'a [u8],
 }
 
-/// A path with its method and its handler. Handlers run on the thread of the server, so they return at once.
+/// A path with its method and its handler. Handlers of `GET` run on the thread of the server, so they return at once;
+/// those of `POST` have threads of their own.
 pub(crate) struct Route {
     method: Method,
     path: &'static str,
@@ -163,10 +168,11 @@ pub(crate) fn serve(
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_io()
         .enable_time()
+        .max_blocking_threads(BLOCKING_THREADS)
         .build()?;
     let server = Arc::new(Server {
         prefix: format!("/{token}"),
-        routes,
+        routes: routes.into_iter().map(Arc::new).collect(),
         streams: Arc::new(Semaphore::new(limits.streams)),
         limits,
     });
@@ -180,7 +186,7 @@ pub(crate) fn serve(
 struct Server {
     /// The first part of all paths.
     prefix: String,
-    routes: Vec<Route>,
+    routes: Vec<Arc<Route>>,
     limits: Limits,
     streams: Arc<Semaphore>,
 }
@@ -288,7 +294,8 @@ impl Connection {
         let Some(path) = head.uri.path().strip_prefix(&self.server.prefix) else {
             return refusal(StatusCode::NOT_FOUND, "nothing here");
         };
-        let Some(route) = self.server.routes.iter().find(|route| route.path == path) else {
+        let mut routes = self.server.routes.iter();
+        let Some(route) = routes.find(|route| route.path == path).map(Arc::clone) else {
             return refusal(StatusCode::NOT_FOUND, "nothing here");
         };
         let is_head = head.method == Method::HEAD && route.method == Method::GET;
@@ -298,22 +305,35 @@ impl Connection {
             reply.headers_mut().insert(header::ALLOW, allowed);
             return reply;
         }
+        let may_wait = route.method == Method::POST;
         let body = match route.method {
             Method::POST => {
                 let most = self.server.limits.body_bytes;
-                let Ok(body) = Limited::new(body, most).collect().await else {
-                    return refusal(StatusCode::PAYLOAD_TOO_LARGE, "the body is too large");
-                };
-                body.to_bytes()
+                match Limited::new(body, most).collect().await {
+                    Ok(body) => body.to_bytes(),
+                    Err(fault) if fault.is::<LengthLimitError>() => {
+                        return refusal(StatusCode::PAYLOAD_TOO_LARGE, "the body is too large");
+                    }
+                    Err(fault) => return refusal(StatusCode::BAD_REQUEST, fault.to_string()),
+                }
             }
             _ if body.is_end_stream() => Bytes::new(),
             _ => return refusal(StatusCode::BAD_REQUEST, "no body is expected"),
         };
-        let call = Call {
-            query: head.uri.query().unwrap_or_default(),
-            body: &body,
+        let handle = move || {
+            (route.handler)(&Call {
+                query: head.uri.query().unwrap_or_default(),
+                body: &body,
+            })
         };
-        match (route.handler)(&call) {
+        let answer = match may_wait {
+            true => spawn_blocking(handle).await.unwrap_or_else(|_| {
+                let reason = "internal error: please report it".to_owned();
+                Answer::Refusal(StatusCode::INTERNAL_SERVER_ERROR, reason)
+            }),
+            false => handle(),
+        };
+        match answer {
             Answer::Done => response(StatusCode::NO_CONTENT, PLAIN, Either::Left(Full::default())),
             Answer::Content(kind, bytes) => {
                 response(StatusCode::OK, kind, Either::Left(bytes.into()))
@@ -576,6 +596,10 @@ mod tests {
                 "{more}: {answer}"
             );
         }
+        let head = "Host: localhost\r\nTransfer-Encoding: chunked\r\n";
+        let request = format!("POST /{TOKEN}/echo HTTP/1.1\r\n{head}\r\nno length\r\n");
+        let answer = answered(address, &request);
+        assert!(answer.starts_with("HTTP/1.1 400 "), "{answer}");
         let answer = answered(address, &get("/echo", "localhost"));
         assert!(answer.contains("\r\nallow: POST\r\n"), "{answer}");
     }
