@@ -18,6 +18,8 @@ const LEAST_TILT: f64 = 0.02;
 const DIGITS: i32 = 5;
 /// Digits of a length after its first: the last ones are roundings of the vectors.
 const LENGTH: i32 = 11;
+/// Digits of an angle after its first.
+const ANGLE: i32 = 7;
 /// The distance to the point in the centre where nothing is seen there.
 const NO_DISTANCE: f64 = 10.0;
 
@@ -261,7 +263,10 @@ impl Display for View {
         writeln!(f, "  right <{width}, 0, 0> up <0, {height}, 0>")?;
         match self.angles.as_slice() {
             [] => writeln!(f, "  direction <0, 0, {depth}>")?,
-            [angle] => writeln!(f, "  angle {}", rounded(*angle, 1e-6))?,
+            [angle] => {
+                let unit = unit_of(*angle, ANGLE).min(1e-6);
+                writeln!(f, "  angle {}", rounded(*angle, unit))?;
+            }
             [across, upwards, ..] => writeln!(f, "  angle {across} {upwards}")?,
         }
         writeln!(f, "  look_at {}", vector(self.look_at, unit))?;
@@ -295,6 +300,7 @@ mod tests {
             "{ location <1, 2, -5> look_at <0, 1, 0> angle 40 }",
             "{ location <1, 2, -5> direction <0, 0, 1.5> right <1.7777777, 0, 0> }",
             "{ orthographic location <0, 3, -4> look_at <0, 1, 0> right <5, 0, 0> up <0, 4, 0> }",
+            "{ location <0, 0, -5e4> look_at 0 angle 0.0012345678 }",
             "{ location <1, 2, 5> right <-1.33, 0, 0> sky <0, 0, 1> look_at <0, 1, 0> }",
             "{ location <0, 5, 0> look_at <0, 0, 1> aperture 0.4 blur_samples 10 focal_point <0, 1, 0> }",
         ] {
