@@ -31,7 +31,7 @@ function view(figure) {
   const more = figure.querySelector('figcaption').cloneNode(true);
   more.querySelector('b').remove();
   part('footer').replaceChildren(...more.childNodes);
-  history.replaceState(null, '', `#${figure.id}`);
+  history.replaceState(null, '', `#${encodeURIComponent(figure.id)}`);
   if (!dialog.open) dialog.showModal();
 }
 
@@ -41,8 +41,18 @@ function step(by) {
   if (next) view(next);
 }
 
+/** The figure that a part of an address names. */
+function figureOf(hash) {
+  const id = hash.slice(1);
+  try {
+    return document.getElementById(decodeURIComponent(id));
+  } catch {
+    return document.getElementById(id);
+  }
+}
+
 function viewHash() {
-  const figure = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const figure = figureOf(location.hash);
   if (figure && figure.querySelector('img')) view(figure);
 }
 
@@ -50,7 +60,7 @@ document.addEventListener('click', event => {
   const link = event.target.closest('a.shot');
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
   event.preventDefault();
-  view(link.closest('figure') || document.getElementById(link.hash.slice(1)));
+  view(link.closest('figure') || figureOf(link.hash));
 });
 dialog.addEventListener('keydown', event => {
   const by = { ArrowRight: 1, ArrowDown: 1, j: 1, ArrowLeft: -1, ArrowUp: -1, k: -1 }[event.key];
