@@ -146,6 +146,12 @@ fn text(folder: &Path) -> String {
     fs::read_to_string(folder.join("s.pov")).expect("a file")
 }
 
+/// The change of the number with the first slider of a state.
+fn size(state: &Value, value: &str) -> Value {
+    let (text, control) = (&state["text"], &state["controls"][0]);
+    json!({ "value": { "text": text, "start": control["start"], "end": control["end"], "value": value } })
+}
+
 /// The picture that `povr` draws of a text.
 fn drawn(text: &str, options: &[&str]) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
@@ -211,8 +217,7 @@ fn numbers_are_changed_and_written() {
     let state = live.whole();
     let control = &state["controls"][0];
     assert_eq!(control["name"], "Size");
-    let value = |value: Value| json!({ "value": { "start": control["start"], "end": control["end"], "value": value } });
-    let (state, picture) = live.picture_after(&value(json!("1.5")));
+    let (state, picture) = live.picture_after(&size(&state, "1.5"));
     let changed = SCENE.replace("Size = 1;", "Size = 1.5;");
     assert!(picture == drawn(&changed, &[]));
     assert_eq!(state["values"], json!([[control["start"], "1.5"]]));
@@ -229,9 +234,18 @@ fn numbers_are_changed_and_written() {
         (9, 12, "1; #fopen F \"x\" write"),
         (9, 999, "1"),
     ] {
-        let change = json!({ "value": { "start": start, "end": end, "value": value } });
+        let text = live.whole()["text"].clone();
+        let change =
+            json!({ "value": { "text": text, "start": start, "end": end, "value": value } });
         assert_eq!(live.change(&change).0, 409, "{change}");
     }
+    // So is a number of another text.
+    let state = live.whole();
+    live.changes(&size(&state, "1"));
+    write(here, &format!("// {changed}"));
+    let newer = live.state(|newer| newer["text"] != state["text"]);
+    assert_eq!(newer["values"], json!([]));
+    assert_eq!(live.change(&size(&state, "1")).0, 409);
     for wrong in [
         json!(1),
         json!({ "other": 1 }),
@@ -292,6 +306,133 @@ fn a_scene_answers_to_the_cursor() {
     let live = Live::start(here, &[]);
     let (_, picture) = live.picture_after(&json!({ "cursor": [0.75, 0.0, 1] }));
     assert!(picture == drawn(&scene, &["Declare=live_cursor_x=0.75"]));
+    assert_eq!(live.whole()["has_cursor"], true);
+}
+
+#[test]
+fn a_camera_is_written_among_numbers_that_are_not() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    // The byte-order mark of an editor stays, and no offset counts it.
+    let scene = SCENE.replace("look_at 0", "look_at <0, 0, 0>");
+    write(here, &format!("\u{feff}{scene}"));
+    let live = Live::start(here, &[]);
+    let first = live.whole();
+    let (state, _) = live.picture_after(&size(&first, "1.23456789"));
+    assert_eq!(state["values"][0][1], "1.23456789");
+    let (moved, picture) = live.picture_after(&json!({ "move": { "orbit": [0.1, 0.1] } }));
+    let camera = moved["camera"].as_str().expect("a statement");
+    live.changes(&json!("write_camera"));
+    let (before, after) = scene.split_once("camera {").expect("a camera");
+    let after = after.split_once('}').expect("its end").1;
+    let written = format!("{before}{camera}{after}");
+    assert_eq!(text(here), format!("\u{feff}{written}"));
+    // The number is still another one, and is written by itself.
+    let state = live.state(|state| is_whole(state) && state["is_moved"] == false);
+    assert_eq!(state["values"], moved["values"]);
+    assert!(live.answer("GET", "picture.png", "").1 == picture);
+    live.changes(&json!("write_values"));
+    let written = written.replace("Size = 1;", "Size = 1.23456789;");
+    assert_eq!(text(here), format!("\u{feff}{written}"));
+    // Its own statement is known at once.
+    live.changes(&json!({ "move": { "orbit": [0.1, 0.0] } }));
+    live.state(|state| {
+        is_whole(state) && state["is_moved"] == true && state["values"] == json!([])
+    });
+    live.changes(&json!("write_camera"));
+    let again = text(here);
+    assert_eq!(again.matches("camera {").count(), 1);
+    assert!(again.starts_with('\u{feff}') && again.ends_with(after));
+}
+
+#[test]
+fn a_moved_camera_stays_when_the_objects_change() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    // Without `look_at` it turns around the object in the centre.
+    let own = "camera { location <0, 2, -6> look_at 0 angle 40 }";
+    write(
+        here,
+        &SCENE.replace(own, "camera { location <0, 0, -6> direction z }"),
+    );
+    let live = Live::start(here, &[]);
+    live.whole();
+    let (moved, _) = live.picture_after(&json!({ "move": { "orbit": [0.1, 0.1] } }));
+    let (state, _) = live.picture_after(&size(&moved, "1.5"));
+    let state =
+        live.state(|now| is_whole(now) && now["number"].as_u64() >= state["number"].as_u64());
+    assert_eq!(
+        (&state["is_moved"], &state["camera"]),
+        (&json!(true), &moved["camera"])
+    );
+}
+
+#[test]
+fn a_click_does_not_leave_a_preview() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    let many = "#for (I, 0, 30) torus { 1 + I/10, 0.03 pigment { rgb 1 } finish { reflection 0.5 } } #end\n";
+    write(here, &format!("{SCENE}{many}"));
+    let live = Live::start(here, &["+W480", "+H360"]);
+    let is_final = |state: &Value| state["width"] == 480 && state["is_preview"] == false;
+    let first = live.state(is_final);
+    live.changes(&json!({ "move": { "orbit": [0.2, 0.0] } }));
+    live.state(|state| state["is_preview"] == true && state["picture"] != first["picture"]);
+    live.changes(&json!("reset_camera"));
+    live.changes(&json!({ "pick": [0.5, 0.5] }));
+    let last = live.state(|state| is_final(state) && state["picked"] != Value::Null);
+    assert_eq!(last["camera"], first["camera"]);
+}
+
+#[test]
+fn only_the_picture_of_the_file_is_stored() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    fs::write(here.join("o.ini"), "Output_File_Name=o.png\n").expect("a file");
+    let live = Live::start(here, &["o.ini", "+K0.25"]);
+    let own = drawn(SCENE, &["+K0.25"]);
+    let stored = || fs::read(here.join("o.png")).unwrap_or_default();
+    let start = Instant::now();
+    while stored() != own {
+        assert!(start.elapsed() < TIME_LIMIT);
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let state = live.whole();
+    assert_eq!(
+        (&state["own_clock"], &state["clock"]),
+        (&json!(0.25), &Value::Null)
+    );
+    for change in [
+        json!({ "clock": 0.75 }),
+        size(&state, "0.8"),
+        json!({ "move": { "zoom": 2.0 } }),
+    ] {
+        let (_, picture) = live.picture_after(&change);
+        assert!(picture != own, "{change}");
+    }
+    // The last one is ready to be stored before the next is begun.
+    live.picture_after(&json!({ "move": { "zoom": 1.1 } }));
+    assert!(stored() == own);
+}
+
+#[test]
+fn scenes_of_strangers_are_not_written() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    for option in ["--sandbox", "--no-write"] {
+        let live = Live::start(here, &[option]);
+        let state = live.whole();
+        live.picture_after(&json!({ "move": { "zoom": 2.0 } }));
+        live.changes(&size(&state, "1.5"));
+        for change in ["write_camera", "write_values"] {
+            let (status, reason) = live.change(&json!(change));
+            assert_eq!(status, 409);
+            assert!(reason.contains("--no-write"), "{reason}");
+        }
+        assert_eq!(text(here), SCENE);
+    }
 }
 
 /// A server with many clients that do nothing or read nothing goes on with the others.
@@ -301,7 +442,7 @@ fn clients_that_are_slow_or_wrong_do_not_stop_the_server() {
     let here = here.path();
     write(here, SCENE);
     let live = Live::start(here, &[]);
-    live.whole();
+    live.picture_after(&json!({ "move": { "zoom": 1.1 } }));
     let (address, token) = (&live.address, &live.token);
     let idle: Vec<TcpStream> = (0..200)
         .map(|_| TcpStream::connect(address).expect("a connection"))

@@ -15,7 +15,7 @@ mod wishes;
 
 use crate::app::cli::options::command_line;
 use crate::app::server;
-use crate::base::file::{FileLimits, Named, read_limited};
+use crate::base::file::{FileLimits, Folders, Named, read_limited};
 use std::net::TcpListener;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU32;
@@ -186,12 +186,14 @@ fn run_as(
         return Err(CliError::new("an animation is not watched")
             .with_hint("Watch one picture of it: `+K0.5` sets the clock."));
     }
-    if wanted.is_live && !names_output(&rest) {
+    if wanted.is_live && !settings.names_output {
         settings.output = None;
     }
     let (sender, receiver) = mpsc::channel();
-    let wishes = Arc::new(Wishes::new(file.clone(), sender.clone()));
-    let shown = Arc::new(Shown::new(Arc::clone(&wishes)));
+    let writes_nothing = Folders::Only(Vec::new());
+    let may_write = !settings.is_sandboxed && settings.read.writable != writes_nothing;
+    let wishes = Arc::new(Wishes::new(file.clone(), may_write, sender.clone()));
+    let shown = Arc::new(Shown::new(Arc::clone(&wishes), settings.read.clock));
     if wanted.is_served || wanted.port.is_some() {
         serve(&wanted, &shown, &wishes, &file.display().to_string())?;
     }
@@ -277,17 +279,6 @@ fn read_arguments(
     Ok(Ok((wanted, others)))
 }
 
-/// True if the options name a file for the picture.
-fn names_output(arguments: &[String]) -> bool {
-    let is_named = |argument: &String| {
-        let name = argument.to_ascii_lowercase();
-        ["-o", "+o", "--output", "output_file_name"]
-            .iter()
-            .any(|option| name.starts_with(option))
-    };
-    arguments.iter().any(is_named)
-}
-
 /// Serves the page, on this machine only.
 fn serve(
     wanted: &Wanted,
@@ -319,8 +310,9 @@ struct Watch {
     watched: Watched,
     /// The files that the picture depends on.
     known: Known,
-    /// The wishes with which the scene was read in its last version; `None` once files have changed.
-    scene: Option<SceneWish>,
+    /// The number of the text, and the wishes, with which the scene was read in its last version; `None` once files have
+    /// changed.
+    scene: Option<(u64, SceneWish)>,
     /// The number of that version; the scene is read once for each.
     versions: u64,
     /// The number of the wishes that were drawn last.
@@ -384,22 +376,23 @@ impl Watch {
             let bytes = read_limited(&painter.scene, Named::ByScene, &limits)
                 .ok()
                 .flatten();
-            let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
-            painter.wishes.take_text(text.map(Arc::from));
-            painter.shown.take_text(painter.wishes.text().as_deref());
+            painter.wishes.take_file(bytes);
+            painter.shown.refresh();
         }
-        let wish = painter.wishes.current();
-        if self.scene.as_ref() != Some(&wish.1.scene) {
+        let wished = painter.wishes.current();
+        let read = (wished.source.number, wished.wish.scene.clone());
+        if self.scene.as_ref() != Some(&read) {
             self.versions += 1;
-            self.scene = Some(wish.1.scene.clone());
+            self.scene = Some(read);
         }
-        let edits = &wish.1.scene.edits;
-        let text = painter.wishes.text().filter(|_| !edits.is_empty());
+        let edits = &wished.wish.scene.edits;
+        let text = wished.source.text.as_deref();
+        let text = text.filter(|_| !edits.is_empty());
         Order {
             number: self.versions,
-            text: text.and_then(|text| source::edited(&text, edits)),
-            is_wished: wish.0 != self.drawn,
-            wish,
+            text: text.and_then(|text| source::edited(text, edits)),
+            is_wished: wished.number != self.drawn,
+            wished,
         }
     }
 
@@ -408,7 +401,7 @@ impl Watch {
         let began = SystemTime::now();
         let drawing = Drawing::default();
         let order = &self.order();
-        self.drawn = order.wish.0;
+        self.drawn = order.wished.number;
         let mut is_changed = false;
         // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
@@ -428,7 +421,7 @@ impl Watch {
                 is_changed |= known.changed().is_some();
                 if is_changed {
                     drawing.cancel();
-                } else if painter.wishes.number() != order.wish.0 {
+                } else if painter.wishes.number() != order.wished.number {
                     drawing.supersede();
                 }
                 drawing.kill_overdue(painter.settings.timeout);

@@ -300,10 +300,16 @@ impl Worker {
                 };
                 let scene = scene.compiled(&live, &mut self.compiled, &report);
                 if let (Some(pixel), Ok((scene, live))) = (live.pick, &scene) {
-                    report(Report::Picked(Box::new(live.picked(scene, pixel))));
+                    let picked = live.picked(scene, pixel);
+                    let picked = picked.map_err(|Failure { .. }| None)?;
+                    report(Report::Picked(Box::new(picked)));
                     return Ok(Vec::new());
                 }
-                scene.and_then(|(scene, _)| scene.draw(&read, &render, &listen, session))
+                let start = Instant::now();
+                let drawn =
+                    scene.and_then(|(scene, _)| scene.draw(&read, &render, &listen, session));
+                report(Report::Traced(start.elapsed()));
+                drawn
             }
         };
         let drawn = drawn.map_err(|Failure { .. }| None)?;

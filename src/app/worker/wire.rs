@@ -72,7 +72,9 @@ pub(crate) enum Report {
     /// The kernel does not enforce a part of the sandbox.
     Weaker(String),
     /// A live scene has been compiled.
-    Camera(CameraReport),
+    Camera(Box<CameraReport>),
+    /// The time to draw a picture of a live scene, without that to read and to encode.
+    Traced(Duration),
     /// The pixel that was asked for.
     Picked(Box<Picked>),
 }
@@ -106,6 +108,8 @@ pub(crate) struct PickedSurface {
 pub(crate) struct CameraReport {
     /// The camera of the scene; `None` if it cannot be moved.
     pub(crate) view: Option<View>,
+    /// The same without the point in its centre, which depends on the objects: equal for equal cameras.
+    pub(crate) aimless: Option<View>,
     /// The bytes of its statement in the decoded text of the scene, if it stands there.
     pub(crate) statement: Option<Range<usize>>,
 }

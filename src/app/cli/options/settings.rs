@@ -43,6 +43,8 @@ pub struct Settings {
     /// Destination and encoding of the picture; `None` renders without storing it. The working colour space comes from
     /// the scene.
     pub output: Option<(Target, EncodeOptions)>,
+    /// True if the options name the destination, on the command line or in an ini file.
+    pub names_output: bool,
     /// The output for people and programs.
     pub verbosity: Verbosity,
     /// Files for messages, one for each stream.
@@ -158,6 +160,7 @@ pub(crate) fn settle(
         continues: raw_args.continues,
         frames,
         output,
+        names_output: !matches!(raw_args.output, Output::Unnamed),
         verbosity: verbosity(&raw_args, environment),
         streams: raw_args.streams.clone(),
         warnings: warnings

@@ -1,7 +1,9 @@
 //! The live page: the picture, its events and the wishes of its viewers, below a secret path.
 
 use super::shown::Shown;
+use super::source::SceneText;
 use super::wishes::{Change, Wishes};
+use crate::app::page::escaped;
 use crate::app::server::{Answer, Call, Limits, Route, serve as serve_routes};
 use hyper::StatusCode;
 use std::io;
@@ -44,12 +46,8 @@ pub(super) fn serve(
                 .ok()
                 .and_then(|number| history.earlier(number)))
         }),
-        Route::get("/scene.pov", move |_| match text.text() {
-            Some(text) => Answer::Content("text/plain; charset=utf-8", text.to_string().into()),
-            None => Answer::Refusal(
-                StatusCode::NOT_FOUND,
-                "it is not a text in UTF-8".to_owned(),
-            ),
+        Route::get("/scene.pov", move |call| {
+            scene(call, &text.current().source)
         }),
         Route::get("/events", move |_| Answer::Events(events.clone())),
         Route::post("/change", move |call| change(call, &wishes, &changed)),
@@ -61,6 +59,21 @@ fn png(png: Option<hyper::body::Bytes>) -> Answer {
     match png {
         Some(png) => Answer::Content("image/png", png),
         None => Answer::Refusal(StatusCode::NOT_FOUND, "no such picture".to_owned()),
+    }
+}
+
+/// The text of the number in the query, if that is the current one.
+fn scene(call: &Call<'_>, source: &SceneText) -> Answer {
+    match &source.text {
+        _ if call.query.parse() != Ok(source.number) => Answer::Refusal(
+            StatusCode::NOT_FOUND,
+            "the scene has changed meanwhile".to_owned(),
+        ),
+        Some(text) => Answer::Content("text/plain; charset=utf-8", text.clone().into()),
+        None => Answer::Refusal(
+            StatusCode::NOT_FOUND,
+            "it is not a text in UTF-8".to_owned(),
+        ),
     }
 }
 
@@ -81,11 +94,4 @@ fn change(call: &Call<'_>, wishes: &Wishes, shown: &Shown) -> Answer {
         }
         Err(reason) => Answer::Refusal(StatusCode::CONFLICT, reason),
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }

@@ -1,6 +1,7 @@
 //! One rendering for `povr watch`: a coarse picture first, then the whole one; both are shown. The worker compiles the
 //! scene once for both, and keeps it for other cameras.
 
+use std::cell::Cell;
 use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -10,7 +11,7 @@ use std::time::{Duration, Instant, SystemTime};
 use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
-use super::wishes::{Wish, Wishes};
+use super::wishes::{SceneWish, Wished, Wishes};
 use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
@@ -64,8 +65,7 @@ pub(super) struct Order {
     pub(super) number: u64,
     /// The text, if it is not that of the file.
     pub(super) text: Option<String>,
-    /// The number of the wishes, and these.
-    pub(super) wish: (u64, Wish),
+    pub(super) wished: Wished,
     /// True if viewers have asked for it, and not a change of files.
     pub(super) is_wished: bool,
 }
@@ -92,7 +92,7 @@ impl Painter {
                 self.reporter.report(event);
             }
         };
-        let wish = &order.wish.1;
+        let wish = &order.wished.wish;
         let view = wish.view.as_ref();
         let mut read = self.settings.read.clone();
         wish.scene.declare(&mut read);
@@ -101,33 +101,36 @@ impl Painter {
         let pick = wish
             .pick
             .filter(|pick| Some(pick.number) != *lock(&self.picked));
-        let pick = pick.zip(whole).map(|(pick, (width, height))| {
-            *lock(&self.picked) = Some(pick.number);
+        let pixel = pick.zip(whole).map(|(pick, (width, height))| {
             let [x, y] = pick.position;
             #[allow(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "a part of the size of a picture"
             )]
-            let pixel = [x * f64::from(width), y * f64::from(height)].map(|part| part as u32);
-            (pixel[0], pixel[1])
+            let [column, row] =
+                [x * f64::from(width), y * f64::from(height)].map(|part| part as u32);
+            (column, row)
         });
         let is_drawn = *lock(&self.drawn) == Some((order.number, view.cloned()));
-        let work = pick.map(|pixel| (self.settings.render.clone(), Some(pixel)));
-        let passes = passes.into_iter().filter(|_| !(is_drawn && pick.is_some()));
+        let work = pixel.map(|pixel| (self.settings.render.clone(), Some(pixel)));
+        let passes = passes
+            .into_iter()
+            .filter(|_| !(is_drawn && pixel.is_some()));
         let passes = passes.map(|render| (render, None));
         let mut work: VecDeque<_> = work.into_iter().chain(passes).collect();
         let mut has_better = false;
-        while let Some((render, pick)) = work.pop_front() {
+        let is_unchanged = view.is_none() && wish.scene == SceneWish::default();
+        while let Some((render, pixel)) = work.pop_front() {
             let is_preview = render.width < self.settings.render.width;
             let output = self.settings.output.as_ref();
-            let output = output.filter(|_| !is_preview && view.is_none() && order.text.is_none());
+            let output = output.filter(|_| !is_preview && is_unchanged);
             let draw = Draw {
                 scene: self.scene.clone(),
                 series: Some(usize::try_from(order.number).unwrap_or_default()),
                 read: read.clone(),
                 render,
-                files: match pick {
+                files: match pixel {
                     Some(_) => Vec::new(),
                     None => [self.png()]
                         .into_iter()
@@ -143,15 +146,23 @@ impl Painter {
                     number: order.number,
                     text: order.text.clone(),
                     camera: view.map(View::to_string),
-                    pick,
+                    pick: pixel,
                 }),
             };
+            if pixel.is_none() {
+                *lock(&self.drawn) = None;
+            }
             let start = Instant::now();
-            let drawn = self.drawn(draw, (drawing, is_preview), &listen);
+            let drawn = self.drawn(draw, (drawing, is_preview), order, &listen);
             self.reporter.take_counts();
-            let files = match drawn {
-                Ok(files) => files,
-                Err(_) if drawing.is_cancelled() => return,
+            if drawn.is_err() && drawing.is_cancelled() {
+                return;
+            }
+            if pixel.is_some() {
+                *lock(&self.picked) = pick.map(|pick| pick.number);
+            }
+            let (files, traced) = match drawn {
+                Ok(drawn) => drawn,
                 Err(lost) => {
                     let mut errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
                     if let Some(reason) = self.reason(lost) {
@@ -163,7 +174,7 @@ impl Painter {
                     return;
                 }
             };
-            if pick.is_some() {
+            if pixel.is_some() {
                 continue;
             }
             let seconds = start.elapsed();
@@ -176,10 +187,10 @@ impl Painter {
             if is_preview {
                 if !has_better {
                     has_better = true;
-                    if let Some(better) = self.better_preview(seconds) {
+                    if let Some(better) = self.better_preview(traced) {
                         work.push_front((better, None));
                     }
-                    self.adapt(seconds);
+                    self.adapt(traced);
                 }
                 if order.is_wished {
                     drawing.wait_for_wishes(REST);
@@ -223,22 +234,28 @@ impl Painter {
         self.preview_side.store(side, Ordering::Relaxed);
     }
 
-    /// The files of a picture, from the worker of the last picture or a new one.
+    /// The files of a picture, from the worker of the last picture or a new one, and the time to trace it.
     fn drawn(
         &self,
         draw: Draw,
         (drawing, is_preview): (&Drawing, bool),
+        order: &Order,
         listen: &dyn Fn(Event<'_>),
-    ) -> Result<Vec<Vec<u8>>, Lost> {
+    ) -> Result<(Vec<Vec<u8>>, Duration), Lost> {
         let mut worker = lock(&self.worker);
         let worker = Worker::ready(&mut worker)
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
         drawing.begin(worker.control(), is_preview)?;
-        worker.draw(draw, listen, &|report| match report {
+        let wished = &order.wished;
+        let read = (wished.source.number, &wished.wish.scene.edits);
+        let traced = Cell::default();
+        let files = worker.draw(draw, listen, &|report| match report {
             Report::Weaker(lack) => kernel::warn(&[lack]),
-            Report::Camera(camera) => self.wishes.take_camera(camera),
+            Report::Camera(camera) => self.wishes.take_camera(*camera, read),
+            Report::Traced(time) => traced.set(time),
             Report::Picked(picked) => self.shown.pick(*picked),
-        })
+        })?;
+        Ok((files, traced.get()))
     }
 
     /// The reason that there is no picture, unless the messages of the scene give it.

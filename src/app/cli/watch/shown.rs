@@ -1,7 +1,7 @@
 //! The current display: the last good picture, errors since, and the pictures before.
 
-use super::source::{self, Control};
-use super::wishes::Wishes;
+use super::source::Control;
+use super::wishes::{Wished, Wishes};
 use crate::app::worker::Picked;
 use crate::base::sync::lock;
 use hyper::body::Bytes;
@@ -44,9 +44,8 @@ struct State {
     pictures: u64,
     /// The errors of the scene; empty if none.
     errors: String,
-    /// Incremented by every new text.
-    text: u64,
-    controls: Vec<Control>,
+    /// The clock of the command line.
+    clock: f64,
     picked: Option<Picked>,
     /// Finished pictures with their numbers, the latest last.
     history: VecDeque<(u64, Bytes)>,
@@ -68,18 +67,26 @@ struct Event<'a> {
     /// The statement of the camera; `None` if it cannot be moved.
     camera: Option<String>,
     is_moved: bool,
+    /// True if the scene may answer to the cursor.
+    has_cursor: bool,
     controls: &'a [Control],
     /// The values in place of numbers: first byte and text.
     values: Vec<(usize, String)>,
     clock: Option<f64>,
+    /// The clock of the command line.
+    own_clock: f64,
     /// The last pixel that was reported on.
     picked: Option<&'a Picked>,
     history: Vec<u64>,
 }
 
 impl Shown {
-    pub(super) fn new(wishes: Arc<Wishes>) -> Self {
-        let state = State::default();
+    /// An empty display; `clock` is that of the command line.
+    pub(super) fn new(wishes: Arc<Wishes>, clock: f64) -> Self {
+        let state = State {
+            clock,
+            ..State::default()
+        };
         Shown {
             events: watch::Sender::new(state.json(&wishes)),
             state: Mutex::new(state),
@@ -104,21 +111,12 @@ impl Shown {
         self.change(|state| state.errors = errors);
     }
 
-    /// Shows the sliders of a text that is drawn from now on.
-    pub(super) fn take_text(&self, text: Option<&str>) {
-        let controls = text.map(source::controls).unwrap_or_default();
-        self.change(|state| {
-            state.text += 1;
-            state.controls = controls;
-        });
-    }
-
     /// Shows the report on a pixel.
     pub(super) fn pick(&self, picked: Picked) {
         self.change(|state| state.picked = Some(picked));
     }
 
-    /// Shows the current wishes.
+    /// Shows the current wishes and text.
     pub(super) fn refresh(&self) {
         self.change(|_| {});
     }
@@ -170,8 +168,9 @@ impl State {
 
     fn json(&self, wishes: &Wishes) -> String {
         let picture = self.picture.as_ref();
-        let (view, is_moved) = wishes.view();
-        let (_, wish) = wishes.current();
+        let Wished {
+            wish, view, source, ..
+        } = wishes.current();
         let values = wish.scene.edits.into_iter();
         let event = Event {
             number: self.number,
@@ -181,12 +180,14 @@ impl State {
             seconds: picture.map(|picture| picture.seconds),
             width: picture.map(|picture| picture.size.0),
             height: picture.map(|picture| picture.size.1),
-            text: self.text,
+            text: source.number,
             camera: view.map(|view| view.to_string()),
-            is_moved,
-            controls: &self.controls,
+            is_moved: wish.view.is_some(),
+            has_cursor: source.has_cursor,
+            controls: &source.controls,
             values: values.map(|(start, edit)| (start, edit.text)).collect(),
             clock: wish.scene.clock,
+            own_clock: self.clock,
             picked: self.picked.as_ref(),
             history: self.history.iter().map(|(number, _)| *number).collect(),
         };

@@ -4,10 +4,57 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+/// The prefix of the numbers that a scene may use to answer to the cursor.
+pub(super) const CURSOR: &str = "live_cursor";
+/// The character that may begin a text file.
+const BYTE_ORDER_MARK: char = '\u{feff}';
 /// The mark of a comment that makes a slider of the number before it: `#declare Height = 1.2; // live: 0..3`.
 const MARK: &str = "live:";
 /// Longest text of a number in bytes.
 const LONGEST: usize = 40;
+
+/// The text of a scene's file.
+#[derive(Debug, Default)]
+pub(super) struct SceneText {
+    /// Different for each.
+    pub(super) number: u64,
+    /// The text, without a byte-order mark; `None` if it is not UTF-8.
+    pub(super) text: Option<String>,
+    /// True if a byte-order mark begins the file.
+    has_mark: bool,
+    pub(super) controls: Vec<Control>,
+    /// True if the scene may answer to the cursor.
+    pub(super) has_cursor: bool,
+}
+
+impl SceneText {
+    /// The text of the bytes of a file; `None` for a file that cannot be read.
+    pub(super) fn new(number: u64, bytes: Option<Vec<u8>>) -> Self {
+        let whole = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
+        let has_mark = whole
+            .as_ref()
+            .is_some_and(|whole| whole.starts_with(BYTE_ORDER_MARK));
+        let text = whole.map(|whole| match has_mark {
+            true => whole[BYTE_ORDER_MARK.len_utf8()..].to_owned(),
+            false => whole,
+        });
+        let written = text.as_deref().unwrap_or_default();
+        SceneText {
+            number,
+            has_mark,
+            controls: controls(written),
+            has_cursor: written.contains(CURSOR),
+            text,
+        }
+    }
+
+    /// The bytes of the file with this text or a changed one.
+    pub(super) fn file(&self, text: &str) -> Vec<u8> {
+        let mark = self.has_mark.then_some(BYTE_ORDER_MARK);
+        let file: String = mark.into_iter().chain(text.chars()).collect();
+        file.into_bytes()
+    }
+}
 
 /// A number with a slider.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -27,7 +74,7 @@ pub(super) struct Control {
 }
 
 /// The numbers of a text that its comments give sliders, in order.
-pub(super) fn controls(text: &str) -> Vec<Control> {
+fn controls(text: &str) -> Vec<Control> {
     let mut start = 0;
     let mut controls = Vec::new();
     for line in text.split_inclusive('\n') {
@@ -108,6 +155,53 @@ pub(super) fn edited(text: &str, edits: &Edits) -> Option<String> {
     }
     new += text.get(done..)?;
     Some(new)
+}
+
+/// The range of a text that a range of the edited text comes from; `None` if it begins or ends within an edit.
+pub(super) fn unedited(range: &Range<usize>, edits: &Edits) -> Option<Range<usize>> {
+    let position = |position: usize| {
+        // The ends of the last edit in both texts.
+        let (mut old, mut new) = (0, 0);
+        for (&start, edit) in edits {
+            let start = new + start.checked_sub(old)?;
+            if position <= start {
+                break;
+            }
+            (old, new) = (edit.end, start + edit.text.len());
+            if position < new {
+                return None;
+            }
+        }
+        Some(old + (position - new))
+    };
+    Some(position(range.start)?..position(range.end)?)
+}
+
+/// The position in the edited text of a position outside of all edits.
+pub(super) fn moved(position: usize, edits: &Edits) -> usize {
+    let before = edits.iter().filter(|(_, edit)| edit.end <= position);
+    before.fold(position, |position, (start, edit)| {
+        position + edit.text.len() - (edit.end - start)
+    })
+}
+
+/// The edits of a text as those of the text with others written. Those that are written, or lie within others, are gone.
+pub(super) fn rebased(edits: &Edits, written: &Edits) -> Edits {
+    let rebase = |(&start, edit): (&usize, &Edit)| {
+        let mut others = written.iter();
+        let length = match others.find(|(from, other)| **from < edit.end && start < other.end) {
+            None => edit.end - start,
+            Some((from, other)) => {
+                let is_other_value =
+                    (*from, other.end) == (start, edit.end) && other.text != edit.text;
+                is_other_value.then_some(other.text.len())?
+            }
+        };
+        let start = moved(start, written);
+        let (end, text) = (start + length, edit.text.clone());
+        Some((start, Edit { end, text }))
+    };
+    edits.iter().filter_map(rebase).collect()
 }
 
 /// The edit that replaces the camera of a text, whose statement has this range, or adds one at the end. `None` if the range
@@ -203,6 +297,51 @@ mod tests {
             None
         );
         assert_eq!(edited("ü", &Edits::from([(1, edit(2, "3"))])), None);
+    }
+
+    #[test]
+    fn positions_are_mapped_through_edits() {
+        let text = "a 1 b 22 c 3 d";
+        let edit = |end, text: &str| Edit {
+            end,
+            text: text.to_owned(),
+        };
+        let edits = Edits::from([(2, edit(3, "-0.25")), (6, edit(8, "4"))]);
+        let new = edited(text, &edits).unwrap();
+        assert_eq!(new, "a -0.25 b 4 c 3 d");
+        for (old, part) in [
+            (4..5, "b"),
+            (2..3, "-0.25"),
+            (2..10, "-0.25 b 4 c"),
+            (9..10, "c"),
+        ] {
+            let start = new.find(part).unwrap();
+            assert_eq!(unedited(&(start..start + part.len()), &edits), Some(old));
+        }
+        assert_eq!(unedited(&(3..5), &edits), None);
+        // Other values of the new text, at the same numbers.
+        let wanted = Edits::from([
+            (2, edit(3, "-0.25")),
+            (6, edit(8, "5")),
+            (11, edit(12, "6")),
+        ]);
+        let left = rebased(&wanted, &edits);
+        assert_eq!(edited(&new, &left), edited(text, &wanted));
+        assert_eq!(left.len(), 2);
+        // A statement takes the numbers within it along.
+        let statement = Edits::from([(4, edit(10, "camera"))]);
+        let left = rebased(&wanted, &statement);
+        let new = edited(text, &statement).unwrap();
+        assert_eq!(edited(&new, &left).as_deref(), Some("a -0.25 camera 6 d"));
+    }
+
+    #[test]
+    fn a_byte_order_mark_stays_in_the_file() {
+        let text = SceneText::new(0, Some("\u{feff}#version 3.7;".into()));
+        assert_eq!(text.text.as_deref(), Some("#version 3.7;"));
+        assert_eq!(text.file("a"), "\u{feff}a".as_bytes());
+        assert_eq!(SceneText::new(0, Some("a".into())).file("b"), b"b");
+        assert_eq!(SceneText::new(0, Some(vec![0xff])).text, None);
     }
 
     #[test]

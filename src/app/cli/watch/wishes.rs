@@ -1,7 +1,7 @@
 //! The wishes of the viewers of a page: the camera, the values of numbers, the clock and the cursor. All viewers share them.
 
 use super::WatchEvent;
-use super::source::{self, Edit, Edits};
+use super::source::{self, CURSOR, Edit, Edits, SceneText};
 use crate::app::worker::CameraReport;
 use crate::base::file::{FileLimits, Named, read_limited};
 use crate::base::options::ReadOptions;
@@ -9,12 +9,11 @@ use crate::base::sync::lock;
 use crate::output::{self, Target};
 use crate::scene::camera::{Movement, View};
 use serde::Deserialize;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex};
 
-/// The prefix of the numbers that a scene may use to answer to the cursor.
-pub(super) const CURSOR: &str = "live_cursor";
 /// The most numbers with values of their own.
 const MOST_EDITS: usize = 1000;
 
@@ -65,7 +64,11 @@ impl SceneWish {
 pub(super) struct Wishes {
     /// The file of the scene.
     path: PathBuf,
+    /// True if pages may write into it.
+    may_write: bool,
     state: Mutex<State>,
+    /// Held while the file is written, and until its new text is known.
+    writing: Mutex<()>,
     /// Wakes the drawing loop.
     sender: Sender<WatchEvent>,
 }
@@ -75,10 +78,21 @@ struct State {
     /// Incremented by every change.
     number: u64,
     wish: Wish,
-    /// The text of the scene as it was last read; `None` if it is not UTF-8.
-    text: Option<Arc<str>>,
-    /// The camera of that scene.
-    own: CameraReport,
+    /// The text of the scene as it was last read.
+    source: Arc<SceneText>,
+    /// The camera of the scene, and the number of the text that its statement is in.
+    own: (CameraReport, u64),
+}
+
+/// All wishes at one moment, with the text that they refer to.
+#[derive(Debug)]
+pub(super) struct Wished {
+    /// Incremented by every change of the wishes.
+    pub(super) number: u64,
+    pub(super) wish: Wish,
+    /// The camera that counts; `None` if it cannot be moved.
+    pub(super) view: Option<View>,
+    pub(super) source: Arc<SceneText>,
 }
 
 /// A change that a page asks for.
@@ -89,6 +103,8 @@ pub(super) enum Change {
     Move(Movement),
     /// Sets a number of the text; without a value it is again what is written.
     Value {
+        /// The number of the text.
+        text: u64,
         start: usize,
         end: usize,
         value: Option<String>,
@@ -108,18 +124,27 @@ pub(super) enum Change {
 }
 
 impl Wishes {
-    pub(super) fn new(path: PathBuf, sender: Sender<WatchEvent>) -> Self {
+    /// No wishes for the scene of a file; pages write into that if they may.
+    pub(super) fn new(path: PathBuf, may_write: bool, sender: Sender<WatchEvent>) -> Self {
         Wishes {
             path,
+            may_write,
             state: Mutex::default(),
+            writing: Mutex::default(),
             sender,
         }
     }
 
-    /// The current wishes, and their number.
-    pub(super) fn current(&self) -> (u64, Wish) {
+    /// The current wishes.
+    pub(super) fn current(&self) -> Wished {
         let state = lock(&self.state);
-        (state.number, state.wish.clone())
+        let moved = state.wish.view.clone();
+        Wished {
+            number: state.number,
+            wish: state.wish.clone(),
+            view: moved.or_else(|| state.own.0.view.clone()),
+            source: Arc::clone(&state.source),
+        }
     }
 
     /// The number of the current wishes.
@@ -127,35 +152,32 @@ impl Wishes {
         lock(&self.state).number
     }
 
-    /// The text of the scene.
-    pub(super) fn text(&self) -> Option<Arc<str>> {
-        lock(&self.state).text.clone()
-    }
-
-    /// The camera that counts, and true if it has been moved.
-    pub(super) fn view(&self) -> (Option<View>, bool) {
-        let state = lock(&self.state);
-        let moved = state.wish.view.clone();
-        let is_moved = moved.is_some();
-        (moved.or_else(|| state.own.view.clone()), is_moved)
-    }
-
-    /// Takes the text of the scene, before it is read. The places of values are none of a new one.
-    pub(super) fn take_text(&self, text: Option<Arc<str>>) {
+    /// Takes the contents of the scene's file, before it is read. The places of values are none of a new text.
+    pub(super) fn take_file(&self, bytes: Option<Vec<u8>>) {
+        let _written = lock(&self.writing);
         let mut state = lock(&self.state);
-        if state.text != text {
-            state.text = text;
+        let new = SceneText::new(state.source.number + 1, bytes);
+        if state.source.number == 0 || new.text != state.source.text {
             state.wish.scene.edits.clear();
+            state.source = Arc::new(new);
         }
     }
 
-    /// Takes the camera of the scene that has been read. A new camera replaces one that has been moved.
-    pub(super) fn take_camera(&self, own: CameraReport) {
+    /// Takes the camera of the scene that has been read, with these edits of a text of this number. A new camera replaces
+    /// one that has been moved.
+    pub(super) fn take_camera(&self, mut own: CameraReport, (number, edits): (u64, &Edits)) {
         let mut state = lock(&self.state);
-        if state.own.view != own.view && state.wish.view.take().is_some() {
+        if state.source.number != number {
+            // The file has changed meanwhile, and is read again.
+            return;
+        }
+        own.statement = own
+            .statement
+            .and_then(|range| source::unedited(&range, edits));
+        if state.own.0.aimless != own.aimless && state.wish.view.take().is_some() {
             self.changed(&mut state);
         }
-        state.own = own;
+        state.own = (own, number);
     }
 
     fn changed(&self, state: &mut State) {
@@ -164,7 +186,7 @@ impl Wishes {
         let _ = self.sender.send(WatchEvent::Wish);
     }
 
-    /// Changes the wishes, or writes them into the file.
+    /// Changes the wishes, or writes them into the file, which may take time.
     ///
     /// # Errors
     /// The reason that it is not done.
@@ -174,8 +196,8 @@ impl Wishes {
         let State {
             number,
             wish,
-            text,
-            own,
+            source,
+            own: (own, _),
         } = &mut *state;
         match change {
             Change::Move(movement) => {
@@ -184,34 +206,24 @@ impl Wishes {
                 view.apply(movement);
                 wish.view = Some(view);
             }
-            Change::Value { start, end, value } => {
-                let edits = &mut wish.scene.edits;
-                let Some(value) = value else {
-                    edits.remove(&start);
-                    self.note(&mut state, &before);
-                    return Ok(());
-                };
-                let is_number = text
-                    .as_deref()
-                    .is_some_and(|text| source::holds_number(text, &(start..end)));
-                let is_apart = edits
-                    .iter()
-                    .all(|(&from, edit)| from == start || edit.end <= start || end <= from);
-                if !is_number || !source::is_number(&value) || !is_apart {
-                    return Err("there is no such number in the scene".to_owned());
+            Change::Value {
+                text,
+                start,
+                end,
+                value,
+            } => {
+                if text != source.number {
+                    return Err("the scene has changed meanwhile: try it again".to_owned());
                 }
-                if edits.len() >= MOST_EDITS {
-                    return Err("too many numbers are changed: write or reset them".to_owned());
-                }
-                edits.insert(start, Edit { end, text: value });
+                let range = start..end;
+                set_value(source, &mut wish.scene.edits, range, value)?;
             }
             Change::Clock(clock) => {
                 wish.scene.clock = clock.filter(|clock| clock.is_finite());
             }
             Change::Cursor(cursor) => {
-                let is_used = text.as_deref().is_some_and(|text| text.contains(CURSOR));
                 let is_valid = cursor.iter().all(|number| number.abs() <= 1.0);
-                if is_used && is_valid {
+                if source.has_cursor && is_valid {
                     wish.scene.cursor = Some(cursor);
                 }
             }
@@ -227,39 +239,141 @@ impl Wishes {
                 wish.scene.clock = None;
             }
             Change::WriteCamera => {
-                let view = wish.view.as_ref().ok_or("the camera has not been moved")?;
-                let edit = |text: &str| {
-                    source::camera_edit(text, own.statement.clone(), &view.to_string())
-                };
-                let edit = text.as_deref().and_then(edit);
-                let edit = edit.ok_or(
-                    "the camera is not in this file as a statement: copy its text by hand",
-                )?;
-                return self.write(text.as_deref(), &Edits::from([edit]));
+                drop(state);
+                return self.write(State::camera_edits);
             }
-            Change::WriteValues => return self.write(text.as_deref(), &wish.scene.edits),
+            Change::WriteValues => {
+                drop(state);
+                return self.write(|state, _| Ok(state.value_edits()));
+            }
         }
-        self.note(&mut state, &before);
+        if state.wish != before {
+            self.changed(&mut state);
+        }
         Ok(())
     }
 
-    fn note(&self, state: &mut State, before: &Wish) {
-        if state.wish != *before {
-            self.changed(state);
+    /// Writes edits into the file of the scene, if that still holds the text. Other values stay, at their numbers in the
+    /// new text.
+    fn write(
+        &self,
+        edits_of: impl FnOnce(&State, &str) -> Result<Written, String>,
+    ) -> Result<(), String> {
+        if !self.may_write {
+            return Err("no file is written with `--sandbox` or `--no-write`".to_owned());
         }
+        let Ok(_writing) = self.writing.try_lock() else {
+            return Err("the file is being read or written: try it again".to_owned());
+        };
+        let (source, (edits, statement)) = {
+            let state = lock(&self.state);
+            let text = state.source.text.as_deref();
+            let text = text.ok_or("the scene is not a text in UTF-8")?;
+            (Arc::clone(&state.source), edits_of(&state, text)?)
+        };
+        let text = source.text.as_deref().unwrap_or_default();
+        let new = source::edited(text, &edits).ok_or("the numbers are no longer there")?;
+        let new = source.file(&new);
+        self.replace_file(&source.file(text), &new)?;
+        let mut state = lock(&self.state);
+        let number = source.number + 1;
+        state.source = Arc::new(SceneText::new(number, Some(new)));
+        state.wish.scene.edits = source::rebased(&state.wish.scene.edits, &edits);
+        if state.own.1 == source.number {
+            state.own.0.statement = statement;
+            state.own.1 = number;
+        }
+        self.changed(&mut state);
+        Ok(())
     }
 
-    /// Writes the text with edits into the file of the scene, if that still holds the text.
-    fn write(&self, text: Option<&str>, edits: &Edits) -> Result<(), String> {
-        let text = text.ok_or("the scene is not a text in UTF-8")?;
+    /// Replaces the contents of the file.
+    fn replace_file(&self, old: &[u8], new: &[u8]) -> Result<(), String> {
         let path = self.path.display();
         let now = read_limited(&self.path, Named::ByScene, &FileLimits::default())
             .map_err(|error| format!("cannot read `{path}`: {error}"))?;
-        if now.as_deref() != Some(text.as_bytes()) {
+        if now.as_deref() != Some(old) {
             return Err(format!("`{path}` has changed meanwhile: try it again"));
         }
-        let new = source::edited(text, edits).ok_or("the numbers are no longer there")?;
-        output::put(new.as_bytes(), &Target::File(self.path.clone()))
-            .map_err(|error| error.to_string())
+        output::put(new, &Target::File(self.path.clone())).map_err(|error| error.to_string())
+    }
+}
+
+/// Edits to write, and the range of the camera's statement in the new text.
+type Written = (Edits, Option<Range<usize>>);
+
+impl State {
+    /// The edits that write the values of numbers.
+    fn value_edits(&self) -> Written {
+        let edits = self.wish.scene.edits.clone();
+        let moved = |position| source::moved(position, &edits);
+        let statement = self.own.0.statement.clone();
+        let statement = statement.map(|Range { start, end }| moved(start)..moved(end));
+        (edits, statement)
+    }
+
+    /// The edit that writes the camera.
+    fn camera_edits(&self, text: &str) -> Result<Written, String> {
+        let view = self.wish.view.as_ref();
+        let statement = view.ok_or("the camera has not been moved")?.to_string();
+        let (own, number) = &self.own;
+        if *number != self.source.number {
+            return Err("the scene has not been read yet: try it again".to_owned());
+        }
+        let edit = source::camera_edit(text, own.statement.clone(), &statement);
+        let (start, edit) =
+            edit.ok_or("the camera is not in this file as a statement: copy its text by hand")?;
+        let at = start + edit.text.find(&statement).unwrap_or_default();
+        let range = at..at + statement.len();
+        Ok((Edits::from([(start, edit)]), Some(range)))
+    }
+}
+
+/// Sets the number in a range of the text; `None` sets what is written.
+fn set_value(
+    source: &SceneText,
+    edits: &mut Edits,
+    Range { start, end }: Range<usize>,
+    value: Option<String>,
+) -> Result<(), String> {
+    let Some(value) = value else {
+        edits.remove(&start);
+        return Ok(());
+    };
+    let text = source.text.as_deref();
+    let is_number = text.is_some_and(|text| source::holds_number(text, &(start..end)));
+    let is_apart = edits
+        .iter()
+        .all(|(&from, edit)| from == start || edit.end <= start || end <= from);
+    if !is_number || !source::is_number(&value) || !is_apart {
+        return Err("there is no such number in the scene".to_owned());
+    }
+    if edits.len() >= MOST_EDITS && !edits.contains_key(&start) {
+        return Err("too many numbers are changed: write or reset them".to_owned());
+    }
+    edits.insert(start, Edit { end, text: value });
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changed_numbers_change_again_at_their_limit() {
+        let source = SceneText::new(1, Some("0 ".repeat(MOST_EDITS + 1).into_bytes()));
+        let mut edits = Edits::new();
+        let mut set = |index: usize, value: &str| {
+            let range = 2 * index..2 * index + 1;
+            set_value(&source, &mut edits, range, Some(value.to_owned()))
+        };
+        for index in 0..MOST_EDITS {
+            set(index, "1").expect("a number");
+        }
+        set(MOST_EDITS, "1").expect_err("one too many");
+        set(7, "2").expect("one of them");
+        assert_eq!(edits[&14].text, "2");
+        set_value(&source, &mut edits, 14..15, None).expect("it is reset");
+        assert_eq!(edits.len(), MOST_EDITS - 1);
     }
 }

@@ -67,18 +67,26 @@ impl LiveScene<'_> {
         let hit = is_own
             .then(|| scene.hit_at(centre, (width, height)))
             .flatten();
-        report(Report::Camera(CameraReport {
+        report(Report::Camera(Box::new(CameraReport {
             view: View::of(scene.camera(), hit.map(|hit| hit.point)),
+            aimless: View::of(scene.camera(), None),
             statement: scene.camera_statement(),
-        }));
+        })));
         if camera.is_some() && is_own {
             scene.set_camera(camera.as_ref(), self.render);
         }
         Ok(scene)
     }
 
-    /// The report on a pixel of the picture: what is seen in its centre, and its cost.
-    pub(super) fn picked(&self, scene: &CompiledScene, (column, row): (u32, u32)) -> Picked {
+    /// The report on a pixel of the picture: the surface that is seen in its centre, and its cost.
+    ///
+    /// # Errors
+    /// When the work is cancelled, or has not enough memory.
+    pub(super) fn picked(
+        &self,
+        scene: &CompiledScene,
+        (column, row): (u32, u32),
+    ) -> Result<Picked, Failure> {
         let size = (self.render.width, self.render.height);
         let hit = scene.hit_at((f64::from(column), f64::from(row)), size);
         let surface = hit.map(|hit| PickedSurface {
@@ -93,16 +101,16 @@ impl LiveScene<'_> {
             ..self.render.clone()
         };
         let start = Instant::now();
-        let drawn = scene.draw(self.read, &pixel, &|_| {}, self.session);
-        let rays = drawn.map(|picture| picture.statistics.rays);
+        let drawn = scene.draw(self.read, &pixel, &|_| {}, self.session)?;
         let named = |(kind, count): (&str, u64)| (kind.to_owned(), count);
-        Picked {
+        let rays = drawn.statistics.rays;
+        Ok(Picked {
             column,
             row,
             surface,
-            rays: rays.unwrap_or_default().into_iter().map(named).collect(),
+            rays: rays.into_iter().map(named).collect(),
             seconds: start.elapsed().as_secs_f64(),
-        }
+        })
     }
 }
 

@@ -61,6 +61,7 @@ async function load() {
   if (isLoading || !state || state.width === null || loaded === state.picture) return;
   isLoading = true;
   const wanted = state;
+  loaded = wanted.picture;
   try {
     const path = chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen;
     const reply = await fetch(path);
@@ -77,7 +78,6 @@ async function load() {
       canvas.dataset.pictures = pictures;
       canvas.dataset.final = chosen === null && !wanted.is_preview;
     }
-    loaded = wanted.picture;
   } catch {
     // The stream of events reports a server that has ended.
   }
@@ -104,8 +104,11 @@ function show(now) {
   const isChanged = now.values.length > 0;
   $('write-values').disabled = !isChanged;
   $('reset-values').disabled = !isChanged && now.clock === null;
-  if (document.activeElement !== $('clock')) $('clock').value = now.clock ?? 0;
-  $('clock-value').textContent = (now.clock ?? 0).toFixed(2);
+  const clock = now.clock ?? now.own_clock ?? 0;
+  $('clock').min = Math.min(0, now.own_clock);
+  $('clock').max = Math.max(1, now.own_clock);
+  if (document.activeElement !== $('clock')) $('clock').value = clock;
+  $('clock-value').textContent = clock.toFixed(2);
   showControls(now);
   showHistory(now);
   showPixel(now.picked);
@@ -115,6 +118,9 @@ function show(now) {
 }
 
 // Sliders.
+function setValue(text, { start, end }, value) {
+  change('value' + start, { value: { text, start, end, value } });
+}
 const value = (now, control) => now.values.find(([start]) => start === control.start)?.[1] ?? control.value;
 function rounded(number) {
   return String(Number(number.toPrecision(5)));
@@ -139,7 +145,7 @@ function showControls(now) {
       input.addEventListener('input', () => {
         const text = rounded(input.valueAsNumber);
         output.textContent = text;
-        change('value' + control.start, { value: { start: control.start, end: control.end, value: text } });
+        setValue(state?.text, control, text);
       });
       row.append(label, input, output);
       return row;
@@ -157,9 +163,11 @@ const PARTS = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*|(?:\d+\.?\
 /** The longest source that is shown. */
 const LONGEST = 300000;
 async function loadSource() {
-  const reply = await fetch('scene.pov');
+  const { text: number } = state;
+  const reply = await fetch('scene.pov?' + number);
   const box = $('source');
   const text = reply.ok ? await reply.text() : '';
+  if (state?.text !== number) return;
   if (!reply.ok || text.length > LONGEST) {
     box.textContent = reply.ok ? 'The scene is too long to be shown.' : await reply.text();
     return;
@@ -171,7 +179,7 @@ async function loadSource() {
     const before = text.slice(done, part.index);
     bytes += encoder.encode(before).length;
     line += before.split('\n').length - 1;
-    pieces.push(before, numberIn(part[0], bytes, line));
+    pieces.push(before, numberIn(part[0], bytes, line, number));
     bytes += part[0].length;
     done = part.index + part[0].length;
   }
@@ -179,7 +187,7 @@ async function loadSource() {
   box.replaceChildren(...pieces);
   markNumbers();
 }
-function numberIn(text, start, line) {
+function numberIn(text, start, line, source) {
   const span = document.createElement('span');
   span.className = 'number';
   span.textContent = text;
@@ -190,7 +198,7 @@ function numberIn(text, start, line) {
   Object.assign(span.dataset, { start, end: start + text.length, written: text });
   const set = number => {
     span.textContent = rounded(number);
-    change('value' + start, { value: { start, end: start + text.length, value: span.textContent } });
+    setValue(source, { start, end: start + text.length }, span.textContent);
   };
   const step = Math.max(Math.abs(Number(text)), 0.1) / 100;
   let from = null;
@@ -214,6 +222,7 @@ function numberIn(text, start, line) {
   return span;
 }
 function markNumbers() {
+  if (!state) return;
   const values = new Map(state.values.map(([start, text]) => [String(start), text]));
   for (const span of document.querySelectorAll('.number')) {
     const changed = values.get(span.dataset.start);
@@ -277,7 +286,7 @@ function showHistory(now) {
 function choose(number) {
   chosen = number;
   loaded = -1;
-  showHistory(state);
+  if (state) showHistory(state);
   load();
 }
 
@@ -340,7 +349,7 @@ function pick(event) {
   change('pick', { pick: [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height] });
 }
 function cursor(event) {
-  if (!document.getElementById('source').textContent.includes('live_cursor')) return;
+  if (!state?.has_cursor) return;
   const box = canvas.getBoundingClientRect();
   const across = 2 * (event.clientX - box.left) / box.width - 1, up = 1 - 2 * (event.clientY - box.top) / box.height;
   const clamped = number => Math.max(-1, Math.min(1, number));
