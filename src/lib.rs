@@ -542,6 +542,7 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
     let locate = || {
         let mut sources = Sources::new(options.library_paths.clone());
         sources.limit_reads(options.readable.clone());
+        sources.limit_bytes(options.memory.unwrap_or(u64::MAX));
         let file = load(input, &mut sources).map_err(|_| Failure { errors: Vec::new() })?;
         let options = ReadOptions {
             writes: Writes::InMemory,
@@ -561,10 +562,23 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
             let seen = model.trace(object, hit.from, hit.point - hit.from);
             seen.is_some_and(|(point, _)| point.distance(hit.point) <= SAME_POINT * distance)
         };
-        let objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
-        let mut objects = objects.take_while(|_| !options.stop.is_cancelled());
-        let index = objects.position(|object| has_point(&object));
-        let start = index.and_then(|index| ObjectSpan::of(&reading.object_spans, index));
+        let margin = DVec3::splat(SAME_POINT * (distance + hit.point.abs().max_element()));
+        let is_boxed = |object: &Object| {
+            let extent = object.extent();
+            let is_above = hit.point.cmpge(extent.min - margin).all();
+            is_above && hit.point.cmple(extent.max + margin).all()
+        };
+        // Compiling takes longest: objects whose boxes hold the point come first.
+        let objects = |boxed: bool| {
+            let objects = reading.scene.iter().flat_map(|scene| scene.objects.iter());
+            objects
+                .enumerate()
+                .take_while(|_| !options.stop.is_cancelled())
+                .filter(move |(_, object)| is_boxed(object) == boxed)
+        };
+        let mut objects = objects(true).chain(objects(false));
+        let owner = objects.find(|(_, object)| has_point(object));
+        let start = owner.and_then(|(index, _)| ObjectSpan::of(&reading.object_spans, index));
         Ok(start.map(|start| Message::new(&Diagnostic::warning(start.span, ""), &sources)))
     };
     with_deep_stack(&|_| {}, locate).ok().flatten()
