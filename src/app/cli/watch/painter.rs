@@ -11,7 +11,7 @@ use std::time::{Duration, Instant, SystemTime};
 use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
-use super::wishes::{SceneWish, Wished, Wishes};
+use super::wishes::{Pick, SceneWish, Wish, Wished, Wishes};
 use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
@@ -70,6 +70,19 @@ pub(super) struct Order {
     pub(super) is_wished: bool,
 }
 
+/// One picture of a drawing, or a report on one of its pixels.
+struct Pass {
+    render: RenderOptions,
+    /// The number of the report, and the column and row of the pixel.
+    pick: Option<(u64, (u32, u32))>,
+}
+
+impl Pass {
+    fn picture(render: RenderOptions) -> Self {
+        Pass { render, pick: None }
+    }
+}
+
 impl Painter {
     /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
     pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime, order: &Order) {
@@ -93,102 +106,50 @@ impl Painter {
             }
         };
         let wish = &order.wished.wish;
-        let view = wish.view.as_ref();
-        let mut read = self.settings.read.clone();
-        wish.scene.declare(&mut read);
-        let passes = self.passes();
-        let whole = passes.last().map(|render| (render.width, render.height));
         let pick = wish
             .pick
             .filter(|pick| Some(pick.number) != *lock(&self.picked));
-        let pixel = pick.zip(whole).map(|(pick, (width, height))| {
-            let [x, y] = pick.position;
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a part of the size of a picture"
-            )]
-            let [column, row] =
-                [x * f64::from(width), y * f64::from(height)].map(|part| part as u32);
-            (column, row)
-        });
-        let is_drawn = *lock(&self.drawn) == Some((order.number, view.cloned()));
-        let work = pixel.map(|pixel| (self.settings.render.clone(), Some(pixel)));
-        let passes = passes
-            .into_iter()
-            .filter(|_| !(is_drawn && pixel.is_some()));
-        let passes = passes.map(|render| (render, None));
-        let mut work: VecDeque<_> = work.into_iter().chain(passes).collect();
+        let current = Some((order.number, wish.view.clone()));
+        let is_drawn = *lock(&self.drawn) == current;
+        let passes = self.passes().into_iter().map(Pass::picture);
+        let passes = passes.filter(|_| !(is_drawn && pick.is_some()));
+        let pick = pick.map(|pick| self.pick(pick));
+        let mut passes: VecDeque<_> = pick.into_iter().chain(passes).collect();
         let mut has_better = false;
-        let is_unchanged = view.is_none() && wish.scene == SceneWish::default();
-        while let Some((render, pixel)) = work.pop_front() {
-            let is_preview = render.width < self.settings.render.width;
-            let output = self.settings.output.as_ref();
-            let output = output.filter(|_| !is_preview && is_unchanged);
-            let draw = Draw {
-                scene: self.scene.clone(),
-                series: Some(usize::try_from(order.number).unwrap_or_default()),
-                read: read.clone(),
-                render,
-                files: match pixel {
-                    Some(_) => Vec::new(),
-                    None => [self.png()]
-                        .into_iter()
-                        .chain(output.map(|(_, options)| options.clone()))
-                        .collect(),
-                },
-                threads: None,
-                tells_output: true,
-                timeout: self.settings.timeout,
-                max_memory: self.settings.max_memory,
-                is_sandboxed: self.settings.is_sandboxed,
-                live: Some(Live {
-                    number: order.number,
-                    text: order.text.clone(),
-                    camera: view.map(View::to_string),
-                    pick: pixel,
-                }),
-            };
-            if pixel.is_none() {
+        while let Some(pass) = passes.pop_front() {
+            let is_preview = pass.render.width < self.settings.render.width;
+            let pick = pass.pick;
+            if pick.is_none() {
                 *lock(&self.drawn) = None;
             }
             let start = Instant::now();
+            let draw = self.order(pass, order);
             let drawn = self.drawn(draw, (drawing, is_preview), order, &listen);
+            let seconds = start.elapsed().as_secs_f64();
             self.reporter.take_counts();
             if drawn.is_err() && drawing.is_cancelled() {
                 return;
             }
-            if pixel.is_some() {
-                *lock(&self.picked) = pick.map(|pick| pick.number);
+            if let Some((number, _)) = pick {
+                *lock(&self.picked) = Some(number);
             }
             let (files, traced) = match drawn {
                 Ok(drawn) => drawn,
                 Err(lost) => {
-                    let mut errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
-                    if let Some(reason) = self.reason(lost) {
-                        say(format_args!("povr: {reason}"));
-                        errors.push_str(&reason);
-                    }
-                    self.shown.fail(errors);
-                    say("povr: render failed; keeping the last picture");
-                    return;
+                    let errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
+                    return self.fail(errors, lost);
                 }
             };
-            if pixel.is_some() {
+            if pick.is_some() {
                 continue;
             }
-            let seconds = start.elapsed();
             let mut files = files.into_iter();
-            self.show(
-                files.next().unwrap_or_default(),
-                is_preview,
-                seconds.as_secs_f64(),
-            );
+            self.show(files.next().unwrap_or_default(), is_preview, seconds);
             if is_preview {
                 if !has_better {
                     has_better = true;
                     if let Some(better) = self.better_preview(traced) {
-                        work.push_front((better, None));
+                        passes.push_front(Pass::picture(better));
                     }
                     self.adapt(traced);
                 }
@@ -197,19 +158,82 @@ impl Painter {
                 }
                 continue;
             }
-            *lock(&self.drawn) = Some((order.number, view.cloned()));
-            if let (Some((target, _)), Some(bytes)) = (output, files.next())
-                && let Err(error) = output::put(&bytes, target)
-            {
-                say(format_args!("povr: {}", CliError::from(error)));
-            }
+            (*lock(&self.drawn)).clone_from(&current);
+            self.store(files.next());
             if !self.settings.verbosity.quiet {
-                say(format_args!(
-                    "povr: drawn in {:.2} s",
-                    seconds.as_secs_f64()
-                ));
+                say(format_args!("povr: drawn in {seconds:.2} s"));
             }
         }
+    }
+
+    /// The pass that reports on a pixel.
+    fn pick(&self, pick: Pick) -> Pass {
+        let render = self.settings.render.clone();
+        let [x, y] = pick.position;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a part of the size of a picture"
+        )]
+        let [column, row] =
+            [x * f64::from(render.width), y * f64::from(render.height)].map(|part| part as u32);
+        Pass {
+            render,
+            pick: Some((pick.number, (column, row))),
+        }
+    }
+
+    /// The order for the worker of a pass. Only the picture of the file as it is has an output.
+    fn order(&self, Pass { render, pick }: Pass, order: &Order) -> Draw {
+        let Wish { view, scene, .. } = &order.wished.wish;
+        let is_unchanged = view.is_none() && *scene == SceneWish::default();
+        let is_output = render.width == self.settings.render.width && is_unchanged;
+        let output = self.settings.output.as_ref().filter(|_| is_output);
+        let mut read = self.settings.read.clone();
+        scene.declare(&mut read);
+        Draw {
+            scene: self.scene.clone(),
+            series: Some(usize::try_from(order.number).unwrap_or_default()),
+            read,
+            render,
+            files: match pick {
+                Some(_) => Vec::new(),
+                None => [self.png()]
+                    .into_iter()
+                    .chain(output.map(|(_, options)| options.clone()))
+                    .collect(),
+            },
+            threads: None,
+            tells_output: true,
+            timeout: self.settings.timeout,
+            max_memory: self.settings.max_memory,
+            is_sandboxed: self.settings.is_sandboxed,
+            live: Some(Live {
+                number: order.number,
+                text: order.text.clone(),
+                camera: view.as_ref().map(View::to_string),
+                pick: pick.map(|(_, pixel)| pixel),
+            }),
+        }
+    }
+
+    /// Stores the file of a picture.
+    fn store(&self, file: Option<Vec<u8>>) {
+        if let (Some((target, _)), Some(bytes)) = (&self.settings.output, file)
+            && let Err(error) = output::put(&bytes, target)
+        {
+            say(format_args!("povr: {}", CliError::from(error)));
+        }
+    }
+
+    /// Says why there is no picture, beside the errors of the scene.
+    fn fail(&self, mut errors: String, lost: Lost) {
+        if let Some(reason) = self.reason(lost) {
+            say(format_args!("povr: {reason}"));
+            errors.push_str(&reason);
+        }
+        self.shown.fail(errors);
+        say("povr: render failed; keeping the last picture");
     }
 
     /// The encoding of the picture on the page: that of the output, if it is a PNG file.
