@@ -353,7 +353,7 @@ fn a_moved_camera_stays_when_the_objects_change() {
     let own = "camera { location <0, 2, -6> look_at 0 angle 40 }";
     write(
         here,
-        &SCENE.replace(own, "camera { location <0, 0, -6> direction z }"),
+        &SCENE.replace(own, "camera { location <0, 0.5, -6> direction z }"),
     );
     let live = Live::start(here, &[]);
     live.whole();
@@ -371,7 +371,7 @@ fn a_moved_camera_stays_when_the_objects_change() {
 fn a_click_does_not_leave_a_preview() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();
-    let many = "#for (I, 0, 30) torus { 1 + I/10, 0.03 pigment { rgb 1 } finish { reflection 0.5 } } #end\n";
+    let many = "#for (I, 0, 12) torus { 1 + I/4, 0.03 pigment { rgb 1 } finish { reflection 0.5 } } #end\n";
     write(here, &format!("{SCENE}{many}"));
     let live = Live::start(here, &["+W480", "+H360"]);
     let is_final = |state: &Value| state["width"] == 480 && state["is_preview"] == false;
