@@ -53,6 +53,11 @@ const EXCEPT: &[(&str, &str)] = &[
         "pattern/slope_waves",
         "the range of heights is in units of the world, as in POV-Ray",
     ),
+    ("version38/radiosity_", "as the other scenes with radiosity"),
+    (
+        "version38/fade_default",
+        "without a distance light fades by the units of the world, as in POV-Ray",
+    ),
     (
         "version38/fade_inverse",
         "without a distance light fades by the units of the world, as in POV-Ray",

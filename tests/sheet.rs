@@ -51,7 +51,7 @@ fn a_shape_has_a_scene_and_a_picture_for_each_transform() {
     assert_eq!(files(&folder, "png"), 38 + 1 + 1);
     let page = fs::read_to_string(folder.join("sheet.html")).expect("a page");
     assert_eq!(page.matches("data:image/png;base64,").count(), 38 + 1);
-    assert!(page.contains("equal to POV-Ray"));
+    assert!(page.contains("pictures agree with POV-Ray's"));
     assert!(!page.contains("src=\"sheet"));
 }
 
