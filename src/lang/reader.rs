@@ -94,7 +94,7 @@ pub struct Reading {
     pub has_new_tokens: bool,
     /// The statement of the camera that counts.
     pub camera: Option<Span>,
-    /// The spans of the objects of the scene, in their order, if [`ReadOptions::locates_objects`].
+    /// The spans of the objects of the scene, in their order, if the options ask for them.
     pub object_spans: Vec<ObjectSpan>,
 }
 

@@ -23,5 +23,6 @@ pub use files::{Declared, Sources};
 pub(crate) use held_file::HeldFile;
 pub use message::{Location, Message, Note, Position};
 pub(crate) use refusal::refusal;
+#[cfg(feature = "cli")]
 pub(crate) use search::allows_lint;
 pub use span::{FileId, Span};
