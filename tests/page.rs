@@ -55,8 +55,7 @@ const GALLERY: &str = "
   told.text = document.querySelector('dialog footer').textContent.includes('object { Shape');
   const box = document.querySelector('dialog').getBoundingClientRect();
   told.fits = box.left >= 0 && box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1;
-  document.querySelector('dialog').close();
-  for (let i = 0; i < 50 && location.hash; i++) await new Promise(done => setTimeout(done, 100));
+  document.querySelector('dialog #close').click();
   told.closed = location.hash === '';
   const filter = document.querySelector('#filter'); filter.value = 'NONE'; filter.dispatchEvent(new Event('input'));
   told.shown = document.querySelector('#shown').textContent;

@@ -35,6 +35,11 @@ function view(figure) {
   if (!dialog.open) dialog.showModal();
 }
 
+/** Takes the picture out of the address. */
+function leave() {
+  history.replaceState(null, '', location.pathname + location.search);
+}
+
 function step(by) {
   const all = shown();
   const next = all[all.indexOf(viewed) + by];
@@ -68,8 +73,8 @@ dialog.addEventListener('keydown', event => {
 });
 part('#next').addEventListener('click', () => step(1));
 part('#previous').addEventListener('click', () => step(-1));
-part('#close').addEventListener('click', () => dialog.close());
-dialog.addEventListener('close', () => history.replaceState(null, '', location.pathname + location.search));
+part('#close').addEventListener('click', () => { dialog.close(); leave(); });
+dialog.addEventListener('close', leave);
 if (filter) {
   filter.addEventListener('input', choose);
   choose();
