@@ -128,9 +128,6 @@ const CALM: Duration = Duration::from_millis(10);
 /// but no later than this.
 const IMPATIENCE: Duration = Duration::from_secs(1);
 
-/// Most that the times of file systems lag behind the clock.
-const CLOCK_TICK: Duration = Duration::from_millis(10);
-
 /// The options beside the render switches.
 #[derive(Debug, Default)]
 struct Wanted {
@@ -401,7 +398,7 @@ impl Watch {
 
     /// Renders once. `false` if files changed before it was done.
     fn render_once(&mut self) -> bool {
-        let began = SystemTime::now() - CLOCK_TICK;
+        let began = SystemTime::now();
         // A text that is drawn again may have changed since files were last looked at.
         if self.scene.is_some() && self.known.changed().is_some() {
             return false;
