@@ -9,10 +9,9 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
-
-const TIME_LIMIT: Duration = Duration::from_secs(60);
+use support::running::{Running, TIME_LIMIT};
 
 const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 #declare Size = 1; // live: 0.5..2
@@ -21,46 +20,26 @@ light_source { <-4, 6, -8>, rgb 1 }
 sphere { 0, Size pigment { rgb <1, clock, 0> } }
 ";
 
-/// A running `povr live`, killed on drop.
+/// A running `povr live` with the address of its page.
 struct Live {
-    child: Child,
+    _running: Running,
     address: String,
     token: String,
 }
 
-impl Drop for Live {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
 impl Live {
     fn start(folder: &Path, arguments: &[&str]) -> Live {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_povr"))
-            .current_dir(folder)
-            .args(["live", "s.pov", "+W160", "+H120", "+A0.3"])
-            .args(arguments)
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("povr starts");
-        let mut lines = BufReader::new(child.stderr.take().expect("a pipe")).lines();
-        let mut lines_of = || lines.next().expect("more is said").expect("it is text");
-        let said = loop {
-            let line = lines_of();
-            if let Some((_, address)) = line.split_once("http://") {
-                break address.to_owned();
-            }
-        };
-        // All that is said is read, so that the pipe does not fill.
-        std::thread::spawn(move || lines.for_each(drop));
-        let (address, token) = said.split_once('/').expect("a path");
+        let drawing = ["live", "s.pov", "+W160", "+H120", "+A0.3"];
+        let running = Running::start(folder, &[&drawing, arguments].concat());
+        let lines = running.until("http://");
+        let said = lines.last().and_then(|line| line.split_once("http://"));
+        let (address, token) = said
+            .and_then(|(_, said)| said.split_once('/'))
+            .expect("an address with a path");
         Live {
-            child,
             address: address.to_owned(),
             token: token.trim_end_matches('/').to_owned(),
+            _running: running,
         }
     }
 
@@ -227,7 +206,7 @@ fn numbers_are_changed_and_written() {
     live.state(|state| is_whole(state) && state["values"] == json!([]));
     let (_, picture) = live.picture_after(&json!({ "clock": 0.5 }));
     assert!(picture == drawn(&changed, &["+K0.5"]));
-    // What is no number of the text is refused.
+    // A range without a number of the text is refused.
     for (start, end, value) in [
         (0, 4, "1"),
         (50, 51, "1"),

@@ -8,65 +8,26 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::sync::mpsc::{Receiver, channel};
+use std::process::Command;
 use std::time::{Duration, Instant};
-
-const TIME_LIMIT: Duration = Duration::from_secs(60);
+use support::running::Running;
 
 const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
 #include \"look.inc\"
 camera { location <0, 2, -6> look_at 0 angle 40 } light_source { <-4, 6, -8>, rgb 1 }
 sphere { 0, 1 pigment { Look } }";
 
-/// A running `povr watch`, killed on drop, and its output.
-struct Watching {
-    child: Child,
-    said: Receiver<String>,
-}
-
-impl Drop for Watching {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
+/// A running `povr watch`.
+struct Watching(Running);
 
 impl Watching {
     fn start(folder: &Path, arguments: &[&str]) -> Watching {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_povr"))
-            .current_dir(folder)
-            .args(["watch", "s.pov", "-o", "s.png", "+W64", "+H48"])
-            .args(arguments)
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("povr starts");
-        let pipe = BufReader::new(child.stderr.take().expect("a pipe"));
-        let (tell, said) = channel();
-        std::thread::spawn(move || {
-            for line in pipe.lines().map_while(Result::ok) {
-                let _ = tell.send(line);
-            }
-        });
-        Watching { child, said }
+        let drawing = ["watch", "s.pov", "-o", "s.png", "+W64", "+H48"];
+        Watching(Running::start(folder, &[&drawing, arguments].concat()))
     }
 
-    /// All lines up to the first that contains a text.
     fn until(&self, text: &str) -> Vec<String> {
-        let start = Instant::now();
-        let mut lines = Vec::new();
-        loop {
-            let left = TIME_LIMIT.saturating_sub(start.elapsed());
-            match self.said.recv_timeout(left) {
-                Ok(line) => lines.push(line),
-                Err(_) => panic!("`{text}` is not said; what is: {lines:#?}"),
-            }
-            if lines.last().is_some_and(|line| line.contains(text)) {
-                return lines;
-            }
-        }
+        self.0.until(text)
     }
 
     /// Waits for a drawing; returns the colour in the middle.
@@ -152,7 +113,7 @@ fn a_file_that_shadows_another_is_detected() {
     // Changes of files that the scene does not use have no effect.
     write(here, "other.inc", "");
     std::thread::sleep(Duration::from_millis(1200));
-    assert!(watching.said.try_recv().is_err());
+    assert!(watching.0.is_silent());
 }
 
 #[test]
@@ -257,7 +218,7 @@ fn a_scene_that_brings_its_process_down_does_not_end_the_watch() {
     let watching = Watching::start(here, &["+A0.0", "+R9"]);
     watching.drawn(here);
     // An idle worker is replaced.
-    for worker in support::children(watching.child.id()) {
+    for worker in support::children(watching.0.child.id()) {
         let killed = Command::new("kill").args(["-KILL", &worker]).status();
         assert!(killed.expect("there is `kill`").success());
     }
@@ -269,7 +230,7 @@ fn a_scene_that_brings_its_process_down_does_not_end_the_watch() {
     write(here, "look.inc", &slow);
     watching.until("has changed");
     std::thread::sleep(Duration::from_millis(500));
-    for worker in support::children(watching.child.id()) {
+    for worker in support::children(watching.0.child.id()) {
         let killed = Command::new("kill").args(["-ABRT", &worker]).status();
         assert!(killed.expect("there is `kill`").success());
     }

@@ -69,7 +69,7 @@ function facts() {
 }
 </script>";
 
-/// What every page must show.
+/// Attributes that every page must have.
 pub(crate) const EVERY_PAGE: [&str; 6] = [
     "data-faint=\"\"",
     "data-texts=\"true\"",

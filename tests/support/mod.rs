@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) mod browser;
+pub(crate) mod running;
 
 pub(crate) use povr::app::compare::run;
 

@@ -14,7 +14,7 @@ pub struct Scratch {
     pub query: QueryScratch,
     /// The random numbers of the current sample.
     pub random: RandomStreams,
-    /// What the rays of irradiance samples hand on to later ones, in POV-Ray's order.
+    /// State that rays of irradiance samples share when traced in POV-Ray's order.
     pub(super) gathering: Option<Box<GatheringState>>,
     /// The samples of the current area light.
     pub(super) area: AreaScratch,

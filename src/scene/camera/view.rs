@@ -313,7 +313,7 @@ mod tests {
                 assert!(differs < 1e-4, "{text}: {differs}");
             }
             assert_eq!(before.blur.is_active(), after.blur.is_active());
-            // What is read again is written again.
+            // Reading the statement and writing it again changes nothing.
             let again = View::of(&after, None).expect("it can be moved");
             assert_eq!(again.to_string(), view(text).to_string());
         }
