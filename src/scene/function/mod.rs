@@ -162,7 +162,7 @@ impl Function {
     }
 
     /// The value for one argument per parameter; the first component if it is a vector.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn eval(&self, arguments: &[f64]) -> f64 {
         match &self.kind {

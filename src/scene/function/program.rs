@@ -105,7 +105,7 @@ impl Program {
     }
 
     /// The value for one argument per parameter.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn run<N: Number>(&self, arguments: &[N]) -> N {
         match self.registers {
@@ -116,6 +116,8 @@ impl Program {
         }
     }
 
+    /// Inlined, so that a known number of arguments is not copied by `memcpy`: isosurfaces took a quarter longer with it.
+    #[inline(always)]
     fn run_in<N: Number, const SIZE: usize>(&self, arguments: &[N]) -> N {
         let mut frame = [N::constant(0.0); SIZE];
         for (register, argument) in frame.iter_mut().zip(arguments) {
