@@ -150,7 +150,25 @@ impl Tracer<'_> {
     }
 
     /// The light that remains behind the fog and the media of the atmosphere over `length` of a shadow ray.
+    #[inline(always)]
     pub(in crate::render::shade) fn through_atmosphere(
+        &self,
+        arriving: Rgb,
+        light: u32,
+        ray: &Ray,
+        length: f64,
+        inside: &[InteriorId],
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        match self.is_attenuated_by_atmosphere(light) {
+            true => self.attenuated(arriving, light, ray, length, inside, scratch),
+            false => arriving,
+        }
+    }
+
+    /// The same for a light that is attenuated.
+    #[inline(never)]
+    fn attenuated(
         &self,
         mut arriving: Rgb,
         light: u32,
