@@ -155,6 +155,7 @@ impl Globals {
         Settings {
             noise_generator: self.noise_generator.unwrap_or(by_version),
             number_of_waves: self.number_of_waves,
+            is_3_8: is_3_8(version),
             solid_of: None,
         }
     }

@@ -173,7 +173,7 @@ pub trait Pattern: Debug + Send + Sync + ClonePattern {
         false
     }
 
-    /// True if `turbulence` displaces the point; otherwise the formula of the pattern uses it.
+    /// True if `turbulence` displaces the point; otherwise the formula of the pattern uses it, and in 3.8 both.
     fn is_displaced(&self) -> bool {
         true
     }
@@ -261,6 +261,9 @@ pub struct Settings {
     pub noise_generator: NoiseGenerator,
     /// Number of wave sources of `waves` and `ripples`.
     pub number_of_waves: u32,
+    /// True for the rules of version 3.8: `turbulence` displaces the points of `marble` and `wood` besides entering
+    /// their formulas, and the lens of a camera is jittered by other numbers.
+    pub is_3_8: bool,
     /// Prepares an object for inside tests; without it every point is outside of all objects.
     pub solid_of: Option<SolidOf>,
 }
@@ -279,6 +282,7 @@ impl Default for Settings {
         Settings {
             noise_generator: NoiseGenerator::default(),
             number_of_waves: 10,
+            is_3_8: false,
             solid_of: None,
         }
     }

@@ -92,7 +92,8 @@ impl Modifiers {
             wave,
             settings,
         });
-        let turbulence = self.displacement().filter(|_| pattern.is_displaced());
+        let is_displaced = settings.is_3_8 || pattern.is_displaced();
+        let turbulence = self.displacement().filter(|_| is_displaced);
         let chain = self.chain.prepare(after, turbulence, settings);
         PreparedPattern::new(chain, value, wave)
     }
