@@ -235,6 +235,8 @@ pub struct Lens {
     upwards: DVec3,
     /// The distance in focus, in lengths of the camera's direction.
     focus: f64,
+    /// The row of the jitter of a sample, relative to its own: -0.5 before version 3.8, 0.5 from there on (measured).
+    jitter_row: f64,
 }
 
 /// A lens sample of an image point.
@@ -293,6 +295,7 @@ impl Lens {
             across,
             upwards: frame.direction.cross(across).normalize_or_zero(),
             focus: blur.distance / frame.direction.length(),
+            jitter_row: if settings.is_3_8 { 0.5 } else { -0.5 },
         })
     }
 
@@ -316,7 +319,7 @@ impl Lens {
         let (dx, dy) = position_in_pixel(x, y, sample);
         // As in POV-Ray, the lens is centred at the camera's location, even for orthographic cameras.
         let (_, dir) = camera.start(x + dx, y + dy, width, height)?;
-        let (jx, jy) = jitter(x + dx + 0.5, y + dy - 0.5);
+        let (jx, jy) = jitter(x + dx + 0.5, y + dy + self.jitter_row);
         let point = self.points.points[sample];
         let spread = 2.0 * self.points.spread;
         let half = 0.5 * self.aperture;
