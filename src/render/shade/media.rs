@@ -255,7 +255,7 @@ impl Tracer<'_> {
         sums.count += 1;
     }
 
-    /// Method 3: even steps, halved where neighbours differ. The last step of an interval is counted but not sampled.
+    /// Method 3: even steps, halved where neighbours differ.
     fn sample_by_halving(
         &self,
         segment: &MediaSegment,
@@ -264,8 +264,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) {
         let sampling = &segment.sampling;
-        let steps = steps_of(sampling.samples[0]);
-        let width = 1.0 / (f64::from(steps) + 1.0);
+        let (steps, width) = self.even_steps(sampling);
         let jitter = width * sampling.jitter;
         let shifted = |at: f64, scratch: &mut Scratch| match self.features.uses_random {
             true => at + jitter * (scratch.random.media.next_number() - 0.5),
@@ -416,6 +415,17 @@ impl Tracer<'_> {
         samples
     }
 
+    /// The number of steps of method 3 and their width as a share of the interval. In 3.7 a last step of the same width
+    /// follows that is not sampled, and fewer than 2 samples count as 2; from 3.8 on the steps fill the interval (measured).
+    fn even_steps(&self, sampling: &Sampling) -> (u32, f64) {
+        let half = sampling.samples[0] / 2;
+        let (steps, parts) = match self.world.globals.is_3_8 {
+            true => (half.max(1), half.max(1)),
+            false => ((half + 1).max(2), (half + 1).max(2) + 1),
+        };
+        (steps, 1.0 / f64::from(parts))
+    }
+
     /// The transmittance of media along a ray. Media without extinction are skipped, as in POV-Ray: no random numbers
     /// are drawn.
     fn extinction(
@@ -457,7 +467,7 @@ impl Tracer<'_> {
                     add_effects(media, &points, &mut effects);
                     effects
                 };
-                mean_extinction(&sampling, effects_at, scratch)
+                mean_extinction(&sampling, self.even_steps(&sampling), effects_at, scratch)
             };
             optical_depth += mean * long;
         }
@@ -480,15 +490,11 @@ pub(super) fn effect_at(media: &[&PreparedMedia], point: DVec3) -> MediumCoeffic
     effect[0]
 }
 
-/// The even steps of method 3; fewer than 2 samples count as 2 (measured with POV-Ray).
-fn steps_of(samples: u32) -> u32 {
-    (samples / 2 + 1).max(2)
-}
-
 /// The mean extinction over an interval, sampled as the method does without emission and scattering; `effects_at` gives
-/// the effects at fractions of the interval.
+/// the effects at fractions of the interval. `steps` and `width` are those of method 3.
 fn mean_extinction(
     sampling: &Sampling,
+    (steps, width): (u32, f64),
     effects_at: impl Fn(&[f64]) -> SmallVec<[MediumCoefficients; 16]>,
     scratch: &mut Scratch,
 ) -> Rgb {
@@ -506,8 +512,6 @@ fn mean_extinction(
         }
         return sum * (1.0 / f64::from(least));
     }
-    let steps = steps_of(least);
-    let width = 1.0 / (f64::from(steps) + 1.0);
     let mut shifted = |at: f64, by: f64| at + by * sampling.jitter * (random() - 0.5);
     let mut from = shifted(0.0, width);
     at.push(from);
