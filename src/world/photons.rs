@@ -1,7 +1,8 @@
 //! Photon mapping as a scene asks for it: settings and targets.
 
+use crate::base::version::is_3_8;
 use crate::scene::light::PhotonRole;
-use crate::scene::{self, ExtentBox, Globals, PhotonDensity};
+use crate::scene::{self, ExtentBox, PhotonDensity, Scene};
 use glam::DVec3;
 
 /// An object that receives photons.
@@ -30,16 +31,16 @@ pub struct PhotonMapping {
     pub unit: f64,
     /// The origin of the scene's own coordinates.
     pub origin: DVec3,
+    /// True if the light of a photon is rounded to the steps of its bytes, as in version 3.8; else it is truncated.
+    pub rounds_light: bool,
 }
 
 impl PhotonMapping {
     /// The photon settings of a scene; `None` if nothing is gathered.
     #[must_use]
-    pub fn new(
-        settings: &scene::Photons,
-        targets: Vec<PhotonTarget>,
-        globals: &Globals,
-    ) -> Option<PhotonMapping> {
+    pub fn new(scene: &Scene, targets: Vec<PhotonTarget>) -> Option<PhotonMapping> {
+        let globals = &scene.globals;
+        let settings = globals.photons.as_ref()?;
         (settings.gather[1] > 0).then(|| PhotonMapping {
             settings: settings.clone(),
             targets,
@@ -47,6 +48,7 @@ impl PhotonMapping {
             adc_bailout: settings.adc_bailout.unwrap_or(globals.adc_bailout),
             unit: globals.unit,
             origin: globals.origin,
+            rounds_light: is_3_8(scene.version),
         })
     }
 

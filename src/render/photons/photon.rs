@@ -33,9 +33,19 @@ pub struct Photon {
     reason = "photons are stored in few bits"
 )]
 impl Photon {
-    /// Packs a photon with this light at a point, coming from `origin`.
+    /// Packs a photon with this light at a point, coming from `origin`. The channels are truncated.
     #[must_use]
     pub fn new(position: DVec3, light: Rgb, origin: DVec3) -> Photon {
+        Photon::with(packed(light), position, origin)
+    }
+
+    /// The same with rounded channels, as in POV-Ray 3.8.
+    #[must_use]
+    pub fn rounded(position: DVec3, light: Rgb, origin: DVec3) -> Photon {
+        Photon::with(packed_rounded(light), position, origin)
+    }
+
+    fn with(light: [u8; 4], position: DVec3, origin: DVec3) -> Photon {
         let from = (origin - position).normalize_or_zero();
         let level = (from.x * from.x + from.z * from.z).sqrt();
         let turned = |cosine: f64, is_negative: bool| {
@@ -47,7 +57,7 @@ impl Photon {
         let around = turned(from.x / level, from.z < 0.0);
         Photon {
             position: position.to_array().map(|x| x as f32),
-            light: packed(light),
+            light,
             axis: 0,
             from: [rise, around].map(|angle| (angle * STEPS / PI) as i8),
         }
@@ -107,22 +117,45 @@ impl Unpacking {
 }
 
 /// Three channels with a shared exponent.
+fn packed(light: Rgb) -> [u8; 4] {
+    let Some(exponent) = shared_exponent(light) else {
+        return dark(light);
+    };
+    bytes(light, exponent, 0.0)
+}
+
+/// The same with rounded channels. The largest is below 255: where it would not be, the exponent is the next (measured).
+fn packed_rounded(light: Rgb) -> [u8; 4] {
+    let Some(exponent) = shared_exponent(light) else {
+        return dark(light);
+    };
+    let is_full = bytes(light, exponent, 0.5)[..3].contains(&u8::MAX);
+    bytes(light, exponent + i32::from(is_full), 0.5)
+}
+
+/// The exponent for three channels; `None` if they are too dark or not finite.
+fn shared_exponent(light: Rgb) -> Option<i32> {
+    let most = f64::from(light.max());
+    (most >= NOTHING && most.is_finite()).then(|| exponent_of(most))
+}
+
+/// Channels without an exponent.
+fn dark(light: Rgb) -> [u8; 4] {
+    match light.max().is_nan() {
+        true => NOT_A_NUMBER,
+        false => [0; 4],
+    }
+}
+
+/// Channels in units of an exponent, each plus `bias`.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "channels are below 256, and the exponent wraps around"
+    reason = "channels are below 256 or saturate, and the exponent wraps around"
 )]
-fn packed(light: Rgb) -> [u8; 4] {
-    let most = f64::from(light.max());
-    if most.is_nan() {
-        return NOT_A_NUMBER;
-    }
-    if !(most >= NOTHING && most.is_finite()) {
-        return [0; 4];
-    }
-    let exponent = exponent_of(most);
+fn bytes(light: Rgb, exponent: i32, bias: f64) -> [u8; 4] {
     let unit = f64::from(8 - exponent).exp2();
-    let channel = |c: f32| (f64::from(c) * unit) as u8;
+    let channel = |c: f32| (f64::from(c) * unit + bias) as u8;
     [
         channel(light.r),
         channel(light.g),
@@ -147,6 +180,23 @@ mod tests {
         assert_eq!(photon.light, [192, 128, 0, 250]);
         assert_eq!(Unpacking::new().light(&photon), Rgb::new(0.75, 0.5, 0.0));
         assert_eq!(Photon::new(DVec3::ZERO, Rgb::BLACK, DVec3::Y).light, [0; 4]);
+    }
+
+    /// Measured in the photons that POV-Ray 3.8 saves: bytes that 3.7 has as 149, 254 and 255.
+    #[test]
+    fn rounded_light_has_no_channel_of_255() {
+        let of = |r: f32, g: f32| {
+            let light = Rgb::new(r / 256.0, g / 256.0, 0.0);
+            Photon::rounded(DVec3::ZERO, light, DVec3::Y).light
+        };
+        assert_eq!(of(149.5, 20.4), [150, 20, 0, 250]);
+        assert_eq!(of(254.4, 0.4), [254, 0, 0, 250]);
+        assert_eq!(of(254.6, 1.0), [127, 1, 0, 251]);
+        assert_eq!(of(255.9, 0.0), [128, 0, 0, 251]);
+        assert_eq!(
+            Photon::rounded(DVec3::ZERO, Rgb::BLACK, DVec3::Y).light,
+            [0; 4]
+        );
     }
 
     #[test]

@@ -96,10 +96,9 @@ impl World {
             summary,
             radiosity,
             subsurface,
-            photons: flat.targets.and_then(|targets| {
-                let settings = scene.globals.photons.as_ref()?;
-                PhotonMapping::new(settings, targets.into_list(), &scene.globals)
-            }),
+            photons: flat
+                .targets
+                .and_then(|targets| PhotonMapping::new(scene, targets.into_list())),
             boxes,
             povray_boxes,
             slab_tree: OnceLock::new(),

@@ -145,7 +145,10 @@ impl<'p> PhotonTally<'p> {
         let spreading = self.spreading(path_length);
         let flux = light * (fading * self.spread * self.spread) * (spreading * spreading);
         let [point, origin] = [point, origin].map(|x| self.photons.scene_point(x));
-        Photon::new(point, flux, origin)
+        match self.photons.rounds_light {
+            true => Photon::rounded(point, flux, origin),
+            false => Photon::new(point, flux, origin),
+        }
     }
 }
 
