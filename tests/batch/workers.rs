@@ -143,8 +143,8 @@ fn workers_start_only_their_share_of_threads() {
     );
 }
 
-#[test]
-fn no_process_outlives_a_run_that_is_killed() {
+/// Kills a run with two workers, which have received a signal before, and waits for their ends.
+fn kill_run(signal: Option<&str>) {
     let scenes = folder(&[("a.pov", &scene(SLOW)), ("b.pov", &scene(SLOW))]);
     let out = folder(&[]);
     let mut run = command(&[text(scenes.path()), "-o", text(out.path()), "--jobs", "2"])
@@ -154,6 +154,12 @@ fn no_process_outlives_a_run_that_is_killed() {
         .expect("povr starts");
     wait_until(|| support::children(run.id()).len() == 2);
     let processes = support::children(run.id());
+    if let Some(signal) = signal {
+        // Not while they are started.
+        std::thread::sleep(Duration::from_millis(500));
+        let sent = Command::new("kill").arg(signal).args(&processes).status();
+        assert!(sent.expect("there is `kill`").success());
+    }
     let _ = (run.kill(), run.wait());
     // A zombie waits for another parent, and has no memory.
     let is_running = |process: &String| {
@@ -161,6 +167,41 @@ fn no_process_outlives_a_run_that_is_killed() {
         status.is_ok_and(|status| status.contains("VmRSS"))
     };
     wait_until(|| !processes.iter().any(is_running));
+}
+
+#[test]
+fn no_process_outlives_a_run_that_is_killed() {
+    kill_run(None);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_stopped_process_outlives_a_run_that_is_killed() {
+    kill_run(Some("-STOP"));
+}
+
+#[test]
+fn a_message_that_is_too_long_fails_its_scene_alone() {
+    let long =
+        "#declare S = \"aaaaaaaa\"; #for (I, 1, 20) #declare S = concat(S, S) #end\n#error S\n";
+    let scenes = folder(&[("a_long.pov", &scene(long)), ("b_right.pov", &scene(""))]);
+    let out = folder(&[]);
+    let mut run = Command::new(support::renderer());
+    run.args([
+        "batch",
+        text(scenes.path()),
+        "-o",
+        text(out.path()),
+        "--json",
+    ]);
+    let ran = ran(run.args(["--size", "32x24", "--jobs", "1"]));
+    assert_eq!(ran.drawn(), ["b_right"], "{}", ran.stderr);
+    let why = ran.why("a_long.pov");
+    let says = "a message of this scene cannot be passed on: it takes";
+    assert!(
+        why.contains(says) && why.ends_with("16 MB are the limit"),
+        "{why}"
+    );
 }
 
 #[test]

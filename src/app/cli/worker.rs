@@ -5,7 +5,7 @@ mod live;
 use super::draw::limits::{Limits, Watch};
 use super::draw::report::say;
 use super::kernel;
-use crate::app::worker::{COMMAND, Draw, Reply, Report, Request, read_message, write_message};
+use crate::app::worker::{COMMAND, Draw, Reply, Report, Request};
 use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions};
@@ -28,7 +28,8 @@ const GRACE: Duration = Duration::from_secs(1);
 /// Draws pictures until standard input ends.
 pub(super) fn run() -> ExitCode {
     ignore_interrupts();
-    let Ok(Request::Draw(first)) = read_message(&mut io::stdin()) else {
+    continue_after_parent();
+    let Ok(Request::Draw(first)) = Request::read(&mut io::stdin()) else {
         say(format_args!(
             "povr: `{COMMAND}` is for processes that povr starts itself, not for the command line"
         ));
@@ -72,9 +73,21 @@ fn ignore_interrupts() {
     }
 }
 
+/// Lets the kernel continue this process when the command ends, so that a stopped worker finds its standard input at an
+/// end too. A command that ends before this call has closed the pipe already, and a signal that comes early, with the
+/// thread that has started this process, changes nothing. The signal is not SIGKILL: a worker removes its temporary files.
+fn continue_after_parent() {
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::process::{Signal, set_parent_process_death_signal};
+        // Where the kernel refuses, a stopped worker waits for its own `SIGCONT`.
+        let _ = set_parent_process_death_signal(Some(Signal::CONT));
+    }
+}
+
 /// Passes requests on; ends the process when there are no more.
 fn receive(sender: &Sender<(Box<Draw>, Control)>, mut control: Control) {
-    while let Ok(request) = read_message(&mut io::stdin()) {
+    while let Ok(request) = Request::read(&mut io::stdin()) {
         match request {
             Request::Stop => control.stop.cancel(),
             Request::Threads(count) => control.gate.admit(count),
@@ -239,11 +252,11 @@ impl Worker {
         drop(watch);
         match drawn {
             Ok(Ok(files)) => self.replies.finish(&files),
-            Ok(Err(reason)) => self.replies.send(&Reply::Failed(reason)),
-            Err(panic) => self.replies.send(&Reply::Failed(Some(format!(
+            Ok(Err(reason)) => self.replies.fail(reason),
+            Err(panic) => self.replies.fail(Some(format!(
                 "internal error: {}; please report it with the scene",
                 words(&*panic)
-            )))),
+            ))),
         }
     }
 
@@ -256,10 +269,15 @@ impl Worker {
             ..
         } = draw;
         (read.stop, render.stop) = (control.stop.clone(), control.stop.clone());
+        let stop = &control.stop;
         let replies = Arc::clone(&self.replies);
         let listen = |event: Event<'_>| match event {
             Event::SceneOutput(_) if !draw.tells_output => {}
-            event => replies.report(event),
+            // Without all replies there is no picture.
+            event => match replies.report(event) {
+                Sent::Whole => {}
+                Sent::Nothing => stop.cancel(),
+            },
         };
         let pool = match (&self.pool, render.threads) {
             (None, Some(threads)) => {
@@ -287,7 +305,9 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
-        let report = |report| self.replies.send(&Reply::Report(report));
+        let report = |report| {
+            self.replies.send(&Reply::Report(report));
+        };
         let drawn = match draw.live {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
             Some(live) => {
@@ -333,6 +353,15 @@ struct Pipe {
     /// Pixels drawn but not reported.
     pixels: u64,
     reported: Instant,
+    /// The reason that a reply about this picture could not be sent: it is too long, for example.
+    unsent: Option<String>,
+}
+
+/// The outcome of sending a reply.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sent {
+    Whole,
+    Nothing,
 }
 
 impl Replies {
@@ -341,16 +370,14 @@ impl Replies {
             out: io::BufWriter::new(io::stdout()),
             pixels: 0,
             reported: Instant::now(),
+            unsent: None,
         }))
     }
 
     /// Sends the reply that stands for an event; progress only once in an interval.
-    fn report(&self, event: Event<'_>) {
+    fn report(&self, event: Event<'_>) -> Sent {
         let Event::Drawn(pixels) = event else {
-            if let Some(reply) = Reply::of(event) {
-                self.send(&reply);
-            }
-            return;
+            return Reply::of(event).map_or(Sent::Whole, |reply| self.send(&reply));
         };
         let mut pipe = lock(&self.0);
         pipe.pixels += pixels;
@@ -358,24 +385,42 @@ impl Replies {
             pipe.send_pixels();
             let _ = pipe.out.flush();
         }
+        Sent::Whole
     }
 
-    fn send(&self, reply: &Reply) {
+    fn send(&self, reply: &Reply) -> Sent {
         let mut pipe = lock(&self.0);
         pipe.send_pixels();
-        pipe.send(reply);
+        let sent = pipe.send(reply);
         let _ = pipe.out.flush();
+        sent
     }
 
-    /// Sends the files of a picture.
+    /// Sends the files of a picture, or the reason that the replies before them are not all there.
     fn finish(&self, files: &[Vec<u8>]) {
         let mut pipe = lock(&self.0);
         pipe.send_pixels();
+        if pipe.unsent.is_some() {
+            drop(pipe);
+            return self.fail(None);
+        }
         pipe.send(&Reply::Done(
             files.iter().map(|file| file.len() as u64).collect(),
         ));
         for file in files {
             let _ = pipe.out.write_all(file);
+        }
+        let _ = pipe.out.flush();
+    }
+
+    /// Reports that there is no picture.
+    fn fail(&self, reason: Option<String>) {
+        let mut pipe = lock(&self.0);
+        pipe.send_pixels();
+        let reason = pipe.unsent.take().or(reason);
+        if pipe.send(&Reply::Failed(reason)) == Sent::Nothing {
+            let reason = pipe.unsent.take();
+            pipe.send(&Reply::Failed(reason));
         }
         let _ = pipe.out.flush();
     }
@@ -391,8 +436,18 @@ impl Pipe {
     }
 
     /// A command that has ended receives nothing; the worker ends by itself then.
-    fn send(&mut self, reply: &Reply) {
-        let _ = write_message(&mut self.out, reply);
+    fn send(&mut self, reply: &Reply) -> Sent {
+        match reply.encoded() {
+            Ok(bytes) => {
+                let _ = self.out.write_all(&bytes);
+                Sent::Whole
+            }
+            Err(error) => {
+                let reason = || format!("a message of this scene cannot be passed on: {error}");
+                self.unsent.get_or_insert_with(reason);
+                Sent::Nothing
+            }
+        }
     }
 }
 

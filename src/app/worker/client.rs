@@ -1,11 +1,13 @@
 //! A command's end of a worker.
 
 use super::COMMAND;
-use super::wire::{Draw, Limit, Reply, Report, Request, read_bytes, read_message, write_message};
+use super::wire::{Draw, Limit, Reply, Report, Request, read_bytes};
 use crate::app::program;
+use crate::base::file::Folders;
 use crate::base::options::Event;
 use crate::base::sync::lock;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, Read, Write};
+use std::path::PathBuf;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -49,7 +51,7 @@ pub(crate) struct Control {
 /// Requests on their way to a worker. A thread writes them, as a stopped worker reads none and the pipe may be full.
 #[derive(Debug)]
 struct Requests {
-    sender: Sender<Request>,
+    sender: Sender<Vec<u8>>,
     /// Threads admitted to the current picture; `None` between pictures.
     threads: Option<usize>,
 }
@@ -148,9 +150,13 @@ impl Worker {
         report: &dyn Fn(Report),
     ) -> Result<Vec<Vec<u8>>, Lost> {
         self.is_spent = (draw.is_sandboxed || draw.max_memory.is_some()) && draw.live.is_none();
-        let files = draw.files.len();
+        let expected = Expected::of(&draw);
+        if let Err(error) = self.control.begin(draw) {
+            let reason = format!("the picture cannot be requested of a process: {error}");
+            return Err(Lost::Failed(Some(reason)));
+        }
         let mut limit = None;
-        let drawn = self.replies_to(draw, listen, report, &mut limit);
+        let drawn = expected.replies(&mut self.replies, listen, report, &mut limit);
         lock(&self.control.requests).threads = None;
         self.is_spent |= limit.is_some() || drawn.is_err();
         match (drawn, limit) {
@@ -158,51 +164,9 @@ impl Worker {
             (Err(_), None) if self.control.has_killed.load(Ordering::Relaxed) => {
                 Err(Lost::Limit(Limit::Time))
             }
-            (Ok(Ok(all)), None) if all.len() == files => Ok(all),
+            (Ok(Ok(all)), None) => Ok(all),
             (Ok(Err(failed)), None) => Err(Lost::Failed(failed)),
-            (Ok(Ok(_)) | Err(_), None) => Err(self.end()),
-        }
-    }
-
-    /// The files of a picture, or the reason that there are none; the error is that of the pipe.
-    fn replies_to(
-        &mut self,
-        draw: Draw,
-        listen: &dyn Fn(Event<'_>),
-        report: &dyn Fn(Report),
-        limit: &mut Option<Limit>,
-    ) -> io::Result<Result<Vec<Vec<u8>>, Option<String>>> {
-        // A worker that a scene has taken over sends no more than one that is within its limit.
-        let longest = draw.max_memory.unwrap_or(u64::MAX);
-        let mut replies = self.replies.by_ref().take(longest);
-        self.control.begin(draw);
-        loop {
-            match read_message(&mut replies)? {
-                Reply::Report(news) => report(news),
-                Reply::Output(text) => listen(Event::SceneOutput(&text)),
-                Reply::Finding(mut message, texts) => {
-                    [message.pov_line, message.excerpt, message.colored] = texts;
-                    listen(Event::Finding(&message));
-                }
-                Reply::Read {
-                    dependencies,
-                    wrote_files,
-                } => listen(Event::Read {
-                    dependencies: &dependencies,
-                    wrote_files,
-                }),
-                Reply::Drawn(pixels) => listen(Event::Drawn(pixels)),
-                Reply::Limit(reached) => *limit = Some(reached),
-                Reply::Failed(reason) => return Ok(Err(reason)),
-                Reply::Done(lengths) => {
-                    let mut read = |length| read_bytes(&mut replies, length);
-                    return lengths
-                        .into_iter()
-                        .map(&mut read)
-                        .collect::<io::Result<_>>()
-                        .map(Ok);
-                }
-            }
+            (Err(_), None) => Err(self.end()),
         }
     }
 
@@ -229,6 +193,76 @@ impl Worker {
     }
 }
 
+/// What a command accepts from a worker that draws a picture.
+#[derive(Debug)]
+pub(super) struct Expected {
+    scene: PathBuf,
+    /// The folders in which the scene may read.
+    readable: Folders,
+    /// Number of files of the picture.
+    files: usize,
+    /// Maximum length of all replies in bytes: a worker sends no more than it may hold.
+    bytes: u64,
+}
+
+impl Expected {
+    pub(super) fn of(draw: &Draw) -> Self {
+        Expected {
+            scene: draw.scene.clone(),
+            readable: draw.read.readable.clone(),
+            files: draw.files.len(),
+            bytes: draw.max_memory.unwrap_or(u64::MAX),
+        }
+    }
+
+    /// The files of a picture, or the reason that there are none; the error is that of the pipe.
+    pub(super) fn replies(
+        &self,
+        from: &mut impl Read,
+        listen: &dyn Fn(Event<'_>),
+        report: &dyn Fn(Report),
+        limit: &mut Option<Limit>,
+    ) -> io::Result<Result<Vec<Vec<u8>>, Option<String>>> {
+        let mut replies = from.take(self.bytes);
+        loop {
+            match Reply::read(&mut replies)? {
+                Reply::Report(news) => report(news),
+                Reply::Output(text) => listen(Event::SceneOutput(&text)),
+                Reply::Finding(mut message, texts) => {
+                    [message.pov_line, message.excerpt, message.colored] = texts;
+                    listen(Event::Finding(&message));
+                }
+                Reply::Read {
+                    mut dependencies,
+                    wrote_files,
+                } => {
+                    dependencies.retain(|one| {
+                        one.path == self.scene || self.readable.reach(&one.path)
+                    });
+                    listen(Event::Read {
+                        dependencies: &dependencies,
+                        wrote_files,
+                    });
+                }
+                Reply::Drawn(pixels) => listen(Event::Drawn(pixels)),
+                Reply::Limit(reached) => *limit = Some(reached),
+                Reply::Failed(reason) => return Ok(Err(reason)),
+                Reply::Done(lengths) if lengths.len() != self.files => {
+                    return Err(io::ErrorKind::InvalidData.into());
+                }
+                Reply::Done(lengths) => {
+                    let mut read = |length| read_bytes(&mut replies, length);
+                    return lengths
+                        .into_iter()
+                        .map(&mut read)
+                        .collect::<io::Result<_>>()
+                        .map(Ok);
+                }
+            }
+        }
+    }
+}
+
 impl Drop for Worker {
     fn drop(&mut self) {
         self.control.kill();
@@ -238,10 +272,18 @@ impl Drop for Worker {
 }
 
 impl Control {
-    fn begin(&self, draw: Draw) {
+    /// Requests a picture.
+    ///
+    /// # Errors
+    /// As [`Request::encoded`].
+    fn begin(&self, draw: Draw) -> io::Result<()> {
+        let threads = draw.threads.unwrap_or(usize::MAX);
+        let request = Request::Draw(Box::new(draw)).encoded()?;
         let mut requests = lock(&self.requests);
-        requests.threads = Some(draw.threads.unwrap_or(usize::MAX));
-        requests.send(Request::Draw(Box::new(draw)));
+        requests.threads = Some(threads);
+        // A process that has ended receives nothing; its replies end too.
+        let _ = requests.sender.send(request);
+        Ok(())
     }
 
     /// Cancels the current picture, which the worker then reports as failed.
@@ -280,16 +322,18 @@ impl Control {
 }
 
 impl Requests {
+    /// Sends a short request.
     fn send(&self, request: Request) {
-        // A process that has ended receives nothing; its replies end too.
-        let _ = self.sender.send(request);
+        if let Ok(request) = request.encoded() {
+            let _ = self.sender.send(request);
+        }
     }
 }
 
 /// Writes requests until the process or its controls are gone.
-fn write_requests(mut pipe: ChildStdin, requests: &Receiver<Request>) {
+fn write_requests(mut pipe: ChildStdin, requests: &Receiver<Vec<u8>>) {
     while let Ok(request) = requests.recv() {
-        if write_message(&mut pipe, &request).is_err() {
+        if pipe.write_all(&request).is_err() {
             return;
         }
     }

@@ -4,15 +4,17 @@
 //! A worker is this program again, called with the argument [`COMMAND`]. It reads requests from standard input, draws
 //! one picture after the other, and writes replies to standard output, the encoded pictures among them, so that it needs
 //! no permission to write files. When its standard input ends, which means that the
-//! command has ended, it ends too.
+//! command has ended, it ends too. Linux continues it then in case it is stopped.
+//!
+//! A scene may have taken its worker over, so a command believes nothing: replies have a maximum length, files other than
+//! those that the scene may read are ignored, and the number of pictures must be that of the request.
 
 mod client;
 mod wire;
 
 pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{
-    CameraReport, Draw, Limit, Live, Picked, PickedSurface, Reply, Report, Request, read_message,
-    write_message,
+    CameraReport, Draw, Limit, Live, Picked, PickedSurface, Reply, Report, Request,
 };
 
 /// The first argument of a worker process.

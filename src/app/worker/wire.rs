@@ -1,4 +1,7 @@
 //! Messages between a command and a worker: MessagePack, each behind its length in four bytes.
+//!
+//! Both ends know the maximum lengths: a message that is longer is an error for the end that wants to send it, and
+//! nobody reads one.
 
 use crate::base::options::{Event, ReadOptions, RenderOptions};
 use crate::base::source::{Dependency, Location, Message};
@@ -7,13 +10,16 @@ use crate::scene::camera::View;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Maximum length of a message in bytes. A worker that a scene has taken over cannot exhaust the memory of the command.
-const LONGEST: u32 = 1 << 28;
+/// Maximum length of a request in bytes. It may contain the text of a scene.
+const LONGEST_REQUEST: usize = 1 << 28;
+/// Maximum length of a reply in bytes, pictures excluded: a worker that a scene has taken over cannot exhaust the memory
+/// of the command. The longest string of a scene has 10 MB.
+const LONGEST_REPLY: usize = 16 << 20;
 
 /// A request to a worker.
 #[derive(Debug, Serialize, Deserialize)]
@@ -183,26 +189,64 @@ impl Reply {
     }
 }
 
-/// Writes a message.
-///
-/// # Errors
-/// When the other process has ended.
-pub(crate) fn write_message(to: &mut impl Write, message: &impl Serialize) -> io::Result<()> {
-    let bytes = rmp_serde::to_vec_named(message).map_err(io::Error::other)?;
-    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
-    to.write_all(&length.to_le_bytes())?;
-    to.write_all(&bytes)
+impl Request {
+    /// The bytes of the message.
+    ///
+    /// # Errors
+    /// It is too long, or contains a path that is not UTF-8.
+    pub(crate) fn encoded(&self) -> io::Result<Vec<u8>> {
+        encoded(self, LONGEST_REQUEST)
+    }
+
+    /// Reads a request.
+    ///
+    /// # Errors
+    /// The command has ended, or this is no request.
+    pub(crate) fn read(from: &mut impl Read) -> io::Result<Self> {
+        read_message(from, LONGEST_REQUEST)
+    }
 }
 
-/// Reads a message.
-///
-/// # Errors
-/// When the other process has ended, or writes anything else.
-pub(crate) fn read_message<M: DeserializeOwned>(from: &mut impl Read) -> io::Result<M> {
-    let mut length = [0; 4];
+impl Reply {
+    /// The bytes of the message.
+    ///
+    /// # Errors
+    /// As for [`Request::encoded`].
+    pub(crate) fn encoded(&self) -> io::Result<Vec<u8>> {
+        encoded(self, LONGEST_REPLY)
+    }
+
+    /// Reads a reply.
+    ///
+    /// # Errors
+    /// The worker has ended, or writes anything else.
+    pub(super) fn read(from: &mut impl Read) -> io::Result<Self> {
+        read_message(from, LONGEST_REPLY)
+    }
+}
+
+fn encoded(message: &impl Serialize, longest: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = vec![0; size_of::<u32>()];
+    rmp_serde::encode::write_named(&mut bytes, message).map_err(io::Error::other)?;
+    let length = bytes.len() - size_of::<u32>();
+    match u32::try_from(length) {
+        Ok(header) if length <= longest => {
+            bytes[..size_of::<u32>()].copy_from_slice(&header.to_le_bytes());
+            Ok(bytes)
+        }
+        _ => Err(io::Error::other(format!(
+            "it takes {} MB, and {} MB are the limit",
+            length >> 20,
+            longest >> 20
+        ))),
+    }
+}
+
+fn read_message<M: DeserializeOwned>(from: &mut impl Read, longest: usize) -> io::Result<M> {
+    let mut length = [0; size_of::<u32>()];
     from.read_exact(&mut length)?;
     let length = u32::from_le_bytes(length);
-    if length > LONGEST {
+    if length as usize > longest {
         return Err(io::ErrorKind::InvalidData.into());
     }
     rmp_serde::from_slice(&read_bytes(from, length.into())?).map_err(io::Error::other)
@@ -215,5 +259,29 @@ pub(super) fn read_bytes(from: &mut impl Read, length: u64) -> io::Result<Vec<u8
     match bytes.len() as u64 == length {
         true => Ok(bytes),
         false => Err(io::ErrorKind::UnexpectedEof.into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reply_that_is_too_long_is_neither_sent_nor_read() {
+        let reply = |length| Reply::Output("a".repeat(length));
+        let longest = reply(LONGEST_REPLY - 20).encoded().unwrap();
+        assert!(Reply::read(&mut longest.as_slice()).is_ok());
+        let refused = reply(LONGEST_REPLY).encoded().unwrap_err().to_string();
+        assert_eq!(refused, "it takes 16 MB, and 16 MB are the limit");
+        let request = encoded(&reply(LONGEST_REPLY), LONGEST_REQUEST).unwrap();
+        let read = Reply::read(&mut request.as_slice()).unwrap_err();
+        assert_eq!(read.kind(), io::ErrorKind::InvalidData);
+    }
+
+    #[test]
+    fn a_length_without_its_bytes_takes_no_memory() {
+        let claimed = u32::try_from(LONGEST_REPLY).unwrap().to_le_bytes();
+        let read = Reply::read(&mut claimed.as_slice()).unwrap_err();
+        assert_eq!(read.kind(), io::ErrorKind::UnexpectedEof);
     }
 }

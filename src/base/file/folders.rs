@@ -38,6 +38,24 @@ impl Folders {
         *self == Folders::All || fs::canonicalize(path).is_ok_and(|path| self.contain(&path))
     }
 
+    /// True if the file at `path` lies in one of the folders, or would if it existed. Only of such files may anyone learn
+    /// if they exist.
+    pub(crate) fn reach(&self, path: &Path) -> bool {
+        if self.hold(path) {
+            return true;
+        }
+        // A file that lies elsewhere, or a link to one that is missing.
+        if path.symlink_metadata().is_ok() {
+            return false;
+        }
+        match (path.parent(), path.file_name()) {
+            (Some(folder), Some(_)) if folder.as_os_str().is_empty() => self.reach(Path::new(".")),
+            (Some(folder), Some(_)) => self.reach(folder),
+            // A `..` behind a missing folder.
+            _ => false,
+        }
+    }
+
     /// Checks that `opened`, a file or folder opened by this path, lies in one of the folders. Another process may have
     /// changed a link on the path before it was opened, or since: then it is not the file at the resolved path.
     ///
@@ -91,6 +109,34 @@ mod tests {
     use std::os::unix::fs::symlink;
 
     #[test]
+    fn folders_reach_missing_files_in_them_alone() {
+        let all = tempfile::tempdir().unwrap();
+        let path = |name: &str| all.path().join(name);
+        fs::create_dir(path("in")).unwrap();
+        fs::create_dir(path("out")).unwrap();
+        symlink(path("out/none"), path("in/link")).unwrap();
+        symlink(path("out"), path("in/folder")).unwrap();
+        let folders = Folders::Only(vec![path("in")]);
+        for (name, is_reached) in [
+            ("in/none", true),
+            ("in/none/none", true),
+            ("in", true),
+            ("out/../in/none", true),
+            ("out/none", false),
+            ("out", false),
+            ("none", false),
+            ("in/../none", false),
+            ("in/none/../../out/none", false),
+            ("in/link", false),
+            ("in/folder/none", false),
+        ] {
+            assert_eq!(folders.reach(&path(name)), is_reached, "{name}");
+            assert!(Folders::All.reach(&path(name)), "{name}");
+        }
+        assert!(Folders::Only(vec![PathBuf::new()]).reach(Path::new("none")));
+    }
+
+    #[test]
     fn a_link_that_changes_after_opening_is_noticed() {
         let all = tempfile::tempdir().unwrap();
         let path = |name: &str| all.path().join(name);
@@ -103,6 +149,7 @@ mod tests {
         assert!(!folders.hold(&path("in/../out/a")) && !folders.hold(&path("in/none")));
 
         symlink(path("out/a"), path("in/link")).unwrap();
+        assert!(!folders.reach(&path("in/link")));
         assert!(!folders.hold(&path("in/link")));
         let opened = File::open(path("in/link")).unwrap();
         assert!(folders.check_opened(&opened, &path("in/link")).is_err());

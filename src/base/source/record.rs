@@ -41,7 +41,9 @@ impl Sources {
         if self.dependencies.known.contains(&dependency) {
             return;
         }
-        if !self.has_written(path) {
+        // The scene does not learn of other files, so they do not matter.
+        let is_known = is_there || self.limits.folders.reach(path);
+        if is_known && !self.has_written(path) {
             self.dependencies.known.insert(dependency.clone());
             self.dependencies.all.push(dependency);
         }
