@@ -8,4 +8,5 @@ pub(crate) mod page;
 pub mod picture_file;
 pub mod program;
 pub(crate) mod server;
+pub(crate) mod watchdog;
 pub(crate) mod worker;

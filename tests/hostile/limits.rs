@@ -38,6 +38,30 @@ fn a_timeout_ends_a_check() {
     assert!(ended.said.contains(says), "{}", ended.said);
 }
 
+/// Messages that nobody reads fill their pipe, and the process waits in a system call.
+#[cfg(unix)]
+#[test]
+fn a_timeout_ends_a_process_whose_messages_nobody_reads() {
+    let scene = "#for (I, 1, 20000) #debug \"A line of output, of which a pipe holds about a thousand.\\n\" #end\n";
+    let sandbox = Sandbox::with(scene);
+    sandbox.pipe("here/ff");
+    sandbox.ends("exec 3<>ff; $POVR s.pov -F -D --timeout 300ms 2>&3", 1);
+}
+
+/// A worker that is stopped reports nothing.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_timeout_of_watch_ends_a_worker_that_is_stopped() {
+    let sandbox = Sandbox::with(ENDLESS[0]);
+    // The worker is a child of the program, which is one of the background process.
+    let command = "$POVR watch s.pov --no-terminal --times 1 --timeout 900ms -o s.png & P=$!;
+below() { cat $(for of in $*; do echo /proc/$of/task/*/children; done); }
+until W=$(below $(below $P)) && [ -n \"$W\" ]; do sleep 0.02; done; sleep 0.2; kill -STOP $W; wait $P";
+    let ended = sandbox.ends(command, 0);
+    let says = "it took longer than 900ms, which `--timeout` allows";
+    assert!(ended.said.contains(says), "{}", ended.said);
+}
+
 #[test]
 fn a_limit_is_a_finding_for_programs() {
     let sandbox = Sandbox::with(ENDLESS[0]);

@@ -14,7 +14,7 @@ pub(crate) mod picture;
 mod queue;
 mod run;
 mod shard;
-mod watchdog;
+mod sharing;
 
 pub use contact::{Figure, pasted, write_index};
 pub use error::BatchError;

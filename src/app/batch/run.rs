@@ -7,7 +7,7 @@
 use super::fingerprint::{Fingerprints, now};
 use super::journal::Journal;
 use super::picture::Picture;
-use super::watchdog::Watchdog;
+use super::sharing::Sharing;
 use super::{BatchError, Shard};
 use crate::app::worker::{Draw, Lost, Report, Worker};
 use crate::base::file::Folders;
@@ -111,7 +111,7 @@ pub fn run(
         threads,
         jobs: batch.jobs.unwrap_or(threads).max(1),
         fingerprints: Fingerprints::new(),
-        watchdog: Watchdog::new(batch.timeout),
+        sharing: Sharing::default(),
         is_part: batch.shard.is_some_and(|shard| shard.of > 1),
         listener,
         state: Mutex::default(),
@@ -139,7 +139,7 @@ struct Run<'a> {
     /// Scenes drawn in parallel.
     jobs: usize,
     fingerprints: Fingerprints,
-    watchdog: Watchdog,
+    sharing: Sharing,
     /// True if other pictures of the list are rendered elsewhere.
     is_part: bool,
     listener: &'a (dyn Fn(News<'_>) + Sync),
@@ -227,7 +227,6 @@ impl Run<'_> {
             }
         }
         thread::scope(|scope| {
-            scope.spawn(|| self.watchdog.run());
             let count = self.jobs.min(left.len());
             self.lock().threads = count;
             let spawn = |_| thread::Builder::new().spawn_scoped(scope, || self.work());
@@ -250,7 +249,6 @@ impl Run<'_> {
                     }
                 }
             }
-            self.watchdog.end();
         });
     }
 
@@ -304,7 +302,7 @@ impl Run<'_> {
         while waits(&mut state) {
             drop(state);
             // Repeated, as it may come too early for pictures that have just been begun.
-            self.watchdog.share(self.threads);
+            self.sharing.share(self.threads);
             let waited = self.changed.wait_timeout_while(self.lock(), LOOK, waits);
             let (waited, time) = waited.unwrap_or_else(PoisonError::into_inner);
             drop(waited);
@@ -420,7 +418,7 @@ impl Run<'_> {
         let failed = |why: &dyn std::fmt::Display| Lost::Failed(Some(why.to_string()));
         let worker = Worker::ready(worker)
             .map_err(|error| failed(&format!("no process to draw it in: {error}")))?;
-        let watched = self.watchdog.watch(worker.control());
+        let shared = self.sharing.add(worker.control());
         let drawn = worker.draw(
             draw,
             &|event| match event {
@@ -433,7 +431,7 @@ impl Run<'_> {
                 }
             },
         );
-        drop(watched);
+        drop(shared);
         let bytes = drawn?.into_iter().next().unwrap_or_default();
         self.journal
             .put(&picture.output, &bytes)

@@ -428,7 +428,6 @@ impl Watch {
                 } else if painter.wishes.number() != order.wished.number {
                     drawing.supersede();
                 }
-                drawing.kill_overdue(painter.settings.timeout);
                 if matches!(happened, Ok(WatchEvent::End)) {
                     break;
                 }

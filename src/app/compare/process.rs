@@ -1,13 +1,19 @@
 //! Processes with a time limit.
 
 use crate::base::options::CancelToken;
+use crate::base::sync::lock;
 use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Sender};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// Number of bytes stored from the start and from the end of standard error: a scene in a loop may write much.
 const MAX_SAID: usize = 1 << 20;
+
+/// Time after the end of a process to read the rest of its standard error.
+const LINGER: Duration = Duration::from_secs(2);
 
 /// The end of a process.
 #[derive(Debug)]
@@ -40,11 +46,17 @@ pub(super) fn run_until(
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()?;
-    let pipe = child.stderr.take();
-    let reader = thread::spawn(move || pipe.map(read_output).unwrap_or_default());
+    let said = Arc::new(Mutex::new(Vec::new()));
+    let (all, end) = mpsc::channel::<()>();
+    if let Some(pipe) = child.stderr.take() {
+        let said = Arc::clone(&said);
+        thread::spawn(move || read_output(pipe, &said, all));
+    }
     let status = wait(&mut child, limit, stop)?;
     let took = start.elapsed();
-    let stderr = reader.join().unwrap_or_default();
+    // A process that it has started may hold the pipe open for longer.
+    let _ = end.recv_timeout(LINGER);
+    let stderr = String::from_utf8_lossy(&lock(&said)).into_owned();
     Ok(Ended {
         status,
         stderr,
@@ -52,17 +64,18 @@ pub(super) fn run_until(
     })
 }
 
-/// The contents of a pipe, or its start and end. Output read before a failure is worth showing too.
-fn read_output(mut pipe: impl Read) -> String {
-    let mut bytes = Vec::new();
+/// Reads the contents of a pipe, or its start and end, and then drops `all`. Output read before a failure is worth
+/// showing too.
+fn read_output(mut pipe: impl Read, said: &Mutex<Vec<u8>>, all: Sender<()>) {
     let mut part = vec![0; 1 << 16];
     while let Ok(read @ 1..) = pipe.read(&mut part) {
+        let mut bytes = lock(said);
         bytes.extend_from_slice(&part[..read]);
         if bytes.len() > 3 * MAX_SAID {
             bytes.drain(MAX_SAID..2 * MAX_SAID);
         }
     }
-    String::from_utf8_lossy(&bytes).into_owned()
+    drop(all);
 }
 
 fn wait(child: &mut Child, limit: Duration, stop: &CancelToken) -> io::Result<Option<ExitStatus>> {
@@ -90,6 +103,24 @@ mod tests {
     fn slow_processes_are_killed() {
         let ended = run(Command::new("sleep").arg("60"), Duration::from_millis(50)).unwrap();
         assert!(ended.status.is_none() && ended.took < Duration::from_secs(30));
+    }
+
+    #[test]
+    fn a_process_that_holds_the_pipe_open_is_not_waited_for() {
+        let ended = run(
+            Command::new("sh").args(["-c", "echo no >&2; sleep 60; true"]),
+            Duration::from_millis(500),
+        )
+        .unwrap();
+        assert_eq!((ended.status, ended.stderr.as_str()), (None, "no\n"));
+        let start = Instant::now();
+        let ended = run(
+            Command::new("sh").args(["-c", "sleep 20 & echo no >&2"]),
+            Duration::from_secs(60),
+        )
+        .unwrap();
+        assert!(ended.status.is_some() && ended.stderr == "no\n");
+        assert!(start.elapsed() < Duration::from_secs(15));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::COMMAND;
 use super::wire::{Draw, Limit, Reply, Report, Request, read_bytes};
 use crate::app::program;
+use crate::app::watchdog::Watchdog;
 use crate::base::file::Folders;
 use crate::base::options::Event;
 use crate::base::sync::lock;
@@ -17,6 +18,12 @@ use std::time::{Duration, Instant};
 
 /// Time for a process to exit after it has closed its pipes: it may have much memory to free.
 const EXIT: Duration = Duration::from_secs(2);
+
+/// Time beyond the limit of a picture for a worker to report the limit itself.
+const BEYOND: Duration = Duration::from_secs(3);
+
+/// Time for a worker to report that its picture is cancelled.
+const GRACE: Duration = Duration::from_secs(1);
 
 /// Maximum length of the quoted end of standard error in bytes.
 const LAST_WORDS: usize = 1 << 10;
@@ -52,8 +59,21 @@ pub(crate) struct Control {
 #[derive(Debug)]
 struct Requests {
     sender: Sender<Vec<u8>>,
-    /// Threads admitted to the current picture; `None` between pictures.
-    threads: Option<usize>,
+    /// Kills the worker.
+    watchdog: Watchdog,
+    picture: Progress,
+}
+
+/// The current picture of a worker.
+#[derive(Clone, Copy, Debug)]
+enum Progress {
+    /// There is none. If the next is cancelled already, this is true.
+    Idle { is_cancelled: bool },
+    /// It is being drawn with this number of threads admitted.
+    Drawing {
+        threads: usize,
+        deadline: Option<Instant>,
+    },
 }
 
 /// The reason that a worker has delivered no picture.
@@ -107,14 +127,21 @@ impl Worker {
         };
         let (sender, receiver) = mpsc::channel();
         RUNNING.fetch_add(1, Ordering::Relaxed);
+        let child = Arc::new(Mutex::new(child));
+        let has_killed = Arc::new(AtomicBool::new(false));
+        let (watched, killed) = (Arc::clone(&child), Arc::clone(&has_killed));
+        let watchdog = Watchdog::start(move || kill(&watched, &killed));
         let mut worker = Worker {
             control: Control {
-                child: Arc::new(Mutex::new(child)),
+                child,
                 requests: Arc::new(Mutex::new(Requests {
                     sender,
-                    threads: None,
+                    watchdog: watchdog?,
+                    picture: Progress::Idle {
+                        is_cancelled: false,
+                    },
                 })),
-                has_killed: Arc::default(),
+                has_killed,
             },
             replies: BufReader::new(replies),
             last_words: None,
@@ -126,8 +153,11 @@ impl Worker {
         Ok(worker)
     }
 
-    /// Controls the current picture.
+    /// Controls the next picture.
     pub(crate) fn control(&self) -> Control {
+        lock(&self.control.requests).picture = Progress::Idle {
+            is_cancelled: false,
+        };
         self.control.clone()
     }
 
@@ -157,7 +187,7 @@ impl Worker {
         }
         let mut limit = None;
         let drawn = expected.replies(&mut self.replies, listen, report, &mut limit);
-        lock(&self.control.requests).threads = None;
+        self.control.end();
         self.is_spent |= limit.is_some() || drawn.is_err();
         match (drawn, limit) {
             (_, Some(limit)) => Err(Lost::Limit(limit)),
@@ -236,9 +266,8 @@ impl Expected {
                     mut dependencies,
                     wrote_files,
                 } => {
-                    dependencies.retain(|one| {
-                        one.path == self.scene || self.readable.reach(&one.path)
-                    });
+                    dependencies
+                        .retain(|one| one.path == self.scene || self.readable.reach(&one.path));
                     listen(Event::Read {
                         dependencies: &dependencies,
                         wrote_files,
@@ -272,38 +301,64 @@ impl Drop for Worker {
 }
 
 impl Control {
-    /// Requests a picture.
+    /// Requests a picture. The worker is killed if it goes on for long after its time limit.
     ///
     /// # Errors
     /// As [`Request::encoded`].
     fn begin(&self, draw: Draw) -> io::Result<()> {
         let threads = draw.threads.unwrap_or(usize::MAX);
+        let limit = draw.timeout.map(|limit| limit.saturating_add(BEYOND));
         let request = Request::Draw(Box::new(draw)).encoded()?;
         let mut requests = lock(&self.requests);
-        requests.threads = Some(threads);
+        let is_cancelled = matches!(requests.picture, Progress::Idle { is_cancelled: true });
+        let deadline = limit.and_then(|limit| Instant::now().checked_add(limit));
+        requests.picture = Progress::Drawing { threads, deadline };
+        requests.watchdog.set(deadline);
         // A process that has ended receives nothing; its replies end too.
         let _ = requests.sender.send(request);
+        drop(requests);
+        if is_cancelled {
+            self.stop();
+        }
         Ok(())
     }
 
-    /// Cancels the current picture, which the worker then reports as failed.
+    /// Ends the watch over a picture.
+    fn end(&self) {
+        let mut requests = lock(&self.requests);
+        requests.watchdog.set(None);
+        requests.picture = Progress::Idle {
+            is_cancelled: false,
+        };
+    }
+
+    /// Cancels the picture, which the worker then reports as failed. If it does not, it is killed.
     pub(crate) fn stop(&self) {
-        lock(&self.requests).send(Request::Stop);
+        let mut requests = lock(&self.requests);
+        match &mut requests.picture {
+            Progress::Idle { is_cancelled } => *is_cancelled = true,
+            Progress::Drawing { deadline, .. } => {
+                let soon = Instant::now() + GRACE;
+                let deadline = *deadline.insert(deadline.map_or(soon, |known| known.min(soon)));
+                requests.watchdog.set(Some(deadline));
+                requests.send(Request::Stop);
+            }
+        }
     }
 
     /// Lets the current picture use more threads of its worker.
     pub(crate) fn use_threads(&self, count: usize) {
         let mut requests = lock(&self.requests);
-        if requests.threads.is_some_and(|admitted| admitted < count) {
-            requests.threads = Some(count);
+        if let Progress::Drawing { threads, .. } = &mut requests.picture
+            && *threads < count
+        {
+            *threads = count;
             requests.send(Request::Threads(count));
         }
     }
 
-    /// Kills the worker, which has not reported in time that its picture is cancelled.
-    pub(crate) fn kill(&self) {
-        self.has_killed.store(true, Ordering::Relaxed);
-        let _ = lock(&self.child).kill();
+    fn kill(&self) {
+        kill(&self.child, &self.has_killed);
     }
 
     /// The exit status of a worker whose pipes are closed. One that goes on nevertheless is killed.
@@ -328,6 +383,11 @@ impl Requests {
             let _ = self.sender.send(request);
         }
     }
+}
+
+fn kill(child: &Mutex<Child>, has_killed: &AtomicBool) {
+    has_killed.store(true, Ordering::Relaxed);
+    let _ = lock(child).kill();
 }
 
 /// Writes requests until the process or its controls are gone.

@@ -5,6 +5,7 @@
 
 use super::report::{Reporter, Stream, say};
 use crate::app::cli::options::output_kinds::MessageFormat;
+use crate::app::watchdog::Watchdog;
 use crate::app::worker::Limit;
 use crate::base::memory::Taken;
 use crate::base::options::{CancelToken, Event};
@@ -123,11 +124,15 @@ impl Watch {
         if timeout.is_none() && max_memory.is_none() {
             return watch;
         }
+        // Even a message may wait in a system call for a reader of its pipe.
+        let last =
+            Watchdog::start(|| process::exit(FAILED)).unwrap_or_else(|error| unwatched(&error));
         let work = move || {
             let Some(limit) = limits.wait(&ended) else {
                 return;
             };
             is_over.store(true, Ordering::Relaxed);
+            last.set(Some(Instant::now() + GRACE));
             tell(limit);
             if let Some(stop) = stop {
                 stop.cancel();
@@ -145,8 +150,7 @@ impl Watch {
             );
         }
         if let Err(error) = thread::Builder::new().name("limits".to_owned()).spawn(work) {
-            say(format_args!("povr: the limits cannot be watched: {error}"));
-            process::exit(FAILED);
+            unwatched(&error);
         }
         watch
     }
@@ -155,4 +159,10 @@ impl Watch {
     pub(crate) fn is_over(&self) -> bool {
         self.is_over.load(Ordering::Relaxed)
     }
+}
+
+/// Ends the process, which has no thread to watch its limits.
+fn unwatched(error: &std::io::Error) -> ! {
+    say(format_args!("povr: the limits cannot be watched: {error}"));
+    process::exit(FAILED);
 }

@@ -35,10 +35,6 @@ const LONG: Duration = Duration::from_secs(1);
 const REST: Duration = Duration::from_millis(60);
 /// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
-/// Time for a worker to cancel a picture before it is killed.
-const GRACE: Duration = Duration::from_secs(1);
-/// Time beyond `--timeout` for a worker to end by itself.
-const BEYOND: Duration = Duration::from_secs(3);
 
 /// Renders and shows pictures.
 pub(super) struct Painter {
@@ -358,28 +354,26 @@ pub(super) struct Drawing {
 
 #[derive(Debug, Default)]
 struct Progress {
-    /// The worker of the current pass, and the begin of the pass.
-    pass: Option<(Control, Instant)>,
+    /// The worker of the current pass.
+    pass: Option<Control>,
     /// True for a preview.
     is_preview: bool,
     /// True if the wishes have changed: a preview is finished, so that a camera in motion is seen, and the picture is not
     /// begun.
     is_superseded: bool,
-    cancelled: Option<Instant>,
+    is_cancelled: bool,
 }
 
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
     fn begin(&self, control: Control, is_preview: bool) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
-        progress.pass = Some((control, Instant::now()));
+        progress.pass = Some(control);
         progress.is_preview = is_preview;
-        if progress.is_superseded && !is_preview {
-            progress.cancelled.get_or_insert_with(Instant::now);
-        }
-        match progress.cancelled {
-            None => Ok(()),
-            Some(_) => Err(Lost::Failed(None)),
+        progress.is_cancelled |= progress.is_superseded && !is_preview;
+        match progress.is_cancelled {
+            false => Ok(()),
+            true => Err(Lost::Failed(None)),
         }
     }
 
@@ -399,7 +393,7 @@ impl Drawing {
     /// Waits for other wishes, for this time at most.
     fn wait_for_wishes(&self, time: Duration) {
         let is_current =
-            |progress: &mut Progress| !progress.is_superseded && progress.cancelled.is_none();
+            |progress: &mut Progress| !progress.is_superseded && !progress.is_cancelled;
         let progress = lock(&self.progress);
         drop(
             self.superseded
@@ -415,29 +409,15 @@ impl Drawing {
     /// Cancels the drawing.
     pub(super) fn cancel(&self) {
         let mut progress = lock(&self.progress);
-        if progress.cancelled.is_none() {
-            progress.cancelled = Some(Instant::now());
+        if !std::mem::replace(&mut progress.is_cancelled, true) {
             self.superseded.notify_all();
-            if let Some((control, _)) = &progress.pass {
+            if let Some(control) = &progress.pass {
                 control.stop();
             }
         }
     }
 
-    /// Kills a worker that has not ended its picture long after it was cancelled, or after its time limit.
-    pub(super) fn kill_overdue(&self, timeout: Option<Duration>) {
-        let progress = lock(&self.progress);
-        let Some((control, begun)) = &progress.pass else {
-            return;
-        };
-        let is_ignored = |cancelled: Instant| cancelled.elapsed() > GRACE;
-        let is_late = |limit: Duration| begun.elapsed() > limit.saturating_add(BEYOND);
-        if progress.cancelled.is_some_and(is_ignored) || timeout.is_some_and(is_late) {
-            control.kill();
-        }
-    }
-
     fn is_cancelled(&self) -> bool {
-        lock(&self.progress).cancelled.is_some()
+        lock(&self.progress).is_cancelled
     }
 }
