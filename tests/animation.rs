@@ -56,6 +56,17 @@ fn pictures(folder: &Path) -> Vec<String> {
 }
 
 #[test]
+fn an_animation_whose_files_cannot_be_written_is_not_begun() {
+    let folder = folder(&[("tell.pov", TELLING), ("file", "")]);
+    fs::create_dir(folder.path().join("a2.png")).expect("a folder");
+    for output in ["none/a.png", "file/a.png", "a.png"] {
+        let arguments = ["+Itell.pov", "+KFF3", "-D", "-o", output];
+        let (has_succeeded, lines) = run(&support::renderer(), folder.path(), &arguments);
+        assert!(!has_succeeded && lines.is_empty(), "{output}: {lines:?}");
+    }
+}
+
+#[test]
 fn frames_are_named_and_reported_as_in_povray() {
     for arguments in [
         "+KFF3",

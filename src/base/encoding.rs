@@ -27,6 +27,8 @@ pub struct FormatProperties {
     pub is_linear: bool,
     /// Default bits per channel.
     pub bits: u8,
+    /// Maximum width and height.
+    pub max_side: u32,
 }
 
 impl std::ops::Deref for Format {

@@ -1,9 +1,18 @@
 //! Writing of pictures: the bytes go to a temporary file in the same folder, which is then renamed.
 
-use crate::base::file::{Folders, PendingFile};
+use crate::base::file::{Folders, PendingFile, check_replaceable};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
+
+/// Checks that [`replace`] can write to `path`, as far as the system tells without opening anything.
+pub(super) fn check(path: &Path) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(metadata) if !metadata.is_file() => Ok(()),
+        _ => check_replaceable(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())),
+    }
+}
 
 /// Replaces the file at `path`. If `path` is a symbolic link, its target is replaced. If it is a device or a pipe, the
 /// bytes are written to it.

@@ -19,6 +19,7 @@ impl Format {
         has_words: false,
         is_linear: true,
         bits: 16,
+        max_side: u32::MAX,
     });
 }
 

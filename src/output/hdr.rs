@@ -18,6 +18,7 @@ impl Format {
         has_words: false,
         is_linear: true,
         bits: 8,
+        max_side: u32::MAX,
     });
 }
 

@@ -18,18 +18,14 @@ impl Format {
         has_words: false,
         is_linear: false,
         bits: 8,
+        max_side: 65535,
     });
 }
 
 /// POV-Ray's default quality.
 const POVRAY_QUALITY: u8 = 85;
-/// The format's limit for a side, in pixels.
-const MAX_SIDE: u32 = 65535;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    if film.width.max(film.height) > MAX_SIDE {
-        return Err(format!("a side is longer than {MAX_SIDE} pixels"));
-    }
     let data = quantize::levels_of(film, options)?;
     let quality = match options.quality {
         0 => POVRAY_QUALITY,

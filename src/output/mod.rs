@@ -119,13 +119,37 @@ pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputErr
     encoder(format)(film, options).map_err(error)
 }
 
+/// Checks before a picture of this size is rendered that it can be written. Nothing is opened or written.
+///
+/// # Errors
+/// As for [`write()`], as far as the reasons are known.
+pub fn check(target: &Target, size: (u32, u32), format: Format) -> Result<(), OutputError> {
+    check_size(size, format).map_err(|reason| OutputError::Encode { format, reason })?;
+    let Target::File(path) = target else {
+        return Ok(());
+    };
+    atomic_file::check(path).map_err(|source| OutputError::Write {
+        target: target.clone(),
+        source,
+    })
+}
+
 /// Checks the requirements that are independent of the encoder. The error is the reason.
 fn check_film(film: &Film, format: Format) -> Result<(), String> {
-    if film.width == 0 || film.height == 0 {
-        return Err("it has no pixels".to_owned());
-    }
+    check_size((film.width, film.height), format)?;
     if film.levels.is_some() && format.is_linear {
         return Err(quantize::WRONG_FILE_KIND.to_owned());
+    }
+    Ok(())
+}
+
+fn check_size((width, height): (u32, u32), format: Format) -> Result<(), String> {
+    if width == 0 || height == 0 {
+        return Err("it has no pixels".to_owned());
+    }
+    let longest = format.max_side;
+    if width.max(height) > longest {
+        return Err(format!("a side is longer than {longest} pixels"));
     }
     Ok(())
 }
@@ -194,6 +218,9 @@ impl OutputError {
                 "The folder `{}` is not open to you for writing: name another file with `+O`.",
                 folder.display()
             )),
+            io::ErrorKind::NotADirectory => {
+                Some("A part of this path is a file: name a file in a folder with `+O`.".to_owned())
+            }
             io::ErrorKind::IsADirectory => {
                 Some("A folder has this name: name another file with `+O`.".to_owned())
             }

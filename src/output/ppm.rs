@@ -15,6 +15,7 @@ impl Format {
         has_words: true,
         is_linear: false,
         bits: 8,
+        max_side: u32::MAX,
     });
 }
 

@@ -287,6 +287,50 @@ fn an_encoding_error_leaves_the_old_file() {
 }
 
 #[test]
+fn a_check_knows_the_errors_of_writing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("old.png"), "old").unwrap();
+    fs::create_dir(path("folder")).unwrap();
+    let size = (37, 23);
+    for (name, is_right) in [
+        ("new.png", true),
+        ("old.png", true),
+        ("folder", false),
+        ("none/new.png", false),
+        ("old.png/new.png", false),
+    ] {
+        let target = Target::File(path(name));
+        let checked = check(&target, size, Format::PNG).map_err(|error| error.to_string());
+        assert_eq!(checked.is_ok(), is_right, "{checked:?}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+        if let Err(error) = checked {
+            let film = Film::whole(size.0, size.1);
+            let written = write(&film, &target, &EncodeOptions::new(Format::PNG));
+            assert_eq!(written.unwrap_err().to_string(), error);
+        }
+    }
+    for format in [Format::JPEG, Format::TGA, Format::COMPRESSED_TGA] {
+        assert!(check(&Target::Stdout, (65535, 1), format).is_ok());
+        assert!(check(&Target::Stdout, (1, 65536), format).is_err());
+    }
+    assert!(check(&Target::Stdout, (1 << 20, 1), Format::PPM).is_ok());
+}
+
+#[test]
+fn a_file_on_the_path_of_a_picture_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a"), "").unwrap();
+    let target = Target::File(folder.path().join("a/b.png"));
+    let error = check(&target, (1, 1), Format::PNG).unwrap_err();
+    assert!(error.to_string().ends_with("b.png`: not a directory"));
+    assert_eq!(
+        error.hint().unwrap(),
+        "A part of this path is a file: name a file in a folder with `+O`."
+    );
+}
+
+#[test]
 fn a_missing_folder_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("none").join("a.png");

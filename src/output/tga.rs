@@ -18,6 +18,7 @@ impl Format {
         has_words: false,
         is_linear: false,
         bits: 8,
+        max_side: 65535,
     });
 
     /// Targa with run-length compression.
@@ -30,6 +31,7 @@ impl Format {
         has_words: false,
         is_linear: false,
         bits: 8,
+        max_side: 65535,
     });
 }
 

@@ -197,6 +197,9 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     reporter.files.begin(settings, target);
     let console = Console::new(verbosity);
     console.begin(settings);
+    if let Some((target, options)) = &settings.output {
+        output::check(target, (render.width, render.height), options.format)?;
+    }
     console.parsing();
     let progress = Progress::new(
         progress_kind(verbosity),

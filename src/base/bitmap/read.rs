@@ -231,6 +231,9 @@ impl Content {
                     let message = format!("this file cannot be read as an image: {error}");
                     Box::new(Diagnostic::error(span, message))
                 };
+                if bytes.is_empty() {
+                    return Err(error("it is empty".to_owned()));
+                }
                 let bytes_needed = bytes_to_decode(&bytes, format).map_err(error)?;
                 args.reserve_memory("this image", bytes_needed, span)?;
                 decode(&bytes, format, handling).map_err(error)

@@ -114,6 +114,7 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         console: Console::new(settings.verbosity),
     };
     run.console.begin(settings);
+    run.check(&numbers)?;
     let done = run.all(&numbers);
     run.progress.finish();
     let counts = run.reporter.take_counts();
@@ -205,6 +206,17 @@ impl Run<'_> {
             }
         }
         Ok(Done::All)
+    }
+
+    /// Checks that the files of all frames can be written.
+    fn check(&self, numbers: &[u32]) -> Result<(), CliError> {
+        let render = &self.settings.render;
+        if let Some((_, options)) = &self.settings.output {
+            for target in numbers.iter().filter_map(|&number| self.output(number)) {
+                output::check(&target, (render.width, render.height), options.format)?;
+            }
+        }
+        Ok(())
     }
 
     /// The file of a frame.
