@@ -12,7 +12,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Instant;
 
-const FILES: [(&str, &str); 5] = [
+const FILES: [(&str, &str); 10] = [
     (
         "s.pov",
         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 }
@@ -21,15 +21,28 @@ const FILES: [(&str, &str); 5] = [
         #ifdef (Head) #debug \"= head\\n\" #end",
     ),
     ("plain.ini", "Input_File_Name=s.pov\nWidth=12\nHeight=9\n"),
+    (
+        "parts.ini",
+        "Input_File_Name=s.pov\nHeight=9\nWidth=10\n[small]\nWidth=8\n[large]\nWidth=16\nOutput_File_Name=large\n",
+    ),
+    (
+        "frames.ini",
+        "Input_File_Name=s.pov\nHeight=9 ; low\nWidth=12\nFinal_Frame=4\nFinal_Clock=3\nCyclic_Animation=on\n# end\n",
+    ),
     ("head.inc", "#declare Head = 1;\n"),
+    ("inc/deep.inc", "#declare Head = 1;\n"),
+    ("uses.pov", "#include \"deep.inc\"\n#include \"s.pov\"\n"),
     ("wrong.pov", "#version 3.7;\nsphere { 0, 1\n"),
+    ("stops.pov", "#version 3.7;\n#error \"enough\"\n"),
     ("shell.ini", "Pre_Scene_Command=touch made\nPost_Scene_Command=touch made\n"),
 ];
 
 /// Runs a shell command in which `$P` is the program.
 fn shell(folder: &Path, program: &Path, command: &str) -> Output {
     for (name, text) in FILES {
-        fs::write(folder.join(name), text).expect("files can be written");
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().expect("it has a name")).expect("folders can be made");
+        fs::write(path, text).expect("files can be written");
     }
     Command::new("bash")
         .args(["-c", command])
@@ -44,6 +57,7 @@ fn shell(folder: &Path, program: &Path, command: &str) -> Output {
 /// New files, with the pixels of pictures.
 fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
     let entries = fs::read_dir(folder).expect("the folder is there").flatten();
+    let entries = entries.filter(|entry| !entry.path().is_dir());
     let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
     let fresh = names.filter(|name| {
         FILES.iter().all(|(known, _)| known != name)
@@ -70,14 +84,20 @@ fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
 
 /// The lines that callers look for. Times and counts of POV-Ray's own kind are left out.
 fn signs(output: &Output) -> Vec<String> {
-    const LINES: [&str; 21] = [
+    const LINES: [&str; 27] = [
         "==== [",
         "  Input file: ",
+        "  Clock value: ",
+        "  Initial Frame: ",
+        "  Frame Step: ",
+        "  Initial Clock: ",
+        "  Cyclic Animation.",
         "  Image resolution.",
         "  Output file",
         "  Continued trace",
         "  Antialiasing.",
         "  All Streams",
+        "  Fatal Stream",
         "  Statistics Stream",
         "  Warning Stream",
         "Rendering frame ",
@@ -175,6 +195,179 @@ fn failures_have_the_lines_and_the_code_of_povray() {
     assert_eq!((ours.code, ours.files), (theirs.code, theirs.files));
     let last = |signs: &[String]| signs[signs.len() - 3..].to_vec();
     assert_eq!(last(&ours.signs), last(&theirs.signs));
+}
+
+#[test]
+fn output_types_have_the_names_and_pixels_of_povray() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +FN8",
+        "$P +Is.pov +W12 +H9 -D +FN5",
+        "$P +Is.pov +W12 +H9 -D +FN17",
+        "$P +Is.pov +W12 +H9 -D +fn16",
+        "$P +Is.pov +W12 +H9 -D -FN",
+        "$P +Is.pov +W12 +H9 -D +F",
+        "$P +Is.pov +W12 +H9 -D +FC",
+        "$P +Is.pov +W12 +H9 -D +FC +UA",
+        "$P +Is.pov +W12 +H9 -D +FB",
+        "$P +Is.pov +W12 +H9 -D +FP16",
+        "$P +Is.pov +W12 +H9 -D Output_File_Type=t",
+        "$P +Is.pov +W12 +H9 -D Output_File_Type=B",
+        "$P +Is.pov +W12 +H9 -D Bits_Per_Color=16",
+        "$P +Is.pov +W12 +H9 -D Bits_Per_Color=3",
+        "$P +Is.pov +W12 +H9 -D Grayscale_Output=on",
+        "$P +Is.pov +W12 +H9 -D +FN8 Grayscale_Output=on",
+        "$P +Is.pov +W12 +H9 -D Compression=0",
+        "$P +Is.pov +W12 +H9 -D File_Gamma=1.0",
+        "$P +Is.pov +W12 +H9 -D +FN File_Gamma=2.2",
+        "$P +Is.pov +W12 +H9 -D +O-",
+        "$P +Is.pov +W12 +H9 -D +O- +FT",
+        "$P +Is.pov +W12 +H9 -D +O./",
+        "$P +Is.pov +W12 +H9 -D +Oout.bmp",
+        "$P +Is.pov +W12 +H9 -D +Oinc/",
+    ]);
+}
+
+#[test]
+fn parts_of_a_picture_are_announced() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +SC3",
+        "$P +Is.pov +W12 +H9 -D +EC8",
+        "$P +Is.pov +W12 +H9 -D +SC3 +EC8",
+        "$P +Is.pov +W12 +H9 -D +SR4",
+        "$P +Is.pov +W12 +H9 -D +SC0.5",
+        "$P +Is.pov +W12 +H9 -D +SC0 +EC12",
+        "$P +Is.pov +W12 +H9 -D +SR0.2 +ER0.8",
+        "$P +Is.pov +W12 +H9 -D Start_Column=2 End_Column=6 Start_Row=3 End_Row=5",
+    ]);
+}
+
+#[test]
+fn clocks_and_frames_are_announced() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +K0.5",
+        "$P +Is.pov +W12 +H9 -D +K.5",
+        "$P +Is.pov +W12 +H9 -D +K-1",
+        "$P +Is.pov +W12 +H9 -D Clock=abc",
+        "$P +Is.pov +W12 +H9 -D +KFI2 +KFF4",
+        "$P +Is.pov +W12 +H9 -D +KFI0 +KFF2",
+        "$P +Is.pov +W12 +H9 -D +KFF3 +KI1 +KF2",
+        "$P +Is.pov +W12 +H9 -D +KFF4 +KC",
+        "$P +Is.pov +W12 +H9 -D +KFF4 +SF2 +EF3",
+        "$P +Is.pov +W12 +H9 -D +KFF10 +SF0.5 +EF0.7",
+        "$P +Is.pov +W12 +H9 -D +KFF120 +SF118",
+        "$P +Is.pov +W12 +H9 -D +KFF3 -F",
+        "$P +Is.pov +W12 +H9 -D +KFF3 +Oq07",
+        "$P +Is.pov +W12 +H9 -D Final_Frame=3 Frame_Step=2",
+        "$P +Is.pov +W12 +H9 -D Final_Frame=abc",
+        "$P frames.ini -D",
+        "$P frames.ini +SF4 -D",
+    ]);
+}
+
+#[test]
+fn ini_files_sections_and_libraries() {
+    agree(&[
+        "$P parts.ini -D",
+        "$P parts -D",
+        "$P 'parts.ini[small]' -D",
+        "$P 'parts[LARGE]' -D",
+        "$P 'parts.ini[none]' -D",
+        "$P 'parts.ini[small' -D",
+        "$P none.ini -D",
+        "$P +Is.pov Include_Ini=plain.ini -D",
+        "$P +Is.pov Include_Ini=none.ini +W12 +H9 -D",
+        "$P +Iuses.pov +W12 +H9 -D +Linc",
+        "$P +Iuses.pov +W12 +H9 -D +Lnone +Linc",
+        "$P +Iuses.pov +W12 +H9 -D Library_Path=inc",
+        "$P +Iuses.pov +W12 +H9 -D",
+        "$P +Is.pov +W12 +H9 -D +L",
+        "$P +Is.pov +W12 +H9 -D Declare=Given=1e2",
+        "$P +Is.pov +W12 +H9 -D declare=Given=-4 Declare=Other=7",
+        "$P +Is.pov +W12 +H9 -D +HIhead.inc",
+    ]);
+}
+
+#[test]
+fn antialiasing_is_announced() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +A",
+        "$P +Is.pov +W12 +H9 -D -A0.3",
+        "$P +Is.pov +W12 +H9 -D +A0.1 +AM2 +R3",
+        "$P +Is.pov +W12 +H9 -D +A0.1 +R10",
+        "$P +Is.pov +W12 +H9 -D +A0.1 +J0.5",
+        "$P +Is.pov +W12 +H9 -D +A0.1 -J0.5",
+        "$P +Is.pov +W12 +H9 -D +A0.1 +AG1.5",
+        "$P +Is.pov +W12 +H9 -D Antialias=on Sampling_Method=2 Antialias_Depth=2",
+        "$P +Is.pov +W12 +H9 -D Antialias=maybe",
+    ]);
+}
+
+#[test]
+fn values_end_where_their_number_ends() {
+    agree(&[
+        "$P +Is.pov +W12abc +H9,5 -D",
+        "$P +Is.pov +W1e1 +H9 -D",
+        "$P +Is.pov Width=12.9 Height=9x -D",
+        "$P +Is.pov +W12 +H9 -D +A0.3,2",
+        "$P +Is.pov +W12 +H9 -D +A0.1 +R2.9 +J0x1",
+        "$P +Is.pov +W12 +H9 -D +K0.5,1",
+        "$P +Is.pov +W12 +H9 -D +Q5abc",
+        "$P +Is.pov +W12 +H9 -D +MV3.5",
+        "$P +Is.pov +W12 +H9 -D Version=3.1x",
+        "$P +Is.pov +W12 +H9 -D +BS4 +RP2x +WT2x",
+    ]);
+}
+
+#[test]
+fn what_povray_refuses_is_refused() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +A.3,.2",
+        "$P +Is.pov +W12 +H9 -D +A0",
+        "$P +Is.pov +W12 +H9 -D +A1.5",
+        "$P +Is.pov +W12 +H9 -D +A-1",
+        "$P +Is.pov +W12 +H9 -D +Ax",
+        "$P +Is.pov +W12 +H9 -D +AM",
+        "$P +Is.pov +W12 +H9 -D +R.3",
+        "$P +Is.pov +W12 +H9 -D +Q",
+        "$P +Is.pov +W12 +H9 -D +MVx",
+        "$P +Is.pov +W12 +H9 -D +WT",
+        "$P +Is.pov +W12 +H9 -D +RPx",
+        "$P +Is.pov +W12 +H9 -D +B100",
+        "$P +Is.pov +W12 +H9 -D +BP",
+        "$P +Is.pov +W12 +H9 -D +FN16g",
+        "$P +Is.pov +W12 +H9 -D +FNg8",
+        "$P +Is.pov +W12 +H9 -D +FX",
+        "$P +Is.pov +W12 +H9 -D +THBN",
+        "$P +Is.pov +W12 +H9 -D +HI",
+        "$P +Is.pov +W12 +H9 -D +K",
+        "$P +Is.pov +W 12 +H 9 -D",
+        "$P +I s.pov +W12 +H9 -D",
+        "$P +Is.pov Width= Height=9 -D",
+        "$P +Is.pov Bounding_Threshold=x +W12 +H9 -D",
+        "$P +Is.pov Display_Gamma=x +W12 +H9 -D",
+        "$P +Is.pov +W12 +H9 -D --unknown",
+        "$P +Is.pov +W12 +H9 -D unknown",
+    ]);
+    let row = "$P +Is.pov +W12 +H9 -D +BS3";
+    let (ours, theirs) = (done(None, row), done(Some(Path::new("povray")), row));
+    assert_eq!((ours.code, ours.files), (theirs.code, theirs.files));
+}
+
+#[test]
+fn options_without_a_picture_of_their_own() {
+    agree(&[
+        "$P +Is.pov +W12 +H9 -D +MB0 -UV -UL -UR +SU",
+        "$P +Is.pov +W12 +H9 -D +B +C +X +P",
+        "$P +Is.pov +W12 +H9 -D -UF -UO -TH",
+        "$P +Is.pov +W12 +H9 -D +BM2",
+        "$P +Is.pov +W12 +H9 -D +Q0",
+        "$P +Is.pov +W12 +H9 -D Max_Image_Buffer_Memory=10 Test_Abort_Count=9",
+        "$P +Istops.pov +W12 +H9 -D",
+        "$P +Istops.pov +W12 +H9 -D -GF",
+        "$P +Istops.pov +W12 +H9 -D -GA",
+        "$P +Is.pov +W12 +H9 -D -GD -GR",
+        "$P +Is.pov +W12 +H9 -D +GDd.txt",
+    ]);
 }
 
 #[test]

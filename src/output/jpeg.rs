@@ -23,7 +23,7 @@ impl Format {
 }
 
 /// POV-Ray's default quality.
-const POVRAY_QUALITY: u8 = 85;
+pub(crate) const POVRAY_QUALITY: u8 = 85;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::levels_of(film, options)?;

@@ -14,6 +14,8 @@ mod png;
 mod ppm;
 mod tga;
 
+pub(crate) use jpeg::POVRAY_QUALITY;
+
 pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties};
 
 use std::fmt;

@@ -161,6 +161,29 @@ fn every_format_is_read_by_the_image_crate() {
     }
 }
 
+/// Pillow, among others, refuses packets that go on in the next row.
+#[test]
+fn packets_of_a_targa_file_end_with_their_row() {
+    let film = Film::whole(40, 5);
+    for (alpha, channels) in [(false, 3), (true, 4)] {
+        let options = EncodeOptions {
+            alpha,
+            ..EncodeOptions::new(Format::COMPRESSED_TGA)
+        };
+        let file = encode(&film, &options).unwrap();
+        let mut packets = &file[18..];
+        let (mut pixels, mut row_ends) = (0, 0);
+        while let [head, rest @ ..] = packets {
+            let count = usize::from(head & 127) + 1;
+            let stored = if *head < 128 { count } else { 1 };
+            packets = &rest[stored * channels..];
+            pixels += count;
+            row_ends += usize::from(pixels % 40 == 0);
+        }
+        assert_eq!((pixels, row_ends), (200, 5));
+    }
+}
+
 #[test]
 fn a_jpeg_is_within_8_levels_of_the_png() {
     let mut film = Film::whole(64, 16);

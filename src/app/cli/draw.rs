@@ -264,6 +264,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
 pub(super) fn reporter(settings: &Settings) -> Reporter {
     let verbosity = settings.verbosity;
     let mut reporter = Reporter::new(verbosity.format, Stream::Err);
+    reporter.shows_errors = verbosity.errors;
     reporter.warns = verbosity.warnings && !verbosity.quiet;
     reporter.debugs = verbosity.debugs && !verbosity.quiet;
     if reporter.warns {

@@ -241,8 +241,8 @@ impl Run<'_> {
     fn begin(&self, at: usize, numbers: &[u32]) {
         let picture = self.output(numbers[at]);
         let picture = picture.as_ref();
-        let of = numbers.len();
-        self.console.frame(at + 1, of, self.settings, picture);
+        let (position, of) = self.frames.position(numbers[at]);
+        self.console.frame(position, of, self.settings, picture);
         self.console.parsing();
         if at > 0 {
             self.reporter.files.next_frame();

@@ -61,8 +61,8 @@ impl Console {
     /// Announces a frame of an animation, and the options that it is drawn with.
     pub(crate) fn frame(
         &self,
-        number: usize,
-        of: usize,
+        number: u32,
+        of: u32,
         settings: &Settings,
         picture: Option<&Target>,
     ) {
@@ -105,7 +105,7 @@ impl Console {
         let lines = [
             ("All Streams to console..........", all),
             ("Debug Stream to console.........", shown.debugs),
-            ("Fatal Stream to console.........", true),
+            ("Fatal Stream to console.........", shown.errors),
             ("Render Stream to console........", shown.renders),
             ("Statistics Stream to console....", shown.statistics),
             ("Warning Stream to console.......", shown.warnings),
@@ -144,8 +144,14 @@ impl Console {
         }
         let (width, height) = (settings.render.width, settings.render.height);
         let pixels = statistics.pixels;
+        let is_part = pixels < u64::from(width) * u64::from(height);
+        let part = if is_part {
+            " (Partial Image Rendered)"
+        } else {
+            ""
+        };
         say(format_args!(
-            "{RULE}\nRender Statistics\nImage Resolution {width} x {height}\n{RULE}\nPixels: {pixels:>16}\n{RULE}\nRender Time:"
+            "{RULE}\nRender Statistics{part}\nImage Resolution {width} x {height}\n{RULE}\nPixels: {pixels:>16}\n{RULE}\nRender Time:"
         ));
         let Some(trace) = statistics.stages.iter().find(|stage| stage.name == "trace") else {
             return;

@@ -10,7 +10,8 @@ pub(crate) struct Wanted {
     pub(crate) initial_frame: Option<i64>,
     pub(crate) final_frame: Option<i64>,
     pub(crate) initial_clock: f32,
-    pub(crate) final_clock: f32,
+    /// 1 unless set.
+    pub(crate) final_clock: Option<f32>,
     pub(crate) is_cyclic: bool,
     /// A frame, or a share of the frames: see [`subset`].
     pub(crate) subset_start: Option<f32>,
@@ -24,7 +25,7 @@ impl Default for Wanted {
             initial_frame: None,
             final_frame: None,
             initial_clock: 0.0,
-            final_clock: 1.0,
+            final_clock: None,
             is_cyclic: false,
             subset_start: None,
             subset_end: None,
@@ -73,7 +74,7 @@ impl Frames {
             end: end.max(start),
             step: u32::try_from(wanted.step.max(1)).unwrap_or(u32::MAX),
             initial_clock: wanted.initial_clock,
-            final_clock: wanted.final_clock,
+            final_clock: wanted.final_clock.unwrap_or(1.0),
         })
     }
 
@@ -82,6 +83,13 @@ impl Frames {
     pub fn numbers(&self) -> Vec<u32> {
         let step = usize::try_from(self.step).unwrap_or(usize::MAX);
         (self.start..=self.end).step_by(step).collect()
+    }
+
+    /// The position of a frame from the first to the last to render, counted from 1, and that of the last. A step of
+    /// two takes every other position.
+    pub(crate) fn position(&self, frame: u32) -> (u32, u32) {
+        let position = |frame: u32| frame - self.start + 1;
+        (position(frame), position(self.end))
     }
 
     /// True if there is only one frame, so that the clock has no step.
@@ -253,7 +261,7 @@ mod tests {
             (0.0, 1.0, 11, 20, 16, 0.555_555_582_046_508_8),
         ] {
             let frames = frames(|w| {
-                (w.initial_clock, w.final_clock) = (from, to);
+                (w.initial_clock, w.final_clock) = (from, Some(to));
                 (w.initial_frame, w.final_frame) = (Some(first), Some(last));
             });
             assert!((frames.clock(frame) - expected).abs() < 1e-17, "{frame}");
@@ -264,7 +272,7 @@ mod tests {
     fn values_in_scenes_have_six_digits() {
         let values = |from, to, last, is_cyclic| {
             let frames = frames(|w| {
-                (w.initial_clock, w.final_clock) = (from, to);
+                (w.initial_clock, w.final_clock) = (from, Some(to));
                 (w.final_frame, w.is_cyclic) = (Some(last), is_cyclic);
             });
             let read = frames.read_options_for(1, &ReadOptions::default());

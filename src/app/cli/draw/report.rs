@@ -41,6 +41,8 @@ pub(crate) struct Reporter {
     pub(crate) format: MessageFormat,
     /// The stream of findings.
     pub(crate) stream: Stream,
+    /// True to write errors.
+    pub(crate) shows_errors: bool,
     /// True to write warnings.
     pub(crate) warns: bool,
     /// True to write the scene's `#debug` output.
@@ -88,6 +90,7 @@ impl Reporter {
         Reporter {
             format,
             stream,
+            shows_errors: true,
             warns: true,
             debugs: true,
             files: Files::default(),
@@ -177,7 +180,11 @@ impl Reporter {
             Severity::Warning => counts.warnings += 1,
         }
         drop(counts);
-        if message.severity == Severity::Warning && !self.warns {
+        let is_shown = match message.severity {
+            Severity::Error => self.shows_errors,
+            Severity::Warning => self.warns,
+        };
+        if !is_shown {
             return;
         }
         match self.format {

@@ -10,7 +10,7 @@ use crate::app::cli::options::output_kinds::Stream;
 use crate::app::cli::options::settings::{Scene, Settings};
 use crate::base::options::{Method, Sampling};
 use crate::base::source::{Message, Severity};
-use crate::output::{EncodeOptions, Target};
+use crate::output::{EncodeOptions, Format, POVRAY_QUALITY, Target};
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
@@ -125,19 +125,18 @@ pub(crate) fn drawn_what(settings: &Settings, picture: Option<&Target>) -> Strin
         Scene::File(path) => path.display().to_string(),
         Scene::Stdin => "standard input".to_owned(),
     };
-    let mut text = format!("Parser Options\n  Input file: {scene}\n  Library paths:\n");
+    let version = settings.read.version;
+    let version = version.map(|version| format!(" (compatible to version {version:.2})"));
+    let version = version.unwrap_or_default();
+    let mut text = format!("Parser Options\n  Input file: {scene}{version}\n  Library paths:\n");
     for path in &settings.read.library_paths {
         text += &format!("    {}\n", path.display());
     }
-    let (clock, render) = (settings.read.clock, &settings.render);
-    let animation = if settings.frames.is_some() {
-        "on"
-    } else {
-        "off"
-    };
+    text += &animation(settings);
+    let render = &settings.render;
     let (rows, columns) = (&render.rows, &render.columns);
     text += &format!(
-        "  Clock value: {clock:8.3}  (Animation {animation})\nImage Output Options\n  Image resolution.....{} by {} \
+        "Image Output Options\n  Image resolution.....{} by {} \
          (rows {} to {}, columns {} to {}).\n",
         render.width,
         render.height,
@@ -165,6 +164,25 @@ pub(crate) fn drawn_what(settings: &Settings, picture: Option<&Target>) -> Strin
     text
 }
 
+/// The clock of a still picture that has none, otherwise the options about frames, as given.
+fn animation(settings: &Settings) -> String {
+    if settings.frames.is_none() && settings.read.clock == 0.0 {
+        return "  Clock value:    0.000  (Animation off)\n".to_owned();
+    }
+    let given = &settings.animation;
+    let (first, last) = (given.initial_frame, given.final_frame);
+    let cyclic = if given.is_cyclic { "On " } else { "Off" };
+    format!(
+        "Animation Options\n  Initial Frame: {:8}  Final Frame: {:8}\n  Frame Step:    {:8}\n  Initial Clock: {:8.3}  \
+         Final Clock: {:8.3}\n  Cyclic Animation.....{cyclic}  Field render.........Off  Odd lines/frames.....Off\n",
+        first.unwrap_or(1),
+        last.unwrap_or(1),
+        given.step,
+        given.initial_clock,
+        given.final_clock.unwrap_or(0.0),
+    )
+}
+
 /// The encoding of the picture as POV-Ray names it: `24 bpp PNG`.
 fn encoding(options: &EncodeOptions) -> String {
     let bits = u32::from(options.bits);
@@ -173,6 +191,13 @@ fn encoding(options: &EncodeOptions) -> String {
         "compressed TGA" => "RLE Targa",
         name => name,
     };
+    if options.format == Format::JPEG {
+        let quality = match options.quality {
+            0 => POVRAY_QUALITY,
+            quality => quality,
+        };
+        return format!("24 bpp, quality {quality}% JPEG");
+    }
     match (options.grayscale, options.alpha && options.format.has_alpha) {
         (true, _) if options.format.has_grey => format!("grayscale {name}"),
         (_, true) => format!("{} bpp with alpha {name}", 4 * bits),

@@ -3,6 +3,7 @@
 //! Switches are other names of these (see `switches`). The list is that of the POV-Ray 3.7 reference, checked against
 //! the options that the program of 3.7.0.10 accepts, and the options that 3.8 added.
 
+use super::as_povray;
 use super::error::CliError;
 use super::raw_args::{Output, RawArgs, Shellout, Unbuilt};
 use super::values::{
@@ -24,8 +25,12 @@ pub(crate) fn set(
 ) -> Result<(), CliError> {
     match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
         Some((name, set)) => {
-            set(raw_args, value, word)?;
-            raw_args.given.push((name, value.to_owned()));
+            let value = match raw_args.is_povray {
+                true => as_povray::value(name, value, word)?,
+                false => value.to_owned(),
+            };
+            set(raw_args, &value, word)?;
+            raw_args.given.push((name, value));
             Ok(())
         }
         None => {
@@ -86,19 +91,19 @@ const KEYS: &[(&str, Set)] = &[
     ("Debug_File", |t, v, _| { t.stream(Stream::Debug, v); Ok(()) }),
     ("Declare", declare),
     ("Display", SCREEN),
-    ("Display_Gamma", SCREEN),
+    ("Display_Gamma", |_, v, s| file_gamma(v, s).map(drop)),
     ("Dither", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Dither, on, s); Ok(()) }),
     ("Dither_Method", dither_method),
     ("Draw_Vistas", IDLE),
     ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
     ("End_Row", |t, v, s| { t.end_row = Some(single(v, s)?); Ok(()) }),
-    ("Fatal_Console", |t, _, s| { t.has_console = true; t.idle.push(s.to_owned()); Ok(()) }),
+    ("Fatal_Console", |t, v, s| { t.has_console = true; t.errors = flag(t, v, s); Ok(()) }),
     ("Fatal_Error_Command", IDLE),
     ("Fatal_Error_Return", IDLE),
     ("Fatal_File", |t, v, _| { t.stream(Stream::Fatal, v); Ok(()) }),
     ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Fields, on, s); Ok(()) }),
     ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
-    ("Final_Clock", |t, v, s| { t.frames.final_clock = single(v, s)?; Ok(()) }),
+    ("Final_Clock", |t, v, s| { t.frames.final_clock = Some(single(v, s)?); Ok(()) }),
     ("Final_Frame", |t, v, s| { t.frames.final_frame = Some(frame(v, s)?); Ok(()) }),
     ("Frame_Step", |t, v, s| { t.frames.step = frame(v, s)?; Ok(()) }),
     ("Grayscale_Output", |t, v, s| { t.grayscale = flag(t, v, s); Ok(()) }),
@@ -276,28 +281,12 @@ fn declare_as_povray(raw_args: &mut RawArgs, text: &str, word: &str) {
     let doubt = if value.is_empty() || !is_identifier(name) {
         format!("`{word}` declares nothing")
     } else {
-        let value = leading_number(value);
+        let value = as_povray::leading_number(value).unwrap_or(0.0);
         raw_args.declares.retain(|(declared, _)| declared != name);
         raw_args.declares.push((name.to_owned(), value));
         format!("`{word}` is no number: it declares {value}")
     };
     raw_args.doubts.push(doubt);
-}
-
-/// The finite number at the beginning of a text, 0 without one.
-fn leading_number(text: &str) -> f64 {
-    let text = text.trim_start();
-    let lower = text.to_ascii_lowercase();
-    if let Some(digits) = lower.strip_prefix("0x") {
-        let end = digits.find(|c: char| !c.is_ascii_hexdigit());
-        let digits = &digits[..end.unwrap_or(digits.len())];
-        return u32::from_str_radix(digits, 16).map_or(0.0, f64::from);
-    }
-    let is_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let end = text.find(|c| !is_number(c)).unwrap_or(text.len());
-    let beginnings = (1..=end).rev().map(|end| text[..end].parse());
-    let number = beginnings.flatten().find(|number: &f64| number.is_finite());
-    number.unwrap_or(0.0)
 }
 
 fn is_identifier(name: &str) -> bool {

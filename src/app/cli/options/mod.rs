@@ -1,6 +1,7 @@
 //! Options: POV-Ray's switches, ini files, long options, and the settings that they amount to.
 
 pub(super) mod arg_words;
+pub(super) mod as_povray;
 pub(crate) mod command_line;
 pub(super) mod conf;
 pub(super) mod created_ini;

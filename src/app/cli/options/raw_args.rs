@@ -47,6 +47,7 @@ pub(crate) struct RawArgs {
     pub(crate) silent: bool,
     pub(crate) warnings: bool,
     pub(crate) debugs: bool,
+    pub(crate) errors: bool,
     /// Options and times on POV-Ray's console.
     pub(crate) renders: bool,
     pub(crate) statistics: bool,
@@ -159,6 +160,7 @@ impl Default for RawArgs {
             statistics: true,
             warnings: true,
             debugs: true,
+            errors: true,
             streams: Vec::new(),
             message_format: None,
             has_console: false,

@@ -10,7 +10,7 @@ use super::ini::neighbour;
 use super::raw_args::{Output, RawArgs, Shellout};
 use super::safety::LimitOptions;
 use super::values::format_of_ending;
-use crate::app::cli::draw::frames::Frames;
+use crate::app::cli::draw::frames::{Frames, Wanted};
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
 use crate::base::options::{
@@ -38,6 +38,8 @@ pub struct Settings {
     pub is_sandboxed: bool,
     /// The frames of an animation; `None` for a still picture.
     pub frames: Option<Frames>,
+    /// The options about frames, as given.
+    pub(crate) animation: Wanted,
     /// True to continue from a checkpoint.
     pub continues: bool,
     /// Destination and encoding of the picture; `None` renders without storing it. The working colour space comes from
@@ -81,6 +83,8 @@ impl Scene {
 /// The output besides errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verbosity {
+    /// Errors of the scene.
+    pub errors: bool,
     /// Warnings.
     pub warnings: bool,
     /// The scene's `#debug` output.
@@ -159,6 +163,7 @@ pub(crate) fn settle(
         render,
         continues: raw_args.continues,
         frames,
+        animation: raw_args.frames,
         output,
         names_output: !matches!(raw_args.output, Output::Unnamed),
         verbosity: verbosity(&raw_args, environment),
@@ -184,6 +189,7 @@ fn verbosity(raw_args: &RawArgs, environment: &Environment) -> Verbosity {
         None => environment.message_format(),
     };
     Verbosity {
+        errors: raw_args.errors,
         warnings: raw_args.warnings,
         debugs: raw_args.debugs,
         format,

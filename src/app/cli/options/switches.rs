@@ -3,6 +3,7 @@
 //! Case is ignored; the longest matching name wins (`+KFF3` is not `+K`). `+` and `-` differ only where a switch turns
 //! something on or off.
 
+use super::as_povray;
 use super::error::CliError;
 use super::keys;
 use super::raw_args::RawArgs;
@@ -30,7 +31,7 @@ const SWITCHES: &[(&str, Form)] = &[
     ("AC", Value("Antialias_Confidence")),
     ("AG", Value("Antialias_Gamma")),
     ("AM", Value("Sampling_Method")),
-    ("B", Idle),
+    ("B", Flag("Bounding")),
     ("BM", Value("Bounding_Method")),
     ("BS", Value("Render_Block_Size")),
     ("C", Flag("Continue_Trace")),
@@ -159,6 +160,10 @@ pub(crate) fn set(raw_args: &mut RawArgs, word: &str) -> Option<Result<(), CliEr
         Value(key) => keys::set(raw_args, key, text, word),
         Both(flag, value) => keys::set(raw_args, flag, state, word).and_then(|()| match text {
             "" => Ok(()),
+            text if value == "Antialias_Threshold" && raw_args.is_povray => {
+                as_povray::check_threshold(text, word)?;
+                keys::set(raw_args, value, text, word)
+            }
             text => keys::set(raw_args, value, text, word),
         }),
         FileType => {

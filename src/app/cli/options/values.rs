@@ -154,7 +154,9 @@ pub(crate) fn file_type_switch(
         "" => None,
         digits => Some(digits.parse::<u8>().map_err(|_| no_type(word))?),
     };
-    if rest.len() - digits.len() > 1 || (is_grey && !format.has_grey) {
+    // POV-Ray 3.7 has no switch for grey with bits.
+    let is_refused = raw_args.is_povray && is_grey && bits.is_some();
+    if rest.len() - digits.len() > 1 || (is_grey && !format.has_grey) || is_refused {
         return Err(no_type(word));
     }
     let given = &mut raw_args.given;
