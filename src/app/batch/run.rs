@@ -82,6 +82,8 @@ pub enum News<'a> {
         /// Their pixels.
         pixels: u64,
     },
+    /// The picture of this number is begun.
+    Begun(usize),
     /// This many pixels have been finished since the last event of this kind.
     Drawn(u64),
     /// A picture is finished.
@@ -343,6 +345,7 @@ impl Run<'_> {
         worker: &mut Option<Worker>,
     ) -> Ended {
         let started = Instant::now();
+        (self.listener)(News::Begun(index));
         let events = Mutex::new(SceneEvents::default());
         let drawn = self.draw(&self.pictures[index], task, other_work, worker, &events);
         let messages = events
