@@ -38,7 +38,7 @@ pub(super) const COMMAND: Command = Command {
 #[derive(Debug, Parser)]
 #[command(
     name = "povr batch",
-    override_usage = "povr batch [OPTIONS] [+/-SWITCHES] [Key=Value] FOLDER|PATTERN|SCENE... -o OUT",
+    override_usage = "povr batch [OPTIONS] [+/-SWITCHES] FOLDER|PATTERN|SCENE... -o OUT",
     help_template = super::HELP_TEMPLATE,
     before_help = "\
 Examples:

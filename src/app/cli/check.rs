@@ -40,7 +40,7 @@ pub(super) const COMMAND: Command = Command {
 #[derive(Debug, Parser)]
 #[command(
     name = "povr check",
-    override_usage = "povr check [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE|FOLDER|-...",
+    override_usage = "povr check [OPTIONS] [+/-SWITCHES] [FILE.ini] SCENE|FOLDER|-...",
     help_template = super::HELP_TEMPLATE,
     before_help = "\
 Examples:

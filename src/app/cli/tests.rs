@@ -2,7 +2,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use clap::CommandFactory;
+
 use super::draw::{Draw, carry_out};
+use super::options::long_options::LongOptions;
 use super::options::output_kinds::Stream;
 use super::*;
 use crate::base::color::Gamma;
@@ -501,6 +504,24 @@ fn quality_of_files_and_gamma_reach_the_encoder() {
     assert_eq!((options.format, options.bits), (Format::PNG, 8));
     let (_, options) = file_of(&settings(&[&scene, "Bits_Per_Color=16", "File_Gamma=sRGB"]));
     assert_eq!((options.bits, options.file_gamma), (16, Gamma::Srgb));
+}
+
+#[test]
+fn help_fits_terminals_of_80_100_and_120_columns() {
+    let commands = COMMANDS.iter().map(|command| (command.options)());
+    for command in commands.chain([LongOptions::command()]) {
+        for width in [80, 100, 120] {
+            let help = command.clone().term_width(width).render_long_help();
+            for line in help.to_string().lines() {
+                assert!(line.chars().count() <= width, "{width}: {line}");
+            }
+        }
+        for option in command.get_arguments() {
+            let help = option.get_help().map(ToString::to_string);
+            let is_broken = help.is_some_and(|help| help.contains('\n'));
+            assert!(!is_broken, "{option}: clap breaks lines where they end");
+        }
+    }
 }
 
 #[test]
