@@ -152,7 +152,8 @@ fn draw<'a>(
         let line = LineSeries::new(best(&points), color.stroke_width(2));
         chart
             .draw_series(line)?
-            .label(family.title())
+            // Browsers draw wider letters than the width of the frame allows for.
+            .label(format!("{}   ", family.title()))
             .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
         let dots = points
             .iter()
