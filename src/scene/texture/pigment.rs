@@ -81,6 +81,16 @@ impl Mapped<Color> {
     fn is_custom(&self) -> bool {
         self.pattern.has_list() || self.map.entries() != self.pattern.default_map()
     }
+
+    /// Reads a modifier of the pattern, on which its default map may depend.
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let is_custom = self.is_custom();
+        let is_read = self.pattern.read_modifier(word, args)?;
+        if is_read && !is_custom {
+            self.map = Map::of_stops(self.pattern.default_map());
+        }
+        Ok(is_read)
+    }
 }
 
 /// The keywords of a block: a density is read like a pigment, with its own keywords, which do not mix.
@@ -389,7 +399,7 @@ impl Pigment {
                 self.kind = PigmentKind::pigments(pattern, family.read_map(Keys::Positions, args)?);
             }
             _ => match &mut self.kind {
-                PigmentKind::Colors(mapped) => return mapped.pattern.read_modifier(word, args),
+                PigmentKind::Colors(mapped) => return mapped.read_modifier(word, args),
                 PigmentKind::Pigments(mapped) => return mapped.pattern.read_modifier(word, args),
                 _ => return Ok(false),
             },

@@ -3,10 +3,10 @@
 use super::{Coloring, Complex, iterate_power, read_exponent, read_iterations};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
-use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, Stop, SurfacePoint};
+use crate::scene::pattern::{GREY, Pattern, PatternEval, PrepareContext, Stop, SurfacePoint};
 use glam::DVec3;
 
-/// The default colours, as in POV-Ray (measured).
+/// The default colours of exponent 2, as in POV-Ray (measured). Higher exponents have those of most patterns.
 const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::BLACK)),
     (0.001, Color::opaque(Rgb::BLACK)),
@@ -38,7 +38,10 @@ impl Pattern for Mandel {
     }
 
     fn default_map(&self) -> &'static [Stop] {
-        &COLORS
+        match self.exponent {
+            2 => &COLORS,
+            _ => &GREY,
+        }
     }
 
     fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
