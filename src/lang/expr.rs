@@ -45,7 +45,7 @@ impl Reader<'_> {
         self.only_float(number, start)
     }
 
-    fn only_float(&self, number: Number, start: Start) -> Parse<f64> {
+    pub(super) fn only_float(&self, number: Number, start: Start) -> Parse<f64> {
         if number.len == 1 {
             return Ok(number.v[0]);
         }

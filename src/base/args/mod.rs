@@ -20,6 +20,15 @@ use std::sync::Arc;
 /// Result of reading: a value, or the diagnostic that ended it.
 pub type Parse<T> = Result<T, Box<Diagnostic>>;
 
+/// What may follow the position of an entry of a `color_map`.
+#[derive(Clone, Copy, Debug)]
+pub enum ColorOrSingle {
+    /// A colour.
+    Color(Color),
+    /// A number.
+    Single(f32),
+}
+
 /// The parameters of one element, read from left to right.
 ///
 /// Numbers, vectors and colours are whole expressions at the additive level. Commas between them are optional in the
@@ -47,6 +56,14 @@ pub trait Args {
     fn color(&mut self) -> Parse<Color>;
     /// A colour if one is next (a colour word, a colour identifier, `rgb`, a vector of 5 components).
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
+    /// A colour, also as an expression that begins with a number and ends with five components, as `0.5*Red`;
+    /// otherwise a number in single precision.
+    fn color_or_single(&mut self) -> Parse<ColorOrSingle> {
+        match self.color_if_any()? {
+            Some(color) => Ok(ColorOrSingle::Color(color)),
+            None => self.single().map(ColorOrSingle::Single),
+        }
+    }
     /// A string.
     fn string(&mut self) -> Parse<String>;
     /// Returns the bytes of the file whose name was read last. The search tries the name itself, then the name with

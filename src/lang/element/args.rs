@@ -1,6 +1,6 @@
 //! [`Args`] for [`Reader`]: how elements read their parameters.
 
-use crate::base::args::{Args, Interner, Parse, SampledFunction, Word};
+use crate::base::args::{Args, ColorOrSingle, Interner, Parse, SampledFunction, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::math::Transform;
 use crate::base::source::{Diagnostic, Span};
@@ -62,6 +62,27 @@ impl Args for Reader<'_> {
 
     fn color_if_any(&mut self) -> Parse<Option<Color>> {
         self.color_if_begun()
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "positions of entries are single precision"
+    )]
+    fn color_or_single(&mut self) -> Parse<ColorOrSingle> {
+        if let Some(color) = self.color_if_begun()? {
+            return Ok(ColorOrSingle::Color(color));
+        }
+        let start = self.start()?;
+        // As in POV-Ray, a sign or a vector does not begin a colour here.
+        let may_be_color =
+            !self.at_mark('-')? && !self.at_mark('+')? && !self.is_at_vector_name()?;
+        let number = self.sum()?;
+        self.finite(&number.v[..usize::from(number.len)], start)?;
+        if may_be_color && number.len == 5 {
+            return Ok(ColorOrSingle::Color(Color::from_components(number.v)));
+        }
+        let number = self.only_float(number, start)?;
+        Ok(ColorOrSingle::Single(number as f32))
     }
 
     fn string(&mut self) -> Parse<String> {

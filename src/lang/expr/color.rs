@@ -80,6 +80,14 @@ impl Reader<'_> {
             && matches!(value(), Some(Value::Number(number)) if number.len == 5))
     }
 
+    /// True if the next token is the name of a vector.
+    pub(crate) fn is_at_vector_name(&mut self) -> Parse<bool> {
+        let token = self.peek()?;
+        let value = || self.scopes.get(Symbol(token.value));
+        Ok(token.kind == Kind::Name
+            && matches!(value(), Some(Value::Number(number)) if number.len > 1))
+    }
+
     /// True if the next token is a word or mark that ends an expression; the entry of a map ends only after `color`.
     fn is_missing_value(&mut self, has_word: bool) -> Parse<bool> {
         let token = self.peek()?;

@@ -3,7 +3,7 @@
 //! Colour maps, pigment maps, normal maps, slope maps, texture maps and density maps are all of this form.
 
 use super::Stop;
-use crate::base::args::{Args, Parse, Word, declared};
+use crate::base::args::{Args, ColorOrSingle, Parse, Word, declared};
 use crate::base::bitmap::read_gamma;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::Diagnostic;
@@ -377,11 +377,13 @@ impl Map<Color> {
         Map::read_entries("color_map", blend, args, &mut |args, entries| {
             let from = args.single()?;
             args.comma()?;
-            if let Some(color) = args.color_if_any()? {
-                entries.push((from, color));
-                return Ok(());
-            }
-            let to = args.single()?;
+            let to = match args.color_or_single()? {
+                ColorOrSingle::Color(color) => {
+                    entries.push((from, color));
+                    return Ok(());
+                }
+                ColorOrSingle::Single(to) => to,
+            };
             for at in [from, to] {
                 args.comma()?;
                 entries.push((at, args.color()?));
