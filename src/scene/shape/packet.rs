@@ -266,10 +266,10 @@ impl Shape {
         high: F,
     ) -> SpanPacket<F> {
         match self {
-            Shape::Sphere(sphere) => sphere.span_packet(rays),
+            Shape::Sphere(sphere) if is_comfortable_size(sphere.radius) => sphere.span_packet(rays),
             Shape::Cuboid(cuboid) => cuboid.span_packet(rays),
-            Shape::Cylinder(cylinder) => cylinder.span_packet(rays),
-            Shape::Cone(cone) => cone.span_packet(rays),
+            Shape::Cylinder(cylinder) if cylinder.supports_packets() => cylinder.span_packet(rays),
+            Shape::Cone(cone) if cone.supports_packets() => cone.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
             Shape::Quadric(quadric) => quadric.span_packet(rays, low, high),
             _ => {
