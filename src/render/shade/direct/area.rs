@@ -115,7 +115,18 @@ impl<'a> AreaLight<'a> {
         }
     }
 
+    /// The offsets of up to four grid lights from the centre; missing ones repeat the last.
+    #[inline(always)]
+    fn offsets(&self, chunk: &[[u32; 2]], scratch: &mut Scratch) -> [DVec3; 4] {
+        let mut offsets = [DVec3::ZERO; 4];
+        for (lane, &[u, v]) in chunk.iter().enumerate() {
+            offsets[lane..].fill(self.offset(u, v, scratch));
+        }
+        offsets
+    }
+
     /// The offset of a grid light from the centre. With jitter each call gives another one.
+    #[inline(always)]
     fn offset(&self, u: u32, v: u32, scratch: &mut Scratch) -> DVec3 {
         let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
         if self.area.has_jitter {
@@ -156,13 +167,13 @@ impl Tracer<'_> {
         self.shadowed_part(area_light, Part::all(area_light.area.sizes), 0, scratch)
     }
 
-    /// The shading point in all four lanes, if shadow rays can be traced as packets. Not with jitter, which moves grid
-    /// lights on every query, nor in media, which draw random numbers, nor with a memory of blockers: all three follow
-    /// POV-Ray's order.
+    /// The shading point in all four lanes, if shadow rays can be traced as packets. Not in media, which draw random
+    /// numbers, nor, in POV-Ray's order, with jitter, which draws two for each ray, or with a memory of blockers.
     fn packet_for(&self, area_light: &AreaLight, scratch: &Scratch) -> Option<HitPacket4> {
         let lights = &self.world.lights;
         let spawn_surface = area_light.lit.spawn_surface?;
-        let is_fit = !area_light.area.has_jitter
+        let draws_in_order = area_light.area.has_jitter && scratch.random.continues;
+        let is_fit = !draws_in_order
             && !self.features.has_media
             && scratch.query.memory.is_none()
             && !area_light.light.is_shadowless()
@@ -186,14 +197,17 @@ impl Tracer<'_> {
         let mut shadow_rays = std::mem::take(&mut scratch.area.shadow_rays);
         shadow_rays.clear();
         if area_light.light.is_parallel {
-            let packet = |chunk: &[[u32; 2]]| self.parallel_shadow_packet(area_light, chunk);
-            shadow_rays.extend(requested.chunks(4).map(packet));
+            for chunk in requested.chunks(4) {
+                let offsets = area_light.offsets(chunk, scratch);
+                shadow_rays.push(self.parallel_shadow_packet(area_light, &offsets));
+            }
         } else {
             with_widest(
                 #[inline(always)]
                 |lanes| {
                     for chunk in requested.chunks(4) {
-                        shadow_rays.push(self.grid_shadow_packet(lanes, area_light, chunk));
+                        let offsets = area_light.offsets(chunk, scratch);
+                        shadow_rays.push(self.grid_shadow_packet(lanes, area_light, &offsets));
                     }
                 },
             );
@@ -220,23 +234,15 @@ impl Tracer<'_> {
         scratch.area.shadow_rays = shadow_rays;
     }
 
-    /// Shadow rays to up to four grid lights at a finite distance.
+    /// Shadow rays to four grid lights at a finite distance, with these offsets from the centre.
     #[inline(always)]
     fn grid_shadow_packet(
         &self,
         lanes: SimdLevel,
         area_light: &AreaLight,
-        requested: &[[u32; 2]],
+        offsets: &[DVec3; 4],
     ) -> ShadowPacket4 {
-        let mut offset = [[0.0; 4]; 3];
-        for lane in 0..4 {
-            let [u, v] = requested[lane.min(requested.len() - 1)];
-            let from_centre =
-                area_light
-                    .area
-                    .grid_light_offset(&area_light.axes, f64::from(u), f64::from(v));
-            (offset[0][lane], offset[1][lane], offset[2][lane]) = from_centre.into();
-        }
+        let offset = [0, 1, 2].map(|axis| offsets.map(|from_centre| from_centre[axis]));
         let normal = area_light
             .lit
             .spawn_surface
@@ -252,21 +258,16 @@ impl Tracer<'_> {
         shadow_rays
     }
 
-    /// Shadow rays to up to four parallel grid lights.
+    /// Shadow rays to four parallel grid lights with these offsets from the centre.
     fn parallel_shadow_packet(
         &self,
         area_light: &AreaLight,
-        requested: &[[u32; 2]],
+        offsets: &[DVec3; 4],
     ) -> ShadowPacket4 {
         let spawn_surface = area_light.lit.spawn_surface.copied();
         let mut packet = ShadowPacket4::NOTHING;
-        for lane in 0..4 {
-            let [u, v] = requested[lane.min(requested.len() - 1)];
-            let arrival = area_light.arrival(area_light.area.grid_light_offset(
-                &area_light.axes,
-                f64::from(u),
-                f64::from(v),
-            ));
+        for (lane, &offset) in offsets.iter().enumerate() {
+            let arrival = area_light.arrival(offset);
             let ray = Ray::new(area_light.lit.at.point, arrival.to_light);
             let query = shadow_query(self.world, spawn_surface, ray, arrival.distance);
             packet.aim(lane, arrival.to_light, arrival.distance, query.t_max);
