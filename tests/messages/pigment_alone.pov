@@ -1,0 +1,5 @@
+// mistake in line 3: a declared pigment without `pigment { }`
+#declare P = pigment { rgb 1 }
+sphere { 0, 1 P }
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
