@@ -305,8 +305,12 @@ impl Tracer<'_> {
             let ends = [(from, first), (to, second)];
             let depth = sampling.aa_level.saturating_sub(1);
             let mean = self.halve(segment, interval, ends, middle, depth, scratch);
-            sums.radiance +=
-                mean.radiance * transmittance_of(sums.optical_depth * (1.0 / f64::from(steps)));
+            let share = 1.0 / f64::from(steps);
+            let mut escaping = transmittance_of(sums.optical_depth * share);
+            if self.world.globals.is_3_8 {
+                escaping *= mean_transmittance_of(mean.optical_depth * share);
+            }
+            sums.radiance += mean.radiance * escaping;
             sums.optical_depth += mean.optical_depth;
             (from, first) = (to, second);
         }
@@ -536,6 +540,22 @@ pub(super) fn transmittance_of(optical_depth: Rgb) -> Rgb {
         return Rgb::splat((-r).exp());
     }
     optical_depth.map(|c| (-c).exp())
+}
+
+/// The mean transmittance from the points of a step to its beginning, by the optical depth of the step. Version 3.8 dims
+/// the light of a step by it (measured).
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "light is in single precision"
+)]
+fn mean_transmittance_of(optical_depth: Rgb) -> Rgb {
+    optical_depth.map(|depth| {
+        let depth = f64::from(depth);
+        match depth == 0.0 {
+            true => 1.0,
+            false => (-(-depth).exp_m1() / depth) as f32,
+        }
+    })
 }
 
 impl MediaSums {
