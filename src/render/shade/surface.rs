@@ -357,9 +357,11 @@ impl<'w> Tracer<'w> {
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
             let (mut emitted, mut bsdf) = self.layer_bsdf(layer, color);
+            let mut entering = 1.0;
             if layer.finish.fresnel != 0.0 {
                 bsdf.ior = self.relative_ior(&path.inside, surface.interior);
-                emitted = emitted * bsdf.entering(-lit.at.view.dot(lit.at.normal));
+                entering = bsdf.entering(-lit.at.view.dot(lit.at.normal));
+                emitted = emitted * entering;
             }
             let mut own = Rgb::BLACK;
             if let Some((transport, translucency)) = self.subsurface_of(layer) {
@@ -384,6 +386,7 @@ impl<'w> Tracer<'w> {
                     &mut irradiance,
                     scratch,
                 );
+                indirect = indirect * entering;
             }
             own += emitted;
             own += self.illuminate(&lit, &bsdf, scratch);
