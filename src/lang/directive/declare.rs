@@ -163,12 +163,19 @@ impl Reader<'_> {
         Err(Box::new(self.error_taken(message).with_hint(hint)))
     }
 
-    /// `#declare (A, B[0], optional C) = (value, value, );` of version 3.8. Each name gets its value before the next one
-    /// is read.
+    /// `#declare (A, B[0], optional C, ) = (value, value, , value);` of version 3.8. Each name gets its value before the
+    /// next one is read; a name may be left out, and its value then too.
     fn declare_tuple(&mut self, is_local: bool) -> Parse<()> {
         self.pass();
         let mut names = Vec::new();
         loop {
+            if self.is_raw_mark(',') || self.is_raw_mark(')') {
+                names.push(None);
+                if !self.take_mark(',')? {
+                    break;
+                }
+                continue;
+            }
             let is_optional = self.take_raw_word(Word::Optional);
             let deprecation = self.deprecation()?;
             let symbol = self.declared_name(is_local)?;
@@ -178,12 +185,12 @@ impl Reader<'_> {
                 true => Some(self.item_path(symbol)?),
                 false => None,
             };
-            names.push(TupleName {
+            names.push(Some(TupleName {
                 declaring: self.declaring_here(symbol, is_local),
                 start,
                 is_optional,
                 item,
-            });
+            }));
             if !self.take_mark(',')? {
                 break;
             }
@@ -199,15 +206,22 @@ impl Reader<'_> {
     }
 
     /// `(value, value)`, as many as there are names.
-    fn declare_names(&mut self, names: &[TupleName]) -> Parse<()> {
+    fn declare_names(&mut self, names: &[Option<TupleName>]) -> Parse<()> {
         self.expect_mark('(', "`(` before the values")?;
         for (at, name) in names.iter().enumerate() {
             if at > 0 {
                 self.expect_mark(',', "`,` and a further value")?;
             }
-            if name.is_optional && self.take_nothing()? {
+            let may_lack = name.as_ref().is_none_or(|name| name.is_optional);
+            if may_lack && self.take_nothing()? {
                 continue;
             }
+            let Some(name) = name else {
+                if self.value("a value")?.is_none() {
+                    return Err(self.expected_here("a value"));
+                }
+                continue;
+            };
             let symbol = name.declaring.symbol;
             let Some(value) = self.value("a value")? else {
                 let spelling = self.names.spelling(symbol).to_owned();
