@@ -210,7 +210,8 @@ impl Reader<'_> {
             }
             Word::Camera => {
                 self.pass();
-                let camera = Camera::read(self, &Camera::default())?;
+                let base = self.draft.default_camera.clone();
+                let camera = Camera::read(self, &base)?;
                 Ok(Some(Value::Element(Element::new("camera", camera))))
             }
             Word::Transform | Word::Translate | Word::Rotate | Word::Scale | Word::Matrix => {
