@@ -398,8 +398,8 @@ fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
 /// The backgrounds of camera rays and of reflected rays.
 ///
 /// Measured with `background { rgbft <.5, .6, .7, .1, .25> }`: version 3.7 shows the colour less its transmit, and with
-/// an alpha channel less its filter too. Before 3.7 it is opaque, and absent with an alpha channel. Mirrors show the
-/// unchanged colour, except in 3.7 without an alpha channel.
+/// an alpha channel, or from version 3.8 on, less its filter too. Before 3.7 it is opaque, and absent with an alpha
+/// channel. Mirrors show the unchanged colour, except from 3.7 on without an alpha channel.
 fn backgrounds(world: &World) -> (Background, Background) {
     let color = world.background;
     let globals = &world.globals;
@@ -410,7 +410,8 @@ fn backgrounds(world: &World) -> (Background, Background) {
             color.rgb,
         ),
         (true, false) => {
-            let rgb = color.rgb * (1.0 - color.transmit);
+            let filter = if globals.is_3_8 { color.filter } else { 0.0 };
+            let rgb = color.rgb * (1.0 - filter - color.transmit);
             (rgb, Rgb::splat(color.transmit), rgb)
         }
         (false, true) => (Rgb::BLACK, Rgb::WHITE, color.rgb),
