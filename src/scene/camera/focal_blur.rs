@@ -237,6 +237,9 @@ pub struct Lens {
     focus: f64,
     /// The row of the jitter of a sample, relative to its own: -0.5 before version 3.8, 0.5 from there on (measured).
     jitter_row: f64,
+    /// True if the lens is centred at the camera's location, even of orthographic cameras, as in POV-Ray 3.7; in 3.8 it is
+    /// centred at the start of the sharp ray.
+    is_at_location: bool,
 }
 
 /// A lens sample of an image point.
@@ -296,6 +299,7 @@ impl Lens {
             upwards: frame.direction.cross(across).normalize_or_zero(),
             focus: blur.distance / frame.direction.length(),
             jitter_row: if settings.is_3_8 { 0.5 } else { -0.5 },
+            is_at_location: !settings.is_3_8,
         })
     }
 
@@ -317,18 +321,18 @@ impl Lens {
     pub fn ray(&self, camera: &Camera, sample: &LensRay, width: u32, height: u32) -> Option<Ray> {
         let LensRay { sample, x, y } = *sample;
         let (dx, dy) = position_in_pixel(x, y, sample);
-        // As in POV-Ray, the lens is centred at the camera's location, even for orthographic cameras.
-        let (_, dir) = camera.start(x + dx, y + dy, width, height)?;
+        let (start, dir) = camera.start(x + dx, y + dy, width, height)?;
+        let centre = match self.is_at_location {
+            true => camera.location(),
+            false => start,
+        };
         let (jx, jy) = jitter(x + dx + 0.5, y + dy + self.jitter_row);
         let point = self.points.points[sample];
         let spread = 2.0 * self.points.spread;
         let half = 0.5 * self.aperture;
         let deflection = half * (point.x + spread * jx) * self.across
             - half * (point.y + spread * jy) * self.upwards;
-        let ray = ray(
-            camera.location() + deflection,
-            dir * self.focus - deflection,
-        )?;
+        let ray = ray(centre + deflection, dir * self.focus - deflection)?;
         Some(match &camera.bumps {
             None => ray,
             Some(bumps) => {
