@@ -36,6 +36,8 @@ type Points = [[DVec3; 4]; 4];
 #[derive(Clone, Debug, PartialEq)]
 pub struct BicubicPatch {
     net: Box<Net>,
+    /// True if `clipped_by` cuts the patch, as from version 3.8 on.
+    is_clipped: bool,
     /// Built by [`Geometry::prepare`].
     tessellation: Option<Arc<Tessellation>>,
 }
@@ -129,11 +131,13 @@ impl BicubicPatch {
             let what = format!("point {} of 16 of the bicubic patch", number + 1);
             net.points[number / 4][number % 4] = read::vector(args, &what)?;
         }
-        if has_syntax_of_3_8(args.version()) {
+        let is_clipped = has_syntax_of_3_8(args.version());
+        if is_clipped {
             args.comma()?;
         }
         Ok(BicubicPatch {
             net: Box::new(net),
+            is_clipped,
             tessellation: None,
         })
     }
@@ -328,7 +332,7 @@ impl Geometry for BicubicPatch {
     }
 
     fn is_never_clipped(&self) -> bool {
-        true
+        !self.is_clipped
     }
 
     fn bounds(&self) -> Bounds {
