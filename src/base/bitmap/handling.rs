@@ -22,6 +22,8 @@ pub(crate) struct Handling {
     pub(crate) working: Option<Gamma>,
     /// True if files without gamma information are sRGB, as from version 3.7 on.
     pub(crate) assumes_srgb: bool,
+    /// True if grey values that no gamma changes stay as they are, as in version 3.8.
+    pub(crate) keeps_grey: bool,
     /// The scene's `premultiplied`: true if colours are multiplied by their alpha. `None` leaves it to the format.
     pub(crate) is_premultiplied: Option<bool>,
 }

@@ -93,6 +93,10 @@ impl Transfer {
         }
     }
 
+    fn is_identity(self) -> bool {
+        !matches!((self.file, self.working), (Some(file), Some(working)) if file != working)
+    }
+
     fn table(self) -> Box<[f32; 256]> {
         let mut table = Box::new([0.0; 256]);
         for (byte, value) in (0u8..=255).zip(table.iter_mut()) {

@@ -26,8 +26,10 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     let transfer = handling.transfer(Format::Png, gamma_of(reader.info()));
     if is_8_bit_grey && !has_transparency_chunk {
         let mut image = decode_by_crate(bytes)?.into_luma8();
-        for level in image.iter_mut() {
-            *level = pov_grey(*level, transfer);
+        if !(handling.keeps_grey && transfer.is_identity()) {
+            for level in image.iter_mut() {
+                *level = pov_grey(*level, transfer);
+            }
         }
         return bitmap_from_image(DynamicImage::ImageLuma8(image), IDENTITY, handling);
     }

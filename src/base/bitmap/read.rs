@@ -149,6 +149,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         gamma: None,
         working: args.working_gamma(),
         assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
+        keeps_grey: has_syntax_of_3_8(args.version()),
         is_premultiplied: None,
     };
     // Values are used as stored unless the block specifies a gamma.
