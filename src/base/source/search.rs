@@ -9,6 +9,9 @@ use std::path::{Path, PathBuf};
 /// Endings that POV-Ray tries for the name of an include file, in this order.
 pub(super) const INCLUDES: [&str; 3] = ["", ".inc", ".INC"];
 
+/// An include file that POV-Ray 3.8 has and 3.7 lacks.
+const INCLUDE_OF_3_8: &str = "colors_ral.inc";
+
 /// Folders with more entries are not fully searched for a similar name.
 const MAX_ENTRIES: usize = 10_000;
 
@@ -65,6 +68,11 @@ impl Sources {
         }
         if name.contains('\\') {
             error = error.with_hint("Write `/` between folders, not `\\`.");
+        }
+        if name == INCLUDE_OF_3_8 {
+            error = error.with_hint(
+                "This file comes with POV-Ray 3.8: name the folder of its include files with `+L`.",
+            );
         }
         if error.hints.is_empty()
             && let Some(near) = self.nearest_file(name, folders)

@@ -109,7 +109,17 @@ impl Reader<'_> {
             return Ok(Some(key));
         }
         let behind = self.raw_ahead(1);
-        if !self.is_raw_mark('.') || behind.kind != Kind::Name {
+        if !self.is_raw_mark('.') {
+            return Ok(None);
+        }
+        if let Some(word) = behind.word() {
+            self.pass();
+            let error = self.expected_here("a key that is no reserved word");
+            let word = word.spelling();
+            let hint = format!("Write `[\"{word}\"]` instead of `.{word}`.");
+            return Err(Box::new(error.with_hint(hint)));
+        }
+        if behind.kind != Kind::Name {
             return Ok(None);
         }
         self.pass();
