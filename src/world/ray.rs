@@ -47,6 +47,10 @@ pub enum RayKind {
     RadiosityReflection,
     /// A shadow ray.
     Shadow,
+    /// A photon from a light, or its straight or refracted continuation.
+    Photon,
+    /// A mirrored photon and its continuations.
+    PhotonReflection,
     /// A search below a surface that scatters light.
     Subsurface,
 }
@@ -60,6 +64,7 @@ impl RayKind {
                 RayKind::Reflection
             }
             RayKind::Radiosity | RayKind::RadiosityReflection => RayKind::RadiosityReflection,
+            RayKind::Photon | RayKind::PhotonReflection => RayKind::PhotonReflection,
         }
     }
 }

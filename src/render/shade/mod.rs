@@ -357,7 +357,11 @@ impl<'w> Tracer<'w> {
             RayKind::Reflection | RayKind::Radiosity | RayKind::RadiosityReflection => {
                 &self.reflected_background
             }
-            RayKind::Camera | RayKind::Shadow | RayKind::Subsurface => &self.background,
+            RayKind::Camera
+            | RayKind::Shadow
+            | RayKind::Photon
+            | RayKind::PhotonReflection
+            | RayKind::Subsurface => &self.background,
         }
     }
 }

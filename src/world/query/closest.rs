@@ -447,6 +447,8 @@ impl World {
             // POV-Ray's in any case: nearest hits decide how far a radiosity sample reaches, and the reach shows in the
             // picture.
             (_, RayKind::Radiosity) => POV_RAY_T_MIN,
+            // So do those of photons: what is stored decides the radius of every search.
+            (_, RayKind::Photon | RayKind::PhotonReflection) => POV_RAY_T_MIN * self.globals.unit,
             (TMinRule::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
             (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW * self.globals.unit,
             (TMinRule::PovRay, _) => POV_RAY_T_MIN * self.globals.unit,

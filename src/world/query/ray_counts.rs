@@ -35,7 +35,9 @@ impl RayCounts {
             (RayKind::Camera, Some(_)) | (RayKind::Subsurface, _) => self.onward += 1,
             (RayKind::Reflection, _) => self.reflected += 1,
             (RayKind::Radiosity | RayKind::RadiosityReflection, _) => self.gathering += 1,
-            (RayKind::Shadow, _) => self.filtered += 1,
+            (RayKind::Shadow | RayKind::Photon | RayKind::PhotonReflection, _) => {
+                self.filtered += 1;
+            }
         }
     }
 }

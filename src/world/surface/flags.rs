@@ -89,6 +89,8 @@ impl SurfaceFlags {
             RayKind::Radiosity => Self::NO_RADIOSITY,
             RayKind::RadiosityReflection => Self::NO_REFLECTION | Self::NO_RADIOSITY,
             RayKind::Shadow => Self::NO_SHADOW,
+            RayKind::Photon => Self::NO_SHADOW | Self::NO_IMAGE,
+            RayKind::PhotonReflection => Self::NO_SHADOW | Self::NO_REFLECTION,
             RayKind::Subsurface => 0,
         })
     }

@@ -325,7 +325,7 @@ impl<'w> Tracer<'w> {
         let path = Path {
             ray,
             from: None,
-            kind: RayKind::Shadow,
+            kind: RayKind::Photon,
             level: 0,
             weight: 1.0,
             irradiance_depth: 0,

@@ -188,7 +188,10 @@ impl<'w> Tracer<'w> {
                     photon.has_hit_target = true;
                     tally.has_hit = true;
                 } else if role.passes_through {
-                    photon.light *= self.transmission(&hit, &photon.path.ray);
+                    let filter = self.transmission(&hit, &photon.path.ray);
+                    photon.light *= filter;
+                    photon.path.weight *= f64::from(filter.max());
+                    photon.path.level += 1;
                     let interior = surface.interior;
                     crate::render::shade::transmission::interior_stack::cross(
                         &mut photon.path.inside,
@@ -303,13 +306,14 @@ impl<'w> Tracer<'w> {
             }
             let weight = mirror.weight * f64::from(mirror.reflectivity.max());
             let inside = InteriorStack::from_slice(&path.inside);
-            let onward = interaction.onward(
+            let mut onward = interaction.onward(
                 dir,
                 weight,
                 inside,
                 mirrored_light(light, &mirror.finish.reflection) * mirror.reflectivity,
                 path.wavelength,
             );
+            onward.path.kind = path.kind.mirrored();
             self.trace_photon(onward, tally, scratch);
         }
     }
@@ -325,45 +329,39 @@ impl<'w> Tracer<'w> {
         let interior = self.world.surfaces[interaction.hit.surface as usize].interior;
         let crossing = self.crossing(&path.inside, interior);
         let normal = interaction.lit.at.normal;
-        let light = interaction.light * interaction.filter;
         let weight = f64::from(interaction.filter.max());
-        let mut send = |dir: DVec3, inside: &InteriorStack, light: Rgb, wavelength: Option<f64>| {
+        let mut send = |light: Rgb, wavelength: Option<f64>| {
+            let bent = bend(path.ray.dir, normal, crossing.ratio_at(wavelength));
+            let is_total = matches!(bent, Refraction::Total);
+            let (inside, light) = match is_total {
+                true => (&path.inside, light),
+                false => (&crossing.inside, light * interaction.filter),
+            };
+            let dir = match bent {
+                Refraction::None => path.ray.dir,
+                Refraction::To(dir) => dir,
+                Refraction::Total => {
+                    let flat = facing_normal(interaction.hit, path.ray.dir);
+                    mirrored_off(path.ray.dir, normal, flat)
+                }
+            };
             let inside = InteriorStack::from_slice(inside);
-            let onward = interaction.onward(dir, weight, inside, light, wavelength);
+            let mut onward = interaction.onward(dir, weight, inside, light, wavelength);
+            if is_total {
+                onward.path.kind = path.kind.mirrored();
+            }
             self.trace_photon(onward, tally, scratch);
-        };
-        let total_reflection = || {
-            let flat = facing_normal(interaction.hit, path.ray.dir);
-            mirrored_off(path.ray.dir, normal, flat)
+            is_total
         };
         if path.wavelength.is_none() && crossing.splits() {
             let count = self.interior_of(interaction.hit).dispersion_samples;
             for number in 0..count {
                 let band = spectrum::band(number, count);
-                let wavelength = Some(band.wavelength);
-                let whole = interaction.light * band.hue / f64::from(count);
-                let light = whole * interaction.filter;
-                match bend(path.ray.dir, normal, crossing.ratio_at(wavelength)) {
-                    Refraction::None => send(path.ray.dir, &crossing.inside, light, wavelength),
-                    Refraction::To(dir) => send(dir, &crossing.inside, light, wavelength),
-                    Refraction::Total => send(total_reflection(), &path.inside, whole, wavelength),
-                }
+                let light = interaction.light * band.hue / f64::from(count);
+                send(light, Some(band.wavelength));
             }
             return false;
         }
-        match bend(path.ray.dir, normal, crossing.ratio_at(path.wavelength)) {
-            Refraction::None => send(path.ray.dir, &crossing.inside, light, path.wavelength),
-            Refraction::To(dir) => send(dir, &crossing.inside, light, path.wavelength),
-            Refraction::Total => {
-                send(
-                    total_reflection(),
-                    &path.inside,
-                    interaction.light,
-                    path.wavelength,
-                );
-                return true;
-            }
-        }
-        false
+        send(interaction.light, path.wavelength)
     }
 }
