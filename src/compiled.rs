@@ -1,7 +1,7 @@
 //! A scene that stays compiled from one picture to the next, and the surfaces and objects that its pixels see.
 
 use crate::base::color::Gamma;
-use crate::base::encoding::{EncodeOptions, Rounding};
+use crate::base::encoding::Rounding;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
 };
@@ -135,11 +135,8 @@ impl CompiledScene {
         let unfinished = unfinished(read, render, self.print, listen);
         let unfinished = unfinished.as_ref();
         let progress = |pixels| listen(Event::Drawn(pixels));
-        let only_for = render.target_format.as_ref().map(|options| EncodeOptions {
-            working,
-            rounding,
-            ..options.clone()
-        });
+        let only_for = render.target_format.as_ref();
+        let only_for = only_for.map(|options| options.for_scene(working, rounding));
         let render = &RenderOptions {
             target_format: only_for,
             ..render.clone()

@@ -66,6 +66,21 @@ pub struct EncodeOptions {
     pub quality: u8,
     /// Compression of PNG files.
     pub effort: Effort,
+    /// Decimal numbers instead of bytes (PPM).
+    pub is_plain: bool,
+    /// What differs for scenes from version 3.8 on.
+    pub of_3_8: OptionsOf38,
+}
+
+/// Encoder options for scenes from version 3.8 on, in place of those for older ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct OptionsOf38 {
+    /// Bits per channel; `None` for the same.
+    pub bits: Option<u8>,
+    /// The curve of the stored values; `None` for the same.
+    pub file_gamma: Option<Gamma>,
+    /// Decimal numbers instead of bytes (PPM).
+    pub is_plain: bool,
 }
 
 /// The level that a value between two of them is rounded to.
@@ -110,6 +125,24 @@ impl EncodeOptions {
             rounding: Rounding::default(),
             quality: 0,
             effort: Effort::default(),
+            is_plain: false,
+            of_3_8: OptionsOf38::default(),
         }
+    }
+
+    /// The options for the picture of a scene with this working space and rounding, which tells its version.
+    #[must_use]
+    pub fn for_scene(&self, working: Option<Gamma>, rounding: Rounding) -> Self {
+        let mut options = EncodeOptions {
+            working,
+            rounding,
+            ..self.clone()
+        };
+        if rounding == Rounding::Working {
+            options.bits = self.of_3_8.bits.unwrap_or(self.bits);
+            options.file_gamma = self.of_3_8.file_gamma.unwrap_or(self.file_gamma);
+            options.is_plain |= self.of_3_8.is_plain;
+        }
+        options
     }
 }

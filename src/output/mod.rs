@@ -16,7 +16,7 @@ mod tga;
 
 pub(crate) use jpeg::POVRAY_QUALITY;
 
-pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties};
+pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties, OptionsOf38};
 
 use std::fmt;
 use std::io::{self, Write};

@@ -496,3 +496,17 @@ fn levels_of_one_kind_of_file_cannot_be_written_as_another() {
         assert!(error.to_string().contains("another kind of file"));
     }
 }
+
+#[test]
+fn a_plain_ppm_has_a_line_for_each_pixel() {
+    let mut film = Film::whole(2, 1);
+    film.pixels[1].rgb = Rgb::new(1.0, 0.0, 1.0);
+    let mut options = EncodeOptions {
+        is_plain: true,
+        ..EncodeOptions::new(Format::PPM)
+    };
+    let text = |options: &EncodeOptions| String::from_utf8(encode(&film, options).unwrap());
+    assert_eq!(text(&options).unwrap(), "P3\n2 1\n255\n0 0 0\n255 0 255\n");
+    (options.bits, options.grayscale) = (16, true);
+    assert!(text(&options).unwrap().starts_with("P2\n2 1\n65535\n0\n"));
+}

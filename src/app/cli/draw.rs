@@ -235,11 +235,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         say(error_reached(&reached, pixels(&settings.render)));
     }
     if let Some((target, options)) = &settings.output {
-        let options = output::EncodeOptions {
-            working: picture.working,
-            rounding: picture.rounding,
-            ..options.clone()
-        };
+        let options = options.for_scene(picture.working, picture.rounding);
         let write = || output::write(&picture.film, target, &options);
         let mut written = write();
         if written.as_ref().is_err_and(OutputError::is_out_of_space) {

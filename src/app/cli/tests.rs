@@ -9,6 +9,7 @@ use super::options::long_options::LongOptions;
 use super::options::output_kinds::Stream;
 use super::*;
 use crate::base::color::Gamma;
+use crate::base::encoding::Rounding;
 use crate::base::film::{Film, Pixel};
 use crate::base::options::{
     Adaptive, Antialias, Event, Failure, Input, Method, Picture, ReadOptions, Sampling,
@@ -504,6 +505,25 @@ fn quality_of_files_and_gamma_reach_the_encoder() {
     assert_eq!((options.format, options.bits), (Format::PNG, 8));
     let (_, options) = file_of(&settings(&[&scene, "Bits_Per_Color=16", "File_Gamma=sRGB"]));
     assert_eq!((options.bits, options.file_gamma), (16, Gamma::Srgb));
+}
+
+/// Measured by the files of POV-Ray 3.8.
+#[test]
+fn files_of_scenes_of_3_8_differ_in_bits_gamma_and_form() {
+    let here = folder(&[("s.pov", "")]);
+    let scene = here.path().join("s.pov").display().to_string();
+    let of = |arguments: &[&str]| {
+        let (_, options) = file_of(&settings(&[&[scene.as_str()][..], arguments].concat()));
+        let options = options.for_scene(Some(Gamma::LINEAR), Rounding::Working);
+        (options.bits, options.file_gamma, options.is_plain)
+    };
+    assert_eq!(of(&["+FNg"]), (8, Gamma::Srgb, false));
+    assert_eq!(of(&["+FNg16"]), (16, Gamma::Srgb, false));
+    assert_eq!(of(&["+FP"]), (8, Gamma::Bt709, false));
+    let power = Gamma::power(2.2);
+    assert_eq!(of(&["+FP", "File_Gamma=2.2"]), (8, power, false));
+    assert_eq!(of(&["+FPg", "File_Gamma=2.2"]), (8, Gamma::LINEAR, false));
+    assert_eq!(of(&["+FP16", "Compression=0"]), (16, Gamma::Bt709, true));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use super::kernel;
 use crate::app::worker::{COMMAND, Draw, Reply, Report, Request};
 use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::sync::lock;
-use crate::output::{self, EncodeOptions};
+use crate::output;
 use crate::{CompiledScene, RenderSession};
 use live::LiveScene;
 use std::any::Any;
@@ -334,11 +334,7 @@ impl Worker {
         };
         let drawn = drawn.map_err(|Failure { .. }| None)?;
         let encoded = files.into_iter().map(|options| {
-            let options = EncodeOptions {
-                working: drawn.working,
-                rounding: drawn.rounding,
-                ..options
-            };
+            let options = options.for_scene(drawn.working, drawn.rounding);
             output::encode(&drawn.film, &options).map_err(|refused| Some(refused.to_string()))
         });
         encoded.collect()

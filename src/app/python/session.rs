@@ -298,11 +298,7 @@ impl Session {
     }
 
     fn bytes_of(&self, picture: &Picture, is_file: bool) -> PyResult<Vec<u8>> {
-        let options = EncodeOptions {
-            working: picture.working,
-            rounding: picture.rounding,
-            ..self.encoding.clone()
-        };
+        let options = self.encoding.for_scene(picture.working, picture.rounding);
         if is_file {
             return output::encode(&picture.film, &options).map_err(|error| value_error(&error));
         }

@@ -27,7 +27,7 @@ use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, RenderOptions, Sampling, Statistics,
 };
 use crate::base::source::Code;
-use crate::output::{self, EncodeOptions, OutputError, Target};
+use crate::output::{self, OutputError, Target};
 
 /// Frames are rendered in parallel only up to this total number of pixels: 2 GiB of films.
 const MAX_PIXELS: u64 = 1 << 27;
@@ -297,11 +297,7 @@ impl Run<'_> {
             event => listen(event),
         })?;
         let bytes = output.map(|(_, options)| {
-            let options = EncodeOptions {
-                working,
-                rounding,
-                ..options.clone()
-            };
+            let options = options.for_scene(working, rounding);
             output::encode(&film, &options)
         });
         Ok(Drawn { bytes, statistics })

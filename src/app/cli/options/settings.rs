@@ -13,10 +13,11 @@ use super::values::format_of_ending;
 use crate::app::cli::draw::frames::{Frames, Wanted};
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
+use crate::base::color::Gamma;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
-use crate::output::{Effort, EncodeOptions, Format, Target};
+use crate::output::{Effort, EncodeOptions, Format, OptionsOf38, Target};
 
 /// Upper limit of the pixels of a picture: a film of 8 GiB.
 const MAX_PIXELS: u64 = 1 << 29;
@@ -374,16 +375,26 @@ fn output(
         ));
     }
     let default = EncodeOptions::new(format);
-    let options = EncodeOptions {
-        // POV-Ray's grey files have 16 bits, regardless of other options.
-        bits: match raw_args.grayscale {
-            true => 16,
-            false => raw_args.bits.unwrap_or(default.bits),
+    let bits = raw_args.bits.unwrap_or(default.bits);
+    let is_ppm = format == Format::PPM;
+    let of_3_8 = OptionsOf38 {
+        bits: raw_args.grayscale.then_some(bits),
+        file_gamma: match raw_args.file_gamma {
+            // Whatever `File_Gamma` says, grey files of this format are linear.
+            _ if is_ppm && raw_args.grayscale => Some(Gamma::LINEAR),
+            None if is_ppm => Some(Gamma::Bt709),
+            _ => None,
         },
+        is_plain: is_ppm && raw_args.compression == Some(0),
+    };
+    let options = EncodeOptions {
+        // The grey files of POV-Ray 3.7 have 16 bits, regardless of other options.
+        bits: if raw_args.grayscale { 16 } else { bits },
         grayscale: raw_args.grayscale,
         alpha: raw_args.alpha,
-        file_gamma: raw_args.file_gamma,
-        quality: raw_args.compression,
+        file_gamma: raw_args.file_gamma.unwrap_or(Gamma::Srgb),
+        quality: raw_args.compression.unwrap_or(0),
+        of_3_8,
         effort: match raw_args.is_povray {
             true => Effort::Balanced,
             false => Effort::Fastest,

@@ -148,15 +148,17 @@ pub(crate) fn file_type_switch(
         .and_then(format_of)
         .ok_or_else(|| no_type(word))?;
     let rest = rest.as_str().to_ascii_lowercase();
-    let digits = rest.trim_end_matches('g');
-    let is_grey = digits.len() < rest.len();
+    // POV-Ray 3.7 reads no number beside the `g`, 3.8 one behind it.
+    let without = rest.strip_prefix('g').or_else(|| rest.strip_suffix('g'));
+    let is_grey = without.is_some();
+    let digits = without.unwrap_or(&rest);
     let bits = match digits {
         "" => None,
         digits => Some(digits.parse::<u8>().map_err(|_| no_type(word))?),
     };
-    // POV-Ray 3.7 has no switch for grey with bits.
-    let is_refused = raw_args.is_povray && is_grey && bits.is_some();
-    if rest.len() - digits.len() > 1 || (is_grey && !format.has_grey) || is_refused {
+    // No POV-Ray reads bits before the `g`.
+    let is_refused = raw_args.is_povray && bits.is_some() && rest.ends_with('g');
+    if (is_grey && !format.has_grey) || is_refused {
         return Err(no_type(word));
     }
     let given = &mut raw_args.given;
