@@ -85,6 +85,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = Some(up_to(100, v, s)?); Ok(()) }),
     ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
+    ("Create_Continue_Trace_Log", IDLE),
     ("Create_Ini", |t, v, s| { t.create_ini = Some(path(v, s)?); Ok(()) }),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.has_console = true; t.debugs = flag(t, v, s); Ok(()) }),

@@ -35,6 +35,7 @@ const SWITCHES: &[(&str, Form)] = &[
     ("BM", Value("Bounding_Method")),
     ("BS", Value("Render_Block_Size")),
     ("C", Flag("Continue_Trace")),
+    ("CC", Flag("Create_Continue_Trace_Log")),
     ("D", Both("Display", "Palette")),
     ("EC", Value("End_Column")),
     ("EF", Value("Subset_End_Frame")),
