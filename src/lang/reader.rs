@@ -45,6 +45,8 @@ pub(super) struct Reader<'a> {
     pub(super) last: Position,
     /// Number of tokens taken.
     pub(super) taken: u64,
+    /// Number of directives run and macros called.
+    pub(super) steps: u64,
     /// An item of an array that was read ahead.
     pub(super) item_ahead: Option<ItemAhead>,
     pub(super) frames: Vec<Frame>,
@@ -170,6 +172,7 @@ impl<'a> Reader<'a> {
             statement: StatementState::new(Start::of(&tokens, 0)),
             here: Position { tokens, at: 0 },
             taken: 0,
+            steps: 0,
             item_ahead: None,
             piece: MIN_PIECE,
             replays: ReplayCache::default(),

@@ -53,6 +53,40 @@ fn items_that_begin_an_object() {
 }
 
 #[test]
+fn macros_in_indices_run_once() {
+    let begin = r#"#declare K = -1;
+#macro N() #declare K = K + 1; K #end
+#macro R() #declare K = K + 1; 1] #end
+#declare S = seed(1);
+#declare T = seed(1);
+#declare A = array[4] { 3, 4, 5, 6 }
+#declare V = array[3] { x, y, z }
+#macro P(X) #debug concat("= ", str(X, 0, 0), " ") #end
+"#;
+    let scene = |text: &str| {
+        let end = r#"#debug concat("= ", str(K, 0, 0), " ", str(rand(S), 0, 6), "\n")"#;
+        format!("{begin}{text}\n{end}")
+    };
+    let scenes = [
+        "P(A[N()])",
+        "P(A[N()] + 1)",
+        "P(A[N()] * A[N()])",
+        "P(A[R() + 1)",
+        "P(A[#declare K = K + 2; K] + 1)",
+        "P(A[rand(S) * 3] + 1)",
+        "#declare B = sphere { V[N()], 1 } #debug concat(\"= \", vstr(3, min_extent(B), \" \", 0, 3), \"\\n\")",
+        "#declare B = box { V[N()], V[N()] + 2 } #debug concat(\"= \", vstr(3, max_extent(B), \" \", 0, 3), \"\\n\")",
+        "#declare B = array[2]; #declare B[1] = 7; P(B[N() + 1] + 1)",
+        "#declare B = array[2]; #declare B[1] = 7; #declare C = B[N() + 1] * 2; P(C)",
+    ]
+    .map(scene);
+    agree(
+        "arrays/macros_in_indices_run_once",
+        &scenes.each_ref().map(String::as_str),
+    );
+}
+
+#[test]
 fn indices() {
     refused(
         "arrays/indices_refused",

@@ -15,6 +15,7 @@ impl Reader<'_> {
     pub(crate) fn run_directive(&mut self, token: Token) -> Parse<()> {
         let index = self.here.at;
         let span = self.here_span();
+        self.steps += 1;
         self.pass();
         let Some(word) = self.here.tokens.directives[token.value as usize].word else {
             return self.nested(|reader| reader.run_hash(span));

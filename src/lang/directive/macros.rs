@@ -138,6 +138,7 @@ impl Reader<'_> {
             name,
             called: Rc::clone(called),
         };
+        self.steps += 1;
         self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
         for (&parameter, argument) in called.parameters.iter().zip(arguments.values.drain(..)) {

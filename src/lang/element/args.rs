@@ -242,11 +242,12 @@ impl Args for Reader<'_> {
                 }
             }
             Some(Value::Array(array))
-                if array
-                    .items
-                    .iter()
-                    .flatten()
-                    .any(|item| item.is_element(kind)) =>
+                if array.holds_elements()
+                    && array
+                        .items
+                        .iter()
+                        .flatten()
+                        .any(|item| item.is_element(kind)) =>
             {
                 match self.array_or_item()? {
                     Value::Element(element) if element.kind() == kind => Ok(Some(element.value)),

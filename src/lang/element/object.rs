@@ -101,12 +101,11 @@ impl Reader<'_> {
         if !matches!(name, Some(array @ Value::Array(_)) if !array.is_mixed()) {
             return self.object_of_name();
         }
-        let (before, streams) = (self.here.clone(), self.streams.clone());
+        let start = self.reading();
         match self.array_or_item()? {
             Value::Object(object) => Ok(Some(object)),
-            _ => {
-                // It is read again, as a number.
-                (self.here, self.streams) = (before, streams);
+            item => {
+                self.read_again(item, start);
                 Ok(None)
             }
         }

@@ -68,10 +68,12 @@ impl Reader<'_> {
             if !path.is_empty() && !self.is_raw_mark('[') {
                 return Ok(path);
             }
-            let array = Rc::clone(array);
-            let at = match array.extent {
-                Extent::Growing => self.index_that_grows(symbol, &path)?,
-                Extent::Fixed | Extent::Keys(_) => self.array_index(&array.sizes)?,
+            let at = if matches!(array.extent, Extent::Growing) {
+                self.index_that_grows(symbol, &path)?
+            } else {
+                // Held until the index is known, and no longer: a change copies an array that is held twice.
+                let array = Rc::clone(array);
+                self.array_index(&array.sizes)?
             };
             path.push(at);
         }
@@ -156,11 +158,23 @@ impl Reader<'_> {
     }
 
     /// The state of reading, to go back to.
-    fn reading(&self) -> ReadState {
+    pub(crate) fn reading(&self) -> ReadState {
         ReadState {
             here: self.here.clone(),
             last: self.last.clone(),
             streams: self.streams.clone(),
+            steps: self.steps,
+        }
+    }
+
+    /// Goes back before an item that was read, as it begins something longer. The macros and directives in its indices
+    /// do not run again.
+    pub(crate) fn read_again(&mut self, item: Value, start: ReadState) {
+        let has_run = self.steps != start.steps;
+        let end = self.go_back(&start);
+        if has_run {
+            self.discard_recording();
+            self.keep_ahead(item, None, start, end);
         }
     }
 
@@ -170,8 +184,10 @@ impl Reader<'_> {
             here,
             last,
             streams,
+            ..
         } = to.clone();
         ReadState {
+            steps: self.steps,
             here: std::mem::replace(&mut self.here, here),
             last: std::mem::replace(&mut self.last, last),
             streams: std::mem::replace(&mut self.streams, streams),
@@ -203,8 +219,7 @@ impl Reader<'_> {
         is_taken: impl FnOnce(&mut Self, bool) -> Parse<bool>,
     ) -> Parse<Option<Vec<usize>>> {
         let is_mixed = self.scopes.get(symbol).is_some_and(Value::is_mixed);
-        let here = self.here.clone();
-        let start = is_mixed.then(|| self.reading());
+        let start = self.reading();
         let path = match self.take_path_ahead() {
             Some(path) => path,
             None => {
@@ -213,17 +228,13 @@ impl Reader<'_> {
             }
         };
         let item = self.scopes.get(symbol).and_then(|array| array.item(&path));
-        let has_value = item.is_some();
-        let item = item.filter(|_| is_mixed).cloned();
-        if is_taken(self, has_value)? {
+        let item = item.cloned();
+        if is_taken(self, item.is_some())? {
             return Ok(Some(path));
         }
-        let Some(start) = start else {
-            self.here = here;
-            return Ok(None);
-        };
+        let is_kept = is_mixed || self.steps != start.steps;
         let end = self.go_back(&start);
-        if let Some(value) = item {
+        if let Some(value) = item.filter(|_| is_kept) {
             self.keep_ahead(value, Some(path), start, end);
         }
         Ok(None)
@@ -472,10 +483,12 @@ impl Reader<'_> {
 
 /// A state of reading.
 #[derive(Clone, Debug)]
-struct ReadState {
+pub(crate) struct ReadState {
     here: Position,
     last: Position,
     streams: Streams,
+    /// The number of directives run and macros called so far, which going back does not change.
+    steps: u64,
 }
 
 /// An item of an array that was read although another reader may take it.

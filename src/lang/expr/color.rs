@@ -224,10 +224,7 @@ impl Reader<'_> {
                     item.is_some_and(|item| matches!(item, Value::Number(_)) || is_callable(&item))
                 }
                 Some(Value::Array(array)) => array
-                    .items
-                    .iter()
-                    .flatten()
-                    .next()
+                    .first()
                     .is_none_or(|item| matches!(item, Value::Number(_)) || is_callable(item)),
                 _ => self.at_call(),
             },
@@ -254,7 +251,7 @@ impl Reader<'_> {
 fn holds_color(value: &Value) -> bool {
     match value {
         Value::Number(number) => number.len == 5,
-        Value::Array(array) => array.items.iter().flatten().next().is_some_and(holds_color),
+        Value::Array(array) => array.first().is_some_and(holds_color),
         _ => false,
     }
 }

@@ -56,19 +56,18 @@ impl Reader<'_> {
                 }
             }
             Some(Value::Array(array)) => {
-                let is_copied = array.items.iter().flatten().next().is_some_and(is_callable)
-                    && self.is_item_alone();
+                let is_copied = array.first().is_some_and(is_callable) && self.is_item_alone();
                 if self.raw_ahead(1).is_mark('[') && !is_copied && self.begins_number()? {
                     return self.number_or_color().map(Some);
                 }
                 self.discard_recording();
-                let before = self.here.clone();
+                let start = self.reading();
                 let item = self.array_or_item()?;
                 let is_called = is_callable(&item) && self.is_raw_mark('(');
                 match item {
                     _ if is_called || matches!(item, Value::Number(_)) => {
                         // A numeric item may begin an expression: read it again as one.
-                        self.here = before;
+                        self.read_again(item, start);
                         self.number_or_color().map(Some)
                     }
                     other => Ok(Some(other)),

@@ -5,7 +5,7 @@ use super::builtins::{
     whole,
 };
 use super::streams::Call;
-use super::value::{Number, Value};
+use super::value::{Number, STRING, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::base::source::Diagnostic;
@@ -312,11 +312,7 @@ impl Reader<'_> {
                     let item = self.mixed_item_ahead(Symbol(token.value))?;
                     matches!(item, Some(Value::Text(_)))
                 }
-                Some(Value::Array(array)) => array
-                    .items
-                    .iter()
-                    .flatten()
-                    .any(|item| matches!(item, Value::Text(_))),
+                Some(Value::Array(array)) => array.holds == Some(STRING),
                 _ => false,
             },
             Kind::Word => token.word().is_some_and(|word| self.begins_string(word)),

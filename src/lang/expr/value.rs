@@ -89,6 +89,9 @@ impl fmt::Display for Number {
 /// Messages show numbers with six decimals.
 const ROUNDED: f64 = 1e6;
 
+/// The kind of strings, as [`Array::holds`] has it.
+pub(crate) const STRING: &str = "a string";
+
 /// A value of an identifier.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
@@ -210,6 +213,20 @@ impl Array {
         next
     }
 
+    /// The first item that has a value. An array without any is not searched.
+    pub(crate) fn first(&self) -> Option<&Value> {
+        match self.holds {
+            None if !self.is_mixed => None,
+            _ => self.items.iter().flatten().next(),
+        }
+    }
+
+    /// True if the items may be elements: those of an array are of one kind, and the first has it.
+    pub(crate) fn holds_elements(&self) -> bool {
+        let is_other = |value: &Value| !matches!(value, Value::Element(_) | Value::Poison(_));
+        self.is_mixed || !self.first().is_none_or(is_other)
+    }
+
     /// Makes an array of one dimension at least this long.
     pub(crate) fn grow(&mut self, size: usize) {
         if size > self.items.len() {
@@ -322,7 +339,7 @@ impl Value {
     pub(crate) fn sort(&self) -> Option<&'static str> {
         Some(match self {
             Value::Number(n) => n.kind(),
-            Value::Text(_) => "a string",
+            Value::Text(_) => STRING,
             Value::Macro(_) => "a macro",
             Value::Array(array) if array.is_dictionary() => "a dictionary",
             Value::Array(_) => "an array",
