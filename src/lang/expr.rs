@@ -17,6 +17,7 @@ pub(super) mod functions;
 pub(super) mod probe_calls;
 pub(super) mod streams;
 pub(super) mod strings;
+pub(super) mod text;
 pub(super) mod value;
 
 use super::expr::callee::Callee;

@@ -217,8 +217,8 @@ impl<'a> Reader<'a> {
                 .declare(symbol, Value::Number(Number::float(value)));
         }
         let name = self.names.intern("input_file_name");
-        let text: Rc<str> = self.sources.name(self.here.tokens.file).into();
-        self.scopes.declare(name, Value::Text(text));
+        let text = self.sources.name(self.here.tokens.file);
+        self.scopes.declare(name, Value::Text(text.into()));
     }
 
     /// The tokens of a file, made once.

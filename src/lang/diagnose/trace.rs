@@ -107,7 +107,9 @@ impl Reader<'_> {
     fn value_text(&self, symbol: Symbol, value: &Value) -> Option<String> {
         let value = match value {
             Value::Number(number) => number.to_string(),
-            Value::Text(text) if text.len() <= limits::QUOTED => format!("\"{text}\""),
+            Value::Text(text) if text.len() <= limits::QUOTED => {
+                format!("\"{}\"", &*text.letters())
+            }
             _ => return None,
         };
         Some(format!("`{}` = {value}", self.names.spelling(symbol)))

@@ -141,7 +141,7 @@ mod tests {
                 Ok(Some(Value::Number(number))) => {
                     format!("{:?}", &number.v[..usize::from(number.len)])
                 }
-                Ok(Some(Value::Text(text))) => text.to_string(),
+                Ok(Some(Value::Text(text))) => text.letters().to_owned(),
                 Ok(other) => format!("{other:?}"),
                 Err(error) => {
                     found.push(error.message);

@@ -28,7 +28,7 @@ impl Reader<'_> {
         }
         match token.kind {
             Kind::Number => Ok(Some(Value::Number(self.sum()?))),
-            Kind::String => Ok(Some(Value::Text(self.string()?.into()))),
+            Kind::String => Ok(Some(Value::Text(self.text()?))),
             Kind::Mark if "<(-+!".contains(char::from_u32(token.value).unwrap_or(' ')) => {
                 Ok(Some(Value::Number(self.sum()?)))
             }
@@ -227,7 +227,7 @@ impl Reader<'_> {
             Word::Function => self.function_value().map(Some),
             Word::Spline => self.spline_value().map(Some),
             Word::LightSource => Ok(self.object()?.map(Value::Object)),
-            _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
+            _ if self.begins_string(word) => Ok(Some(Value::Text(self.text()?))),
             _ => match word.class() {
                 Class::Shape | Class::Csg => Ok(self.object()?.map(Value::Object)),
                 Class::Color | Class::Value | Class::Function => self.number_or_color().map(Some),

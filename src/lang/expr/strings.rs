@@ -1,6 +1,7 @@
 //! Strings and the functions that return them.
 
 use super::datetime;
+use super::text::Text;
 use super::value::Value;
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
@@ -21,20 +22,25 @@ impl Reader<'_> {
 
     /// A string: a literal, an identifier, or a call of a string function.
     pub(crate) fn string(&mut self) -> Parse<String> {
+        Ok(self.text()?.into_letters())
+    }
+
+    /// The same as a value.
+    pub(crate) fn text(&mut self) -> Parse<Text> {
         let token = self.peek()?;
         match token.kind {
             Kind::String => {
                 self.pass();
-                self.string_literal(token.value)
+                Ok(self.string_literal(token.value)?.into())
             }
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 Some(Value::Text(text)) => {
-                    let text = text.to_string();
+                    let text = text.clone();
                     self.pass();
                     Ok(text)
                 }
                 Some(Value::Array(_)) => match self.array_or_item()? {
-                    Value::Text(text) => Ok(text.to_string()),
+                    Value::Text(text) => Ok(text),
                     other => {
                         Err(self.error_taken(format!("expected a string, found {}", other.kind())))
                     }
@@ -75,25 +81,16 @@ impl Reader<'_> {
         )
     }
 
-    fn string_function(&mut self, word: Word) -> Parse<String> {
+    fn string_function(&mut self, word: Word) -> Parse<Text> {
         self.pass();
         let name = self.taken_span();
         self.expect_call(word)?;
         let open = self.start_taken();
         let text = match word {
             Word::Concat => {
-                let mut text = self.string()?;
-                while self.take_mark(',')? || self.at_string()? {
-                    text.push_str(&self.string()?);
-                    self.take_memory(text.len() as u64, name)?;
-                    if text.len() > limits::STRING {
-                        return Err(self.error_taken(format!(
-                            "a string has at most {} bytes",
-                            limits::STRING
-                        )));
-                    }
-                }
-                text
+                let text = self.concatenated(name)?;
+                self.end_of_call(word, open)?;
+                return Ok(text);
             }
             Word::Chr => {
                 let code = self.number_at_sum()?;
@@ -127,6 +124,21 @@ impl Reader<'_> {
             }
         };
         self.end_of_call(word, open)?;
+        Ok(text.into())
+    }
+
+    /// The strings of `concat`, whose name has this span.
+    fn concatenated(&mut self, name: Span) -> Parse<Text> {
+        let mut text = self.text()?;
+        while self.take_mark(',')? || self.at_string()? {
+            let more = self.text()?;
+            self.take_memory(text.bytes_to_push(&more) as u64, name)?;
+            text.push(&more);
+            if text.len() > limits::STRING {
+                let message = format!("a string has at most {} bytes", limits::STRING);
+                return Err(self.error_taken(message));
+            }
+        }
         Ok(text)
     }
 

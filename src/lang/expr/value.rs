@@ -1,5 +1,6 @@
 //! Values of identifiers and expressions.
 
+use super::text::Text;
 use crate::base::source::Diagnostic;
 use crate::lang::frame::Macro;
 use crate::scene::Object;
@@ -98,7 +99,7 @@ pub(crate) enum Value {
     /// A float, vector or colour.
     Number(Number),
     /// A text.
-    Text(Rc<str>),
+    Text(Text),
     /// A macro.
     Macro(Rc<Macro>),
     /// An array.
@@ -223,8 +224,8 @@ impl Array {
 
     /// True if the items may be elements: those of an array are of one kind, and the first has it.
     pub(crate) fn holds_elements(&self) -> bool {
-        let is_other = |value: &Value| !matches!(value, Value::Element(_) | Value::Poison(_));
-        self.is_mixed || !self.first().is_none_or(is_other)
+        let first = self.first();
+        first.is_some_and(|value| matches!(value, Value::Element(_) | Value::Poison(_)))
     }
 
     /// Makes an array of one dimension at least this long.
