@@ -10,3 +10,6 @@ pub mod program;
 pub(crate) mod server;
 pub(crate) mod watchdog;
 pub(crate) mod worker;
+
+#[doc(hidden)]
+pub use worker::read_replies;

@@ -4,7 +4,7 @@
 #[path = "../../tests/malformed/broken.rs"]
 mod broken;
 #[path = "../../tests/malformed/random.rs"]
-mod random;
+pub(crate) mod random;
 
 use super::evaluate;
 use crate::base::options::ReadOptions;

@@ -12,7 +12,7 @@ mod expr;
 mod fast_path;
 mod frame;
 #[cfg(test)]
-mod fuzz;
+pub(crate) mod fuzz;
 mod limits;
 mod probe;
 mod reader;

@@ -180,6 +180,11 @@ pub fn journal(input: &[u8]) {
     let _ = batch::run(&[], &batch, &|_| {});
 }
 
+/// Reads what a worker replies to a command.
+pub fn replies(input: &[u8]) {
+    let _ = povr::app::read_replies(input);
+}
+
 /// Reads a command line, a word a line, or if the first line is empty an ini file.
 pub fn options(input: &[u8]) {
     let text = String::from_utf8_lossy(input);

@@ -7,6 +7,7 @@ use povr::base::film::Film;
 use povr::base::options::{Input, ReadOptions, RenderOptions};
 use povr::output::{self, EncodeOptions};
 use povr_fuzz::{PHOTONS, PICTURES, USES, VIEW, state_options, state_scene};
+use serde_json::json;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -90,6 +91,7 @@ fn main() -> io::Result<()> {
     drawn(&state_scene(), &state_options(state.clone()))?;
     seeds.put("state", &fs::read(&state)?)?;
     seeds.put("journal", b"\n{\"output\":\"a.png\",\"key\":\"0\",\"made\":\"1\",\"files\":[[\"/a.pov\",\"2\"]],\"missing\":[\"/b\"]}\n")?;
+    seeds.put("replies", &replies()?)?;
     for words in [
         "+Ia.pov\n+W320\n+H240\n+A0.3\n+AM2\n+R3\n-D\n+FN8\n+Oa.png",
         "a.pov\n--error\n1\n--timeout\n3s\n--sandbox\n--allow-read\n/tmp",
@@ -100,6 +102,44 @@ fn main() -> io::Result<()> {
         seeds.put("options", words.as_bytes())?;
     }
     Ok(())
+}
+
+/// Replies about a picture of three bytes.
+fn replies() -> io::Result<Vec<u8>> {
+    let place =
+        json!({ "file": "a.pov", "line": 1, "column": 2, "end": { "line": 1, "column": 3 } });
+    let mut note = place.clone();
+    note["text"] = "a note".into();
+    let mut finding = place;
+    for (key, value) in [
+        ("severity", json!("error")),
+        ("code", json!("limit")),
+        ("message", json!("a message")),
+        ("labels", json!([note])),
+        ("trace", json!([note])),
+        ("hints", json!(["a hint"])),
+        ("fix", note.clone()),
+    ] {
+        finding[key] = value;
+    }
+    let dependency = json!({ "path": "/a.inc", "is_there": false });
+    let mut bytes = Vec::new();
+    for reply in [
+        json!({ "Report": { "Weaker": "no Landlock" } }),
+        json!({ "Output": "text" }),
+        json!({ "Finding": [finding, ["a line", "an excerpt", "in colour"]] }),
+        json!({ "Read": { "dependencies": [dependency], "wrote_files": true } }),
+        json!({ "Drawn": 9 }),
+        json!({ "Limit": "Time" }),
+        json!({ "Done": [3] }),
+    ] {
+        let reply = rmp_serde::to_vec_named(&reply).map_err(io::Error::other)?;
+        let length = u32::try_from(reply.len()).map_err(io::Error::other)?;
+        bytes.extend(length.to_le_bytes());
+        bytes.extend(reply);
+    }
+    bytes.extend(b"abc");
+    Ok(bytes)
 }
 
 struct Seeds {

@@ -292,6 +292,26 @@ impl Expected {
     }
 }
 
+/// Reads the replies to a request of one file as a command does; returns the number of files, if they are all there. For
+/// the fuzz target `replies`.
+pub fn read_replies(mut bytes: &[u8]) -> Option<usize> {
+    let expected = Expected {
+        scene: PathBuf::from("/scene.pov"),
+        readable: Folders::Only(Vec::new()),
+        files: 1,
+        bytes: 1 << 20,
+    };
+    let listen = |event: Event<'_>| {
+        if let Event::Read { dependencies, .. } = event {
+            assert!(dependencies.iter().all(|one| one.path == expected.scene));
+        }
+    };
+    let read = expected.replies(&mut bytes, &listen, &|_| {}, &mut None);
+    let files = read.ok()?.ok()?;
+    assert_eq!(files.len(), expected.files);
+    Some(files.len())
+}
+
 impl Drop for Worker {
     fn drop(&mut self) {
         self.control.kill();

@@ -10,8 +10,11 @@
 //! those that the scene may read are ignored, and the number of pictures must be that of the request.
 
 mod client;
+#[cfg(test)]
+mod fuzz;
 mod wire;
 
+pub use client::read_replies;
 pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{
     CameraReport, Draw, Limit, Live, Picked, PickedSurface, Reply, Report, Request,
