@@ -54,6 +54,29 @@ fn look(color: &str) -> String {
     format!("#declare Look = pigment {{ rgb {color} }}")
 }
 
+/// Another picture would tell the page that such a file has appeared.
+#[test]
+fn files_that_a_sandbox_hides_are_not_watched() {
+    let all = tempfile::tempdir().expect("a folder");
+    let [here, other] = ["here", "other"].map(|name| all.path().join(name));
+    for folder in [&here, &other] {
+        fs::create_dir(folder).expect("a folder");
+    }
+    let looks =
+        "#if (file_exists(\"../other/secret\") | file_exists(\"none\")) #error \"seen\" #end";
+    write(&here, "s.pov", &format!("{SCENE}\n{looks}"));
+    write(&here, "look.inc", &look("<1, 0, 0>"));
+    let watching = Watching::start(&here, &["--sandbox"]);
+    watching.drawn(&here);
+    write(&other, "secret", "");
+    // Twice the time after which files are looked at where the system sends no notifications.
+    std::thread::sleep(Duration::from_secs(1));
+    assert!(watching.0.is_silent());
+    write(&here, "none", "");
+    watching.until("none` has changed");
+    watching.until("seen");
+}
+
 #[test]
 fn every_change_of_every_file_is_drawn() {
     let here = tempfile::tempdir().expect("a folder");
