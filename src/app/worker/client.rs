@@ -126,17 +126,18 @@ impl Worker {
             return Err(io::ErrorKind::BrokenPipe.into());
         };
         let (sender, receiver) = mpsc::channel();
-        RUNNING.fetch_add(1, Ordering::Relaxed);
         let child = Arc::new(Mutex::new(child));
         let has_killed = Arc::new(AtomicBool::new(false));
         let (watched, killed) = (Arc::clone(&child), Arc::clone(&has_killed));
-        let watchdog = Watchdog::start(move || kill(&watched, &killed));
+        // Without this thread the process ends by itself, as its standard input is closed.
+        let watchdog = Watchdog::start(move || kill(&watched, &killed))?;
+        RUNNING.fetch_add(1, Ordering::Relaxed);
         let mut worker = Worker {
             control: Control {
                 child,
                 requests: Arc::new(Mutex::new(Requests {
                     sender,
-                    watchdog: watchdog?,
+                    watchdog,
                     picture: Progress::Idle {
                         is_cancelled: false,
                     },
