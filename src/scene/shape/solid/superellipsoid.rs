@@ -12,6 +12,9 @@
 //! outside by lower bounds of the norm that are concave along the ray (`floors`); on the others values and slopes of
 //! `N` are bounded from those at the ends.
 //!
+//! Negative powers are drawn as POV-Ray draws them: where the norm is 1 within the box, without walls on it (measured).
+//! With a negative `n` the norm is below 1 there, and nothing shows.
+//!
 //! Both searches first run in ten-digit arithmetic, at a fraction of the cost of exact powers (`rough`), the convex one
 //! also on ray packets (`four`); a root takes its last digits from the exact norm, and close calls are decided in full
 //! precision.
@@ -31,7 +34,7 @@ use crate::base::math::roots::interval_roots::{IntervalFunction, first_below_zer
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// A box with edges and corners rounded or drawn in, between -1 and 1. It is one piece, face 0.
@@ -102,7 +105,7 @@ impl RootRange {
 }
 
 impl Superellipsoid {
-    /// The surface with the exponents `e` and `n`, neither negative.
+    /// The surface with the exponents `e` and `n`.
     #[must_use]
     pub fn new(e: f64, n: f64) -> Self {
         Superellipsoid {
@@ -114,21 +117,30 @@ impl Superellipsoid {
     /// Reads `<e, n>`.
     ///
     /// # Errors
-    /// A malformed vector; exponents that are negative or not finite.
+    /// A malformed vector; exponents that are not finite.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let at = args.span();
-        let exponents = args.vector2()?;
-        if !exponents.is_finite() || exponents.min_element() < 0.0 {
-            let message = format!(
-                "the exponents of the superellipsoid must be finite and not negative, found <{}, {}>",
-                exponents.x, exponents.y
-            );
-            return Err(Box::new(Diagnostic::error(
-                at.to(args.last_span()),
-                message,
-            )));
+        // A negative zero is a zero.
+        let exponents = args.vector2()? + DVec2::ZERO;
+        let at = at.to(args.last_span());
+        let found = format!("found <{}, {}>", exponents.x, exponents.y);
+        if !exponents.is_finite() {
+            let message = format!("the exponents of the superellipsoid must be finite, {found}");
+            return Err(Box::new(Diagnostic::error(at, message)));
+        }
+        if exponents.min_element() < 0.0 {
+            let drawn = match exponents.y < 0.0 {
+                true => "nothing is drawn",
+                false => "its surface has gaps",
+            };
+            let message = format!("a superellipsoid of a negative exponent, {found}: {drawn}");
+            args.warn(Diagnostic::warning(at, message));
         }
         Ok(Superellipsoid::new(exponents.x, exponents.y))
+    }
+
+    fn has_negative_power(&self) -> bool {
+        self.across < 0.0 || self.along < 0.0
     }
 
     fn is_convex(&self) -> bool {
@@ -180,7 +192,12 @@ impl Superellipsoid {
     }
 
     fn comfortable_crossings(&self, ray: &Ray, range: RootRange) -> Crossings {
-        let Some((from, to)) = clip(ray) else {
+        let reach = if self.has_negative_power() {
+            REACH
+        } else {
+            1.0
+        };
+        let Some((from, to)) = clip(ray, reach) else {
             return Crossings::new();
         };
         // Relative to the middle of the clipped interval, so that its ends lose no digits to a far origin.
@@ -188,7 +205,9 @@ impl Superellipsoid {
         let ray = Ray::new(ray.at(middle), ray.dir);
         let (from, to) = (from - middle, to - middle);
         let range = range.about(middle);
-        let mut roots = if self.is_convex() {
+        let mut roots = if self.has_negative_power() {
+            self.open_crossings(&ray, from, to)
+        } else if self.is_convex() {
             self.convex_crossings(&ray, from, to, range)
         } else {
             self.hollow_crossings(&ray, from, to, range)
@@ -236,17 +255,40 @@ impl Superellipsoid {
         Some((t, excess(t).1))
     }
 
-    fn hollow_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
-        let mut stops: SmallVec<[f64; 5]> = SmallVec::new();
-        stops.push(from);
-        for axis in 0..3 {
-            let t = -ray.origin[axis] / ray.dir[axis];
-            if from < t && t < to {
-                stops.push(t);
-            }
+    /// The crossings of a surface that the box cuts open; what is inside of it ends at invisible walls.
+    fn open_crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
+        let along = Along {
+            shape: self,
+            ray: *ray,
+        };
+        let is_inside = |t: f64| along.value(t) < 0.0;
+        let wall = |t: f64, leaves: bool| Root {
+            is_visible: false,
+            ..root(t, leaves)
+        };
+        let mut params = Roots::new();
+        let stops = stops(ray, from, to);
+        for ends in stops.windows(2) {
+            let [start, end] = [ends[0], ends[1]].map(|t| (t, is_inside(t)));
+            sign_changes(&along, start, end, &mut params);
         }
-        stops.push(to);
-        stops.sort_unstable_by(f64::total_cmp);
+        let mut roots = Crossings::new();
+        let starts_inside = is_inside(from);
+        if starts_inside {
+            roots.push(wall(from, false));
+        }
+        roots.extend(alternating(&params, starts_inside));
+        if roots
+            .last()
+            .is_some_and(|root| root.crossing == Crossing::Enter)
+        {
+            roots.push(wall(to, true));
+        }
+        roots
+    }
+
+    fn hollow_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
+        let stops = stops(ray, from, to);
         let along = Along {
             shape: self,
             ray: *ray,
@@ -268,6 +310,21 @@ impl Superellipsoid {
     }
 }
 
+/// An interval of a ray, divided where a coordinate is zero.
+fn stops(ray: &Ray, from: f64, to: f64) -> SmallVec<[f64; 5]> {
+    let mut stops: SmallVec<[f64; 5]> = SmallVec::new();
+    stops.push(from);
+    for axis in 0..3 {
+        let t = -ray.origin[axis] / ray.dir[axis];
+        if from < t && t < to {
+            stops.push(t);
+        }
+    }
+    stops.push(to);
+    stops.sort_unstable_by(f64::total_cmp);
+    stops
+}
+
 /// The roots at these parameters, which enter and leave in turn.
 fn alternating(params: &[f64], starts_inside: bool) -> impl Iterator<Item = Root> {
     let sides = [starts_inside, !starts_inside].into_iter().cycle();
@@ -287,18 +344,18 @@ fn root(t: f64, leaves: bool) -> Root {
     }
 }
 
-/// Interval of a line in the box from -1 to 1; NaN, from a line in a face, excludes nothing.
-fn clip(ray: &Ray) -> Option<(f64, f64)> {
+/// Interval of a line in the box from `-reach` to `reach`; NaN, from a line in a face, excludes nothing.
+fn clip(ray: &Ray, reach: f64) -> Option<(f64, f64)> {
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
         let (p, d) = (ray.origin[axis], ray.dir[axis]);
         if d == 0.0 {
-            if p.abs() > 1.0 {
+            if p.abs() > reach {
                 return None;
             }
             continue;
         }
-        let (a, b) = ((-1.0 - p) / d, (1.0 - p) / d);
+        let (a, b) = ((-reach - p) / d, (reach - p) / d);
         (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
     }
     (from < to && from.is_finite() && to.is_finite()).then_some((from, to))
@@ -323,7 +380,7 @@ impl Geometry for Superellipsoid {
 
     /// A convex norm that grows at the start of the ray does not fall again.
     fn is_exiting(&self, ray: &Ray) -> bool {
-        if ray.origin.abs().max_element() > REACH {
+        if ray.origin.abs().max_element() > REACH || self.has_negative_power() {
             return false;
         }
         let least_slope = STEEP * ray.dir.length();
@@ -362,6 +419,19 @@ impl Geometry for Superellipsoid {
 
     fn bounds(&self) -> Bounds {
         Bounds::new(DVec3::splat(-REACH), DVec3::splat(REACH))
+    }
+
+    /// A surface that the box cuts open is the boundary of all points where the norm is below 1.
+    fn solid_bounds(&self) -> Bounds {
+        if self.has_negative_power() {
+            Bounds::EVERYTHING
+        } else {
+            self.bounds()
+        }
+    }
+
+    fn extends_beyond_bounds(&self) -> bool {
+        self.has_negative_power()
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

@@ -69,11 +69,16 @@ impl IntervalFunction for Along<'_> {
     }
 }
 
-/// `(a^p + b^p)^(1/p)` of two numbers that are not negative; their maximum for infinite `p`.
+/// `(a^p + b^p)^(1/p)` of two numbers that are not negative; their maximum for infinite `p`. Zero if one is and `p` is
+/// negative.
 pub(super) fn norm(a: f64, b: f64, p: f64) -> f64 {
     let (small, large) = (a.min(b), a.max(b));
     if small == 0.0 {
-        return large;
+        return if p < 0.0 { 0.0 } else { large };
+    }
+    if p < 0.0 {
+        let rest = (small / large).powf(-p);
+        return small * (rest.ln_1p() / p).exp();
     }
     if p == 2.0 {
         return (a * a + b * b).sqrt();
@@ -116,14 +121,25 @@ pub(super) fn derivative(part: f64, whole: f64, p: f64) -> f64 {
     if whole == 0.0 {
         return 1.0;
     }
-    (part / whole).min(1.0).powf(p - 1.0)
+    ratio(part, whole, p).powf(p - 1.0)
+}
+
+/// The ratio of a part to the whole, which rounding does not bring to the wrong side of 1.
+fn ratio(part: f64, whole: f64, p: f64) -> f64 {
+    if p < 0.0 {
+        (part / whole).max(1.0)
+    } else {
+        (part / whole).min(1.0)
+    }
 }
 
 /// Minimum and maximum of [`derivative`].
 fn derivatives(part: [f64; 2], whole: [f64; 2], p: f64) -> [f64; 2] {
     let ratio = |part: f64, whole: f64| {
         if whole > 0.0 {
-            (part / whole).min(1.0)
+            ratio(part, whole, p)
+        } else if p < 0.0 && part > 0.0 {
+            f64::INFINITY
         } else {
             1.0
         }

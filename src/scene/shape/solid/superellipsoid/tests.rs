@@ -48,15 +48,34 @@ fn a_ray_past_the_hollow_side_of_a_star_passes_two_arms() {
 }
 
 #[test]
-fn exponents_below_zero_are_refused() {
-    let error = Superellipsoid::read(&mut TextArgs::new("<-1, 1>")).unwrap_err();
-    assert!(error.message.ends_with("not negative, found <-1, 1>"));
-    assert!(Superellipsoid::read(&mut TextArgs::new("<0, 1>")).is_ok());
+fn exponents_below_zero_make_open_surfaces() {
+    let mut args = TextArgs::new("<-1, 1>");
+    let open = Superellipsoid::read(&mut args).unwrap();
+    assert_eq!(args.warnings().len(), 1);
+    // The norm is 1 where |z| is, next to both planes of symmetry; in between it is 1 within the box.
+    let ray = Ray::new(DVec3::new(0.7, 0.7, -3.0), DVec3::Z);
+    let roots = open.crossings(&ray, RootRange::ALL);
+    let z = (1.0 - 0.245_f64).sqrt();
+    assert!((roots[0].t - (3.0 - z)).abs() < 1e-12 && roots[0].is_visible);
+    assert!((roots[1].t - (3.0 + z)).abs() < 1e-12 && roots[1].is_visible);
+    // Along the plane y = 0 it is |z|, so that only the box ends what is inside.
+    let along = Ray::new(DVec3::new(-3.0, 0.0, 0.5), DVec3::X);
+    let roots = open.crossings(&along, RootRange::ALL);
+    assert_eq!(roots.len(), 2);
+    assert!(roots.iter().all(|root| !root.is_visible));
+    let none = Superellipsoid::new(1.0, -0.5);
+    assert!(
+        none.crossings(&ray, RootRange::ALL)
+            .iter()
+            .all(|root| !root.is_visible)
+    );
+    let zero = Superellipsoid::read(&mut TextArgs::new("<-0.0, 1>")).unwrap();
+    assert_eq!(zero, Superellipsoid::new(0.0, 1.0));
 }
 
 /// Crossings of a line with the surface, in full precision alone.
 fn exact_roots(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
-    let Some((from, to)) = clip(ray) else {
+    let Some((from, to)) = clip(ray, 1.0) else {
         return Vec::new();
     };
     let middle = 0.5 * (from + to);
