@@ -117,15 +117,16 @@ impl Model {
         self.leaves.get(leaf as usize)?.world_sphere()
     }
 
-    /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.
+    /// The unit outward normals at a point of a leaf that a ray in direction `dir` hit: the geometric one and the shading
+    /// normal.
     #[inline]
-    pub(super) fn normals(&self, leaf: u32, point: DVec3, face: u32) -> (DVec3, DVec3) {
+    pub(super) fn normals(&self, leaf: u32, point: DVec3, dir: DVec3, face: u32) -> (DVec3, DVec3) {
         match self.leaves.get(leaf as usize) {
-            Some(leaf) => leaf.normals(point, face),
+            Some(leaf) => leaf.normals(point, dir, face),
             None => self
                 .instance_of(leaf)
                 .map_or((DVec3::ZERO, DVec3::ZERO), |instance| {
-                    instance.normals(leaf, point, face)
+                    instance.normals(leaf, point, dir, face)
                 }),
         }
     }
@@ -272,10 +273,11 @@ pub(crate) struct Instance {
 }
 
 impl Instance {
-    /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.
-    pub(crate) fn normals(&self, leaf: u32, point: DVec3, face: u32) -> (DVec3, DVec3) {
+    /// The same as [`Model::normals`].
+    pub(crate) fn normals(&self, leaf: u32, point: DVec3, dir: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.object_from_world.transform_point3(point);
-        let (geometric, shading) = self.model.normals(leaf - self.first, local, face);
+        let dir = self.object_from_world.transform_vector3(dir);
+        let (geometric, shading) = self.model.normals(leaf - self.first, local, dir, face);
         let around =
             |normal| normal_from_inverse(&self.object_from_world, normal).normalize_or_zero();
         let turned = around(geometric);

@@ -229,21 +229,24 @@ impl Leaf {
         self.shape.contains(self.point_to_object(point))
     }
 
-    /// The unit outward normals at a world point of a face: the geometric one and the shading normal.
+    /// The unit outward normals at a world point of a face that a ray in direction `dir` hit: the geometric one and the
+    /// shading normal.
     #[must_use]
     #[inline]
-    pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
+    pub fn normals(&self, point: DVec3, dir: DVec3, face: u32) -> (DVec3, DVec3) {
         if let Some(sphere) = self.world_sphere() {
             let normal = unit_normal(point - sphere.centre);
             return (normal, normal);
         }
-        self.other_normals(point, face)
+        self.other_normals(point, dir, face)
     }
 
     #[inline(never)]
-    fn other_normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
+    fn other_normals(&self, point: DVec3, dir: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.point_to_object(point);
-        let geometric = self.to_world(self.shape.normal(local, face));
+        let matrix = self.object_from_world.as_ref();
+        let dir = matrix.map_or(dir, |matrix| matrix.transform_vector3(dir));
+        let geometric = self.to_world(self.shape.normal_along(local, dir, face));
         let shading = self.shape.shading_normal(local, face);
         (
             geometric,

@@ -100,6 +100,11 @@ pub trait Geometry {
     /// The outward normal, not normalised, at a point of surface piece `face`.
     fn normal(&self, point: DVec3, face: u32) -> DVec3;
 
+    /// The same where a ray in the direction `dir` was the one to hit it, if the normal depends on that.
+    fn normal_along(&self, point: DVec3, _dir: DVec3, face: u32) -> DVec3 {
+        self.normal(point, face)
+    }
+
     /// Inside test, with POV-Ray's rule for points on the surface. Always false for shapes without volume.
     fn contains(&self, point: DVec3) -> bool;
 

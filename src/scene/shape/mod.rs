@@ -152,6 +152,9 @@ macro_rules! shapes {
             fn normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
             }
+            fn normal_along(&self, point: DVec3, dir: DVec3, face: u32) -> DVec3 {
+                match self { $(Shape::$name(shape) => shape.normal_along(point, dir, face)),+ }
+            }
             fn contains(&self, point: DVec3) -> bool {
                 match self { $(Shape::$name(shape) => shape.contains(point)),+ }
             }

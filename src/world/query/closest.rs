@@ -472,7 +472,9 @@ impl World {
             return false;
         }
         let Root { t, face, .. } = hit.root;
-        let (normal, _) = self.model.normals(hit.leaf, query.ray.at(t), face);
+        let (normal, _) = self
+            .model
+            .normals(hit.leaf, query.ray.at(t), query.ray.dir, face);
         t * normal.dot(query.ray.dir).abs() <= SKIN * blur
     }
 
@@ -543,7 +545,7 @@ impl World {
             t, face, crossing, ..
         } = hit.root;
         let point = ray.at(t);
-        let (normal, shading_normal) = self.model.normals(hit.leaf, point, face);
+        let (normal, shading_normal) = self.model.normals(hit.leaf, point, ray.dir, face);
         let blur = BLUR * point.abs().max_element().max(t);
         let departure = SpawnSurface {
             leaf: hit.leaf,

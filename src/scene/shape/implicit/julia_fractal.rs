@@ -20,6 +20,7 @@
 
 mod complex;
 mod inside_test;
+mod left_orbit;
 mod packet;
 
 use crate::base::args::{Args, Parse, Word};
@@ -30,7 +31,8 @@ use crate::scene::shape::{
 };
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
-use inside_test::{BATCH, Lookahead, gradient, to_complex_pair};
+use inside_test::{BATCH, Lookahead};
+use left_orbit::{LeftOrbit, SearchStep};
 use smallvec::SmallVec;
 use std::f64::consts::SQRT_2;
 
@@ -238,42 +240,18 @@ impl Fractal {
         point.extend(self.offset + self.slope.dot(point))
     }
 
-    /// The gradient of `|z|²` after all iterations.
-    fn gradient(&self, point: DVec3) -> DVec3 {
+    /// The gradient of `|z|²` after all iterations, for a surface that a search crossed in a step from `point` on.
+    fn gradient(&self, point: DVec3, step: SearchStep) -> DVec3 {
         let start = self.start(point);
         let gradient = match self.rule {
             Rule::QuaternionSquare => self.quaternion_gradient(start, square, square_adjoint),
             Rule::QuaternionCube => self.quaternion_gradient(start, cube, cube_adjoint),
-            Rule::Hypercomplex(function) => return self.hypercomplex_gradient(function, point),
+            Rule::Hypercomplex(function) => {
+                return LeftOrbit::of_hit(self, function, point, step).gradient();
+            }
         };
         // POV-Ray 3.7 omits the change of the fourth coordinate of a slanted slice.
         gradient.truncate()
-    }
-
-    /// POV-Ray takes the orbit of its inside test until that leaves the bounding sphere, and from there on the orbit of
-    /// its search (measured).
-    fn hypercomplex_gradient(&self, function: Function, point: DVec3) -> DVec3 {
-        let mut z = self.tested_start(function, point);
-        let mut searched = self.start(point);
-        let tests_y_as_z = function.tests_y_as_z();
-        let mut is_bounded = true;
-        let mut slope = to_complex_pair(z);
-        for iteration in 0..self.max_iteration {
-            let pair = to_complex_pair(z);
-            if iteration > 0 {
-                slope = [0, 1].map(|i| slope[i] * function.factor(pair[i]));
-            }
-            if tests_y_as_z {
-                is_bounded &= self.is_in_sphere(z);
-                searched = self.next(function, to_complex_pair(searched));
-            }
-            z = if is_bounded {
-                self.next(function, pair)
-            } else {
-                searched
-            };
-        }
-        gradient(to_complex_pair(z), slope)
     }
 
     fn quaternion_gradient(
@@ -292,7 +270,7 @@ impl Fractal {
 
     /// Marches a ray of unit direction from `from` through the bounding sphere and passes each change of the inside
     /// state to `emit`, until that returns false. Returns the inside state at the end.
-    fn march(&self, ray: &Ray, from: f64, emit: &mut dyn FnMut(f64, Crossing) -> bool) -> bool {
+    fn march(&self, ray: &Ray, from: f64, emit: &mut dyn FnMut(Root) -> bool) -> bool {
         let Some((enter, leave)) = self.chord(ray) else {
             return false;
         };
@@ -306,7 +284,7 @@ impl Fractal {
             depth += 2.0 * TOLERANCE;
             state = lookahead.state_at(depth);
         }
-        if state.is_inside && from < enter && !emit(enter, Crossing::Enter) {
+        if state.is_inside && from < enter && !emit(root(enter, Crossing::Enter, 0)) {
             return true;
         }
         loop {
@@ -326,7 +304,8 @@ impl Fractal {
                 } else {
                     Crossing::Leave
                 };
-                if !emit(self.bisect(ray, depth, step, state.is_inside), crossing) {
+                let t = self.bisect(ray, depth, step, state.is_inside);
+                if !emit(root(t, crossing, SearchStep::face(self, step, crossing))) {
                     return next_state.is_inside;
                 }
             }
@@ -401,12 +380,12 @@ impl Fractal {
     }
 }
 
-fn root(t: f64, crossing: Crossing, is_visible: bool) -> Root {
+fn root(t: f64, crossing: Crossing, face: u32) -> Root {
     Root {
         t,
         crossing,
-        face: 0,
-        is_visible,
+        face,
+        is_visible: true,
     }
 }
 
@@ -416,13 +395,22 @@ impl Geometry for JuliaFractal {
         let Some((enter, leave)) = self.0.chord(&ray) else {
             return Start::Outside;
         };
-        let is_inside = self.0.march(&ray, f64::NEG_INFINITY, &mut |t, crossing| {
+        let is_inside = self.0.march(&ray, f64::NEG_INFINITY, &mut |root| {
             // The bounding sphere is invisible where it cuts through the fractal.
-            roots.push(root(t / length, crossing, t > enter));
+            let (t, is_visible) = (root.t / length, root.t > enter);
+            roots.push(Root {
+                t,
+                is_visible,
+                ..root
+            });
             true
         });
         if is_inside {
-            roots.push(root(leave / length, Crossing::Leave, false));
+            let is_visible = false;
+            roots.push(Root {
+                is_visible,
+                ..root(leave / length, Crossing::Leave, 0)
+            });
         }
         Start::Outside
     }
@@ -437,13 +425,13 @@ impl Geometry for JuliaFractal {
         let mut hit = None;
         let from = from * length;
         let enter = self.0.chord(&ray)?.0;
-        self.0.march(&ray, from.max(TOLERANCE), &mut |t, crossing| {
+        self.0.march(&ray, from.max(TOLERANCE), &mut |root| {
             // The bounding sphere is invisible where it cuts through the fractal.
-            if t <= enter {
+            if root.t <= enter {
                 return true;
             }
-            let root = root(t / length, crossing, true);
-            hit = (root.t < to).then_some(root);
+            let t = root.t / length;
+            hit = (t < to).then_some(Root { t, ..root });
             false
         });
         hit
@@ -455,16 +443,20 @@ impl Geometry for JuliaFractal {
         let (unit, length) = self.0.unit(ray);
         let min_t = from.max(self.0.unit * SHADOW_TOLERANCE);
         let mut hit = None;
-        self.0.march(&unit, TOLERANCE, &mut |t, crossing| {
-            hit =
-                Some(root(t / length, crossing, true)).filter(|root| min_t < root.t && root.t < to);
+        self.0.march(&unit, TOLERANCE, &mut |root| {
+            let t = root.t / length;
+            hit = (min_t < t && t < to).then_some(Root { t, ..root });
             false
         });
         hit
     }
 
-    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
-        let gradient = self.0.gradient(point);
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
+        self.normal_along(point, DVec3::ZERO, face)
+    }
+
+    fn normal_along(&self, point: DVec3, dir: DVec3, face: u32) -> DVec3 {
+        let gradient = self.0.gradient(point, SearchStep::of_face(face, dir));
         if gradient.is_finite() && gradient != DVec3::ZERO {
             gradient.normalize()
         } else {

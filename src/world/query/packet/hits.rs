@@ -433,7 +433,8 @@ impl World {
     ) {
         if knows_point && !self.model.rounding.is_wanted(raw_hit.leaf) {
             let face = raw_hit.root.face;
-            let (normal, shading) = self.model.normals(raw_hit.leaf, hits.point(lane), face);
+            let (point, dir) = (hits.point(lane), hits.dir(lane));
+            let (normal, shading) = self.model.normals(raw_hit.leaf, point, dir, face);
             put(&mut hits.normal, lane, normal);
             put(&mut hits.facing, lane, shading);
             return;
