@@ -58,14 +58,15 @@ impl Cylinder {
 }
 
 impl Cylinder {
-    /// The interval of ray parameters inside the infinite cylinder, which extends behind the light too.
+    /// The interval of parameters of a ray of unit direction inside the infinite cylinder, which extends behind the light
+    /// too. The last digits are POV-Ray's, as in [`super::spotlight::Spotlight::interval`].
     pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
-        let across = |v: DVec3| v - v.dot(axis) * axis;
-        let (from, dir) = (across(ray.origin - centre), across(ray.dir));
-        let a = dir.length_squared();
-        let b = from.dot(dir);
-        let c = from.length_squared() - self.falloff * self.falloff;
-        if a == 0.0 {
+        let from = ray.origin - centre;
+        let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
+        let a = 1.0 - rise * rise;
+        let b = ray.dir.dot(from) - rise * height;
+        let c = from.length_squared() - height * height - self.falloff * self.falloff;
+        if a <= 0.0 {
             return (c < 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
         }
         let discriminant = b * b - a * c;

@@ -7,6 +7,10 @@ use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
 use glam::DVec3;
 
+/// A ray through the apex has no interval in the cone, as in POV-Ray: its discriminant is within this of zero, relative to
+/// the square of the linear coefficient.
+const APEX: f64 = 1.0 / (1_u64 << 30) as f64;
+
 /// Default half-angles.
 const RADIUS_DEG: f64 = 30.0;
 const FALLOFF_DEG: f64 = 45.0;
@@ -61,14 +65,16 @@ impl Spotlight {
 }
 
 impl Spotlight {
-    /// The interval of ray parameters inside the cone of half-angle `falloff`, with apex `centre` and unit `axis`.
+    /// The interval of parameters of a ray of unit direction inside the cone of half-angle `falloff`, with apex `centre`
+    /// and unit `axis`. The last digits are POV-Ray's (docs/povray-facts.md, section 10): they decide whether an interval
+    /// of media is left over.
     pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
         let from = ray.origin - centre;
-        let cos_sq = self.cos_falloff * self.cos_falloff;
+        let per_cos_sq = 1.0 / (self.cos_falloff * self.cos_falloff);
         let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
-        let a = rise * rise - cos_sq * ray.dir.length_squared();
-        let b = rise * height - cos_sq * ray.dir.dot(from);
-        let c = height * height - cos_sq * from.length_squared();
+        let a = 1.0 - rise * rise * per_cos_sq;
+        let b = ray.dir.dot(from) - rise * height * per_cos_sq;
+        let c = from.length_squared() - height * height * per_cos_sq;
         let mut ends = [
             f64::NEG_INFINITY,
             f64::INFINITY,
@@ -82,7 +88,9 @@ impl Spotlight {
                 ends[count] = -0.5 * c / b;
                 count += 1;
             }
-        } else if discriminant > 0.0 {
+        } else if discriminant <= APEX * b * b {
+            return None;
+        } else {
             let root = discriminant.sqrt();
             let (one, other) = ((-b - root) / a, (-b + root) / a);
             ends[1] = one.min(other);
@@ -92,7 +100,7 @@ impl Spotlight {
         // Between two neighbouring ends the ray is either inside or outside throughout.
         let is_inside = |t: f64| {
             let height = height + t * rise;
-            height > 0.0 && a * t * t + 2.0 * b * t + c > 0.0
+            height > 0.0 && a * t * t + 2.0 * b * t + c < 0.0
         };
         let mut inside: Option<(f64, f64)> = None;
         for index in 0..count {
