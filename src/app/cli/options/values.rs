@@ -156,8 +156,7 @@ pub(crate) fn file_type_switch(
         "" => None,
         digits => Some(digits.parse::<u8>().map_err(|_| no_type(word))?),
     };
-    // No POV-Ray reads bits before the `g`.
-    let is_refused = raw_args.is_povray && bits.is_some() && rest.ends_with('g');
+    let is_refused = raw_args.is_povray && bits.is_some() && is_grey;
     if (is_grey && !format.has_grey) || is_refused {
         return Err(no_type(word));
     }
