@@ -17,6 +17,7 @@ use crate::app::cli::options::command_line;
 use crate::app::server;
 use crate::base::file::{FileLimits, Folders, Named, read_limited};
 use std::net::TcpListener;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -214,7 +215,8 @@ fn run_as(
         sender: sender.clone(),
         receiver,
         watched: Watched::new(move || drop(sender.send(WatchEvent::Change))),
-        known: Known::of([file], SystemTime::now()),
+        known: Known::of([file.clone()], SystemTime::now()),
+        text_known: Known::of([file], SystemTime::now()),
         scene: None,
         versions: 0,
         drawn: 0,
@@ -310,6 +312,8 @@ struct Watch {
     watched: Watched,
     /// The files that the picture depends on.
     known: Known,
+    /// The file of the scene before its text was read.
+    text_known: Known,
     /// The number of the text, and the wishes, with which the scene was read in its last version; `None` once files have
     /// changed.
     scene: Option<(u64, SceneWish)>,
@@ -334,7 +338,7 @@ impl Watch {
     /// Waits for a change.
     fn wait(&mut self) {
         loop {
-            if self.known.changed().is_some() {
+            if self.changed().is_some() {
                 return self.wait_until_stable();
             }
             if self.drawn != self.painter.wishes.number() {
@@ -348,7 +352,6 @@ impl Watch {
     /// Waits until nothing changes any more, and reports the change.
     fn wait_until_stable(&mut self) {
         if let Some(file) = self
-            .known
             .changed()
             .filter(|_| !self.painter.settings.verbosity.quiet)
         {
@@ -372,6 +375,8 @@ impl Watch {
     fn order(&mut self) -> Order {
         let painter = &self.painter;
         if self.scene.is_none() {
+            // Before its text is read, so that no change of it is missed.
+            self.text_known = Known::of([painter.scene.clone()], SystemTime::now());
             let limits = FileLimits::default();
             let bytes = read_limited(&painter.scene, Named::ByScene, &limits)
                 .ok()
@@ -400,7 +405,7 @@ impl Watch {
     fn render_once(&mut self) -> bool {
         let began = SystemTime::now();
         // A text that is drawn again may have changed since files were last looked at.
-        if self.scene.is_some() && self.known.changed().is_some() {
+        if self.scene.is_some() && self.changed().is_some() {
             return false;
         }
         let drawing = Drawing::default();
@@ -422,7 +427,7 @@ impl Watch {
                 if let Some(now) = drawing.take_read() {
                     known = now;
                 }
-                is_changed |= known.changed().is_some();
+                is_changed |= known.changed().or(self.text_known.changed()).is_some();
                 if is_changed {
                     drawing.cancel();
                 } else if painter.wishes.number() != order.wished.number {
@@ -436,6 +441,11 @@ impl Watch {
         self.watched.watch(&known);
         self.known = known;
         // A last check: from now on the system reports changes.
-        !is_changed && self.known.changed().is_none()
+        !is_changed && self.changed().is_none()
+    }
+
+    /// A file that has changed since it was read.
+    fn changed(&self) -> Option<PathBuf> {
+        self.known.changed().or_else(|| self.text_known.changed())
     }
 }
