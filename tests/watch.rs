@@ -62,9 +62,9 @@ fn files_that_a_sandbox_hides_are_not_watched() {
     for folder in [&here, &other] {
         fs::create_dir(folder).expect("a folder");
     }
-    let looks =
+    let tests =
         "#if (file_exists(\"../other/secret\") | file_exists(\"none\")) #error \"seen\" #end";
-    write(&here, "s.pov", &format!("{SCENE}\n{looks}"));
+    write(&here, "s.pov", &format!("{SCENE}\n{tests}"));
     write(&here, "look.inc", &look("<1, 0, 0>"));
     let watching = Watching::start(&here, &["--sandbox"]);
     watching.drawn(&here);

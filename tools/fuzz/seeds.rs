@@ -106,11 +106,11 @@ fn main() -> io::Result<()> {
 
 /// Replies about a picture of three bytes.
 fn replies() -> io::Result<Vec<u8>> {
-    let place =
+    let span =
         json!({ "file": "a.pov", "line": 1, "column": 2, "end": { "line": 1, "column": 3 } });
-    let mut note = place.clone();
+    let mut note = span.clone();
     note["text"] = "a note".into();
-    let mut finding = place;
+    let mut finding = span;
     for (key, value) in [
         ("severity", json!("error")),
         ("code", json!("limit")),

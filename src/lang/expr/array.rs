@@ -232,9 +232,9 @@ impl Reader<'_> {
         if is_taken(self, item.is_some())? {
             return Ok(Some(path));
         }
-        let is_kept = is_mixed || self.steps != start.steps;
+        let is_recorded = is_mixed || self.steps != start.steps;
         let end = self.go_back(&start);
-        if let Some(value) = item.filter(|_| is_kept) {
+        if let Some(value) = item.filter(|_| is_recorded) {
             self.keep_ahead(value, Some(path), start, end);
         }
         Ok(None)

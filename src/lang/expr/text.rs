@@ -79,7 +79,7 @@ mod tests {
     use std::rc::Rc;
 
     #[test]
-    fn the_longest_text_grows_in_place_and_others_stay() {
+    fn the_longest_text_alone_grows_where_it_is() {
         let begin = Text::from("ab");
         let mut long = begin.clone();
         assert_eq!(long.bytes_to_push(&Text::from("c")), 1);

@@ -123,9 +123,9 @@ impl Superellipsoid {
         // A negative zero is a zero.
         let exponents = args.vector2()? + DVec2::ZERO;
         let at = at.to(args.last_span());
-        let found = format!("found <{}, {}>", exponents.x, exponents.y);
+        let given = format!("found <{}, {}>", exponents.x, exponents.y);
         if !exponents.is_finite() {
-            let message = format!("the exponents of the superellipsoid must be finite, {found}");
+            let message = format!("the exponents of the superellipsoid must be finite, {given}");
             return Err(Box::new(Diagnostic::error(at, message)));
         }
         if exponents.min_element() < 0.0 {
@@ -133,7 +133,7 @@ impl Superellipsoid {
                 true => "nothing is drawn",
                 false => "its surface has gaps",
             };
-            let message = format!("a superellipsoid of a negative exponent, {found}: {drawn}");
+            let message = format!("a superellipsoid of a negative exponent, {given}: {drawn}");
             args.warn(Diagnostic::warning(at, message));
         }
         Ok(Superellipsoid::new(exponents.x, exponents.y))
