@@ -14,6 +14,7 @@ mod png;
 mod ppm;
 mod tga;
 
+#[cfg(feature = "cli")]
 pub(crate) use jpeg::POVRAY_QUALITY;
 
 pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties, OptionsOf38};
