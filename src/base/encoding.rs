@@ -68,7 +68,7 @@ pub struct EncodeOptions {
     pub effort: Effort,
     /// Decimal numbers instead of bytes (PPM).
     pub is_plain: bool,
-    /// What differs for scenes from version 3.8 on.
+    /// Overrides for scenes from version 3.8 on.
     pub of_3_8: OptionsOf38,
 }
 

@@ -224,7 +224,7 @@ impl Worker {
     }
 }
 
-/// What a command accepts from a worker that draws a picture.
+/// Bounds on the replies of a worker that draws a picture.
 #[derive(Debug)]
 pub(super) struct Expected {
     scene: PathBuf,

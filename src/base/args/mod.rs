@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// Result of reading: a value, or the diagnostic that ended it.
 pub type Parse<T> = Result<T, Box<Diagnostic>>;
 
-/// What may follow the position of an entry of a `color_map`.
+/// The value after the position of an entry of a `color_map`: its colour, or the second position of an old entry.
 #[derive(Clone, Copy, Debug)]
 pub enum ColorOrSingle {
     /// A colour.
