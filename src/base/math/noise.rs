@@ -535,7 +535,7 @@ pub fn smooth(t: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The points of docs/povray-facts.md, section 14.
+    /// The points of docs/povray-shapes.md, section 14.
     const POINTS: [DVec3; 3] = [
         DVec3::new(0.3, 0.2, 0.1),
         DVec3::new(-1.7, 2.25, 0.6),
@@ -544,7 +544,7 @@ mod tests {
 
     #[test]
     fn the_generators_are_those_of_pov_ray() {
-        // docs/povray-facts.md, section 14, which prints ten digits.
+        // docs/povray-shapes.md, section 14, which prints ten digits.
         let expected = [
             [0.209_924_647_6, 0.801_849_110_5, 0.392_921_149_1],
             [0.373_438_962_5, 0.663_396_605_6, 0.463_080_863_8],
@@ -595,7 +595,7 @@ mod tests {
 
     #[test]
     fn vector_noise_is_that_of_pov_ray() {
-        // docs/povray-facts.md, section 14.
+        // docs/povray-shapes.md, section 14.
         let expected = [
             DVec3::new(-0.290_075_352_4, -0.053_512_751_7, -0.394_393_213_0),
             DVec3::new(0.301_849_110_5, -0.100_780_619_9, 0.107_387_320_3),
@@ -611,7 +611,7 @@ mod tests {
 
     #[test]
     fn vector_turbulence_is_that_of_pov_ray() {
-        // docs/povray-facts.md, section 14.
+        // docs/povray-shapes.md, section 14.
         let expected = [
             DVec3::new(-0.426_615_879_9, -0.193_939_078_4, -0.365_478_992_6),
             DVec3::new(0.224_776_295_7, -0.140_241_935_6, 0.219_361_663_2),

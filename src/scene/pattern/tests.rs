@@ -76,7 +76,7 @@ fn all_keywords_in_the_table_are_patterns() {
 
 #[test]
 fn values_match_pov_ray() {
-    // docs/povray-facts.md, section 14: `function { pattern { ... } }` at three points.
+    // docs/povray-shapes.md, section 14: `function { pattern { ... } }` at three points.
     let points = [
         DVec3::new(0.3, 0.2, 0.1),
         DVec3::new(-1.7, 2.25, 0.6),

@@ -494,7 +494,7 @@ impl World {
     }
 
     /// Sorts hits at one distance as POV-Ray comes to their items: unbounded ones first, then as its tree of boxes
-    /// delivers them, mostly by the distance at which the ray enters the box (docs/povray-facts.md, section 5.2).
+    /// delivers them, mostly by the distance at which the ray enters the box (docs/povray-shapes.md, section 5.2).
     #[cold]
     fn sort_as_povray(&self, tied: &mut [ClosestHit], ray: &Ray) {
         let is_bounded = |item: u32| self.ties_by_box && self.povray_box(item).is_finite();

@@ -151,7 +151,7 @@ fn far_cells(points: [[f64; 4]; 3], shifted: [[f64; 4]; 3]) -> ([[i32; 4]; 3], [
 }
 
 /// A number truncated to an integer. What does not fit becomes the least integer, as the processor converts it for
-/// POV-Ray (docs/povray-facts.md, section 8.2).
+/// POV-Ray (docs/povray-shapes.md, section 8.2).
 #[allow(clippy::cast_possible_truncation, reason = "checked to fit")]
 pub(super) fn to_i32(number: f64) -> i32 {
     if number.abs() < -f64::from(i32::MIN) {

@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn the_tables_are_those_of_pov_ray() {
-        // docs/povray-facts.md, section 14.
+        // docs/povray-shapes.md, section 14.
         let perlin = tables();
         let first = DVec3::new(0.604_425_069_4, 0.705_260_289_5, 0.370_510_808_8);
         assert!((perlin.gradients[0] - first).length() < 1e-10);

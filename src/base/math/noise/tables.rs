@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn the_random_numbers_are_those_of_pov_ray() {
-        // docs/povray-facts.md, section 14.
+        // docs/povray-shapes.md, section 14.
         let first = [
             -1.0,
             0.604_974,

@@ -263,7 +263,7 @@ mod tests {
 
     #[test]
     fn sources_match_pov_ray() {
-        // docs/povray-facts.md, section 14.
+        // docs/povray-shapes.md, section 14.
         let sources = sources(10);
         let close = |a: DVec3, b: DVec3| (a - b).abs().max_element() < 1e-10;
         let first = DVec3::new(-0.604_378_213_3, 0.492_048_408_0, -0.626_590_248_5);

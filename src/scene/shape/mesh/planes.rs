@@ -1,7 +1,7 @@
 //! POV-Ray's planes of the triangles of a mesh, in single precision.
 //!
 //! Normal and distance are computed in double precision, for a `mesh` from the corners as they are written, for `mesh2`
-//! from the stored ones, and then rounded (docs/povray-facts.md, section 5.4).
+//! from the stored ones, and then rounded (docs/povray-shapes.md, section 5.4).
 
 use super::Triangles;
 use crate::base::math::simd::with_widest;

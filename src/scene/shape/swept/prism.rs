@@ -152,7 +152,7 @@ impl Prism {
         crossings
     }
 
-    /// True at the least and the largest x of the outline: rays there, across x, miss a prism (docs/povray-facts.md,
+    /// True at the least and the largest x of the outline: rays there, across x, miss a prism (docs/povray-shapes.md,
     /// section 5.3).
     #[cold]
     fn ends_at(&self, x: f64) -> bool {
