@@ -2,7 +2,7 @@
 //! does not always contain all that would show: the inside of a height field extends below its box without end, that of
 //! a disc behind it, and objects that they clip or cut have their boxes. The box of a shape with `bounded_by` is that of
 //! its bounds if this is smaller, whether it contains the shape or not; the bounds themselves are not tested. Blobs,
-//! height fields and Julia fractals keep their own box.
+//! height fields and Julia fractals keep their own box. A superellipsoid of a negative exponent extends beyond its own.
 //!
 //! Measured with POV-Ray 3.7: a ray that hits the box sees everything along it, including what lies outside of the box.
 //! Parts of a CSG object have no boxes of their own. Parts of a union that is split have, unless the union as a whole
@@ -20,7 +20,7 @@ impl Object {
             Kind::Shape(shape) => {
                 let has_box = is_bounded && !shape.keeps_its_box();
                 self.size.may_have_visibility_box |= has_box || shape.is_never_clipped();
-                self.clipped_by().is_empty() && !has_box
+                self.clipped_by().is_empty() && !has_box && !shape.shows_beyond_its_box()
             }
             _ => false,
         };

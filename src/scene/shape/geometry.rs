@@ -207,6 +207,11 @@ pub trait Geometry {
         None
     }
 
+    /// True if the surface extends beyond POV-Ray's box, so that rays that miss the box do not show all of it.
+    fn shows_beyond_its_box(&self) -> bool {
+        false
+    }
+
     /// The shape moved by `steps`, with POV-Ray's rounding; `None` where that is not known, or planes and boxes, whose roots
     /// are rounded alike.
     fn rounded(&self, _steps: &[Step]) -> Option<Rounded> {

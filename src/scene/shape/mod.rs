@@ -212,6 +212,9 @@ macro_rules! shapes {
             fn may_miss_roots(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.may_miss_roots()),+ }
             }
+            fn shows_beyond_its_box(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.shows_beyond_its_box()),+ }
+            }
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }
             }

@@ -16,8 +16,12 @@ const SLACK: f64 = 1e-6;
 /// The world-space box outside which an object is invisible.
 pub(crate) fn seen_in(object: &Object, above: &Inherited) -> Option<Bounds> {
     let seen_in = object.seen_in()?;
-    if above.is_moved && matches!(object.kind, Kind::Shape(_)) {
-        return None;
+    if above.is_moved
+        && let Kind::Shape(shape) = &object.kind
+    {
+        return shape
+            .shows_beyond_its_box()
+            .then(|| object.extent_below(&above.steps));
     }
     let own = object.steps[seen_in.after..].iter();
     let steps: Vec<Step> = own.chain(above.steps.iter()).cloned().collect();

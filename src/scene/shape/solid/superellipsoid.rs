@@ -12,8 +12,8 @@
 //! outside by lower bounds of the norm that are concave along the ray (`floors`); on the others values and slopes of
 //! `N` are bounded from those at the ends.
 //!
-//! Negative powers are drawn as POV-Ray draws them: where the norm is 1 within the box, without walls on it (measured).
-//! With a negative `n` the norm is below 1 there, and nothing shows.
+//! Negative powers are drawn as POV-Ray draws them: where the norm is 1 at coordinates of up to 1.01, on rays that hit the
+//! smaller bounding box, without walls (measured). With a negative `n` the norm is below 1 there, and nothing shows.
 //!
 //! Both searches first run in ten-digit arithmetic, at a fraction of the cost of exact powers (`rough`), the convex one
 //! also on ray packets (`four`); a root takes its last digits from the exact norm, and close calls are decided in full
@@ -34,7 +34,7 @@ use crate::base::math::roots::interval_roots::{IntervalFunction, first_below_zer
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible};
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// A box with edges and corners rounded or drawn in, between -1 and 1. It is one piece, face 0.
@@ -62,6 +62,9 @@ struct RootRange {
 
 /// Half the width of the bounding box, as `max_extent` reports it in POV-Ray.
 const REACH: f64 = 1.0001;
+
+/// Half the width of the box in which POV-Ray searches for the surface.
+const SEARCH_REACH: f64 = 1.01;
 
 /// A ray that enters at a steeper slope does not graze: its exit need not be known.
 const STEEP: f64 = 1e-3;
@@ -193,7 +196,7 @@ impl Superellipsoid {
 
     fn comfortable_crossings(&self, ray: &Ray, range: RootRange) -> Crossings {
         let reach = if self.has_negative_power() {
-            REACH
+            SEARCH_REACH
         } else {
             1.0
         };
@@ -418,7 +421,27 @@ impl Geometry for Superellipsoid {
     }
 
     fn bounds(&self) -> Bounds {
-        Bounds::new(DVec3::splat(-REACH), DVec3::splat(REACH))
+        let reach = if self.has_negative_power() {
+            SEARCH_REACH
+        } else {
+            REACH
+        };
+        Bounds::new(DVec3::splat(-reach), DVec3::splat(reach))
+    }
+
+    fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
+        let bounds = Bounds::new(DVec3::splat(-REACH), DVec3::splat(REACH));
+        self.has_negative_power()
+            .then_some((bounds, DAffine3::IDENTITY))
+    }
+
+    fn shows_beyond_its_box(&self) -> bool {
+        self.has_negative_power()
+    }
+
+    /// The inside of a surface that the box cuts open goes on beyond the walls.
+    fn may_miss_roots(&self) -> bool {
+        self.has_negative_power()
     }
 
     /// A surface that the box cuts open is the boundary of all points where the norm is below 1.
