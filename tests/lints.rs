@@ -3,6 +3,7 @@
 use povr::base::options::{Event, Input, ReadOptions};
 use povr::base::source::{Code, Message};
 use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
 const CAMERA: &str = "camera { location <0, 0, -5> look_at 0 }\n";
@@ -142,6 +143,79 @@ fn each_lint_has_its_scene() {
     }
     let clear = SPHERE.replace("<1, 0.5, 0>", "1 transmit 0.9");
     assert!(lints(&scene(&format!("light_source {{ 0, rgb 1 }}\n{clear}"))).is_empty());
+}
+
+/// This many small spheres on a square behind the scenes here, in statements of their own.
+fn spheres(across: usize) -> String {
+    format!(
+        "#for (I, 1, {across}) #for (J, 1, {across}) sphere {{ <I - {across}/2, J - {across}/2, 9>, 0.3 pigment {{ rgb 1 }} }} #end #end\n"
+    )
+}
+
+#[test]
+fn the_view_of_a_large_scene_is_examined() {
+    let many = spheres(40);
+    let scene = |rest: &str| [LIGHT, &many, rest].concat();
+    let camera = |location: &str| format!("camera {{ location {location} look_at 9*z }}\n");
+    let seen = camera("-30*z");
+    let cases = [
+        ("all in view", scene(&seen), ""),
+        (
+            "another way",
+            scene("camera { location -30*z look_at -90*z }\n"),
+            "0 nothing-in-view",
+        ),
+        (
+            "a wall",
+            scene(&format!("{seen}plane {{ z, -20 pigment {{ rgb 1 }} }}\n")),
+            "4 hides-everything",
+        ),
+        (
+            "a shell",
+            scene(&format!(
+                "{seen}sphere {{ -30*z, 1 pigment {{ rgb 1 }} }}\n"
+            )),
+            "4 camera-inside",
+        ),
+        (
+            "one box twice",
+            scene(&format!(
+                "{seen}box {{ -9, 1 pigment {{ rgb x }} }} box {{ -9, 1 pigment {{ rgb y }} }}\n"
+            )),
+            "4 coincident-surfaces",
+        ),
+        (
+            "a light",
+            scene(&format!(
+                "{seen}light_source {{ <0, 0, 9>, rgb 1 }} sphere {{ 9*z, 2 pigment {{ rgb 1 }} }}\n"
+            )),
+            "4 light-inside",
+        ),
+        (
+            "a light outside of a room",
+            scene(&format!(
+                "{seen}light_source {{ 99*y, rgb 1 }} box {{ -50, 50 pigment {{ rgb 1 }} inverse }}\n"
+            )),
+            "4 light-inside",
+        ),
+    ];
+    for (name, scene, expected) in cases {
+        assert_eq!(lints(&scene).join(", "), expected, "{name}");
+    }
+}
+
+#[test]
+fn a_large_scene_is_examined_in_little_time() {
+    let started = Instant::now();
+    let scene = [
+        "camera { location -300*z look_at 9*z }\n",
+        LIGHT,
+        &spheres(316),
+        "plane { z, -20 pigment { rgb 1 } }\n",
+    ];
+    assert_eq!(lints(&scene.concat()), ["4 hides-everything"]);
+    // Each ray through each sphere, unoptimised, takes half an hour.
+    assert!(started.elapsed() < Duration::from_secs(100));
 }
 
 #[test]

@@ -13,31 +13,33 @@ const BYTE: f32 = 32.0;
 /// Reports of one kind in a scene; more say nothing new.
 const MOST: usize = 5;
 
-pub(super) fn doubts(scene: &Scene, located: &[Located]) -> Vec<Diagnostic> {
-    let black = located.iter().filter(|one| {
-        !is_3_8(scene.version)
+pub(super) fn doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Vec<Diagnostic> {
+    let (mut black, mut bright) = (Vec::new(), Vec::new());
+    for one in located {
+        if black.len() < MOST
+            && !is_3_8(scene.version)
             && one.has_stock_texture
             && !matches!(one.object.kind, Kind::Light { .. })
             && is_bare(&one.object)
-    });
-    let black = black.map(|one| {
-        doubt(
-            Code::NoPigment,
-            one.span,
-            "this object has no pigment, and is black",
-            "Write `pigment { rgb <1, 0.5, 0> }` in it.",
-        )
-    });
-    let bright = located.iter().filter(|one| has_byte_color(&one.object));
-    let bright = bright.map(|one| {
-        doubt(
-            Code::ByteColor,
-            one.span,
-            "a colour of this object counts from 0 to 255",
-            "Colours count from 0 to 1: write `rgb <255, 128, 0>/255`.",
-        )
-    });
-    black.take(MOST).chain(bright.take(MOST)).collect()
+        {
+            black.push(doubt(
+                Code::NoPigment,
+                one.span,
+                "this object has no pigment, and is black",
+                "Write `pigment { rgb <1, 0.5, 0> }` in it.",
+            ));
+        }
+        if bright.len() < MOST && has_byte_color(&one.object) {
+            bright.push(doubt(
+                Code::ByteColor,
+                one.span,
+                "a colour of this object counts from 0 to 255",
+                "Colours count from 0 to 1: write `rgb <255, 128, 0>/255`.",
+            ));
+        }
+    }
+    black.append(&mut bright);
+    black
 }
 
 /// True if no part has a texture but the default one of the whole.

@@ -4,6 +4,7 @@
 //! Doubts about the language are raised by the reader; those here need the finished scene. Scenes whose view takes too
 //! long to examine are left alone.
 
+mod candidates;
 mod material;
 mod view;
 
@@ -23,9 +24,10 @@ struct Located {
 /// The doubts about a scene, of whose objects the reader has noted the spans.
 #[must_use]
 pub fn doubts(scene: &Scene, object_spans: &[ObjectSpan]) -> Vec<Diagnostic> {
-    let located = located(scene, object_spans);
-    let mut doubts = material::doubts(scene, &located);
-    doubts.extend(view::doubts(scene, &located));
+    let mut doubts = material::doubts(scene, located(scene, object_spans));
+    if view::is_examined(scene) {
+        doubts.extend(view::doubts(scene, located(scene, object_spans)));
+    }
     doubts
 }
 
@@ -40,20 +42,19 @@ impl Located {
     }
 }
 
-fn located(scene: &Scene, object_spans: &[ObjectSpan]) -> Vec<Located> {
+/// The objects of a scene, one after the other: in a large one they take much memory.
+fn located(scene: &Scene, object_spans: &[ObjectSpan]) -> impl Iterator<Item = Located> {
     let objects = scene.objects.iter().enumerate();
-    objects
-        .map(|(index, object)| {
-            let known = ObjectSpan::of(object_spans, index);
-            let stock = known.and_then(|known| known.stock_texture.as_ref());
-            let own = object.texture.as_ref().map(|texture| &texture.what);
-            Located {
-                span: known.map(|known| known.span),
-                has_stock_texture: stock.zip(own).is_some_and(|(a, b)| Arc::ptr_eq(a, b)),
-                object,
-            }
-        })
-        .collect()
+    objects.map(|(index, object)| {
+        let known = ObjectSpan::of(object_spans, index);
+        let stock = known.and_then(|known| known.stock_texture.as_ref());
+        let own = object.texture.as_ref().map(|texture| &texture.what);
+        Located {
+            span: known.map(|known| known.span),
+            has_stock_texture: stock.zip(own).is_some_and(|(a, b)| Arc::ptr_eq(a, b)),
+            object,
+        }
+    })
 }
 
 /// A doubt of a kind, with a remedy.

@@ -1,5 +1,6 @@
 //! Doubts about the view, from the first hits of rays of the camera.
 
+use super::candidates::Candidates;
 use super::{Located, doubt};
 use crate::base::math::Ray;
 use crate::base::source::{Code, Diagnostic};
@@ -7,14 +8,14 @@ use crate::scene::light::Beam;
 use crate::scene::shape::Shape;
 use crate::scene::{Kind, Scene};
 use crate::world::ProbeModel;
+use glam::DVec3;
 
 /// Rays of the camera across and down.
 const GRID: (u32, u32) = (40, 30);
 /// The same where the first find nothing: small objects fall between them.
 const FINE_GRID: (u32, u32) = (160, 120);
-/// Most objects, and most shapes in all of them, of a scene whose view is examined.
-const MOST_OBJECTS: usize = 400;
-const MOST_SHAPES: u64 = 100_000;
+/// Most shapes of a scene whose view is examined.
+const MOST_SHAPES: usize = 500_000;
 /// Surfaces nearer to each other than this share of their distance coincide.
 const COINCIDENT: f64 = 1e-9;
 /// Least share of rays that must hit coincident surfaces.
@@ -28,61 +29,66 @@ struct Nearest {
 }
 
 impl Nearest {
+    /// Adds a hit; of objects at one distance the first in the scene comes first.
     fn add(&mut self, hit: (f64, usize)) {
-        if self.first.is_none_or(|(distance, _)| hit.0 < distance) {
+        if self.first.is_none_or(|first| hit < first) {
             self.second = self.first.replace(hit);
-        } else if self.second.is_none_or(|(distance, _)| hit.0 < distance) {
+        } else if self.second.is_none_or(|second| hit < second) {
             self.second = Some(hit);
         }
     }
 }
 
-pub(super) fn doubts(scene: &Scene, located: &[Located]) -> Vec<Diagnostic> {
-    let shapes: u64 = located
-        .iter()
-        .map(|one| u64::from(one.object.size().leaves))
-        .sum();
-    if located.len() > MOST_OBJECTS || shapes > MOST_SHAPES || scene.camera.is_mesh() {
-        return Vec::new();
-    }
-    let visible: Vec<usize> = (0..located.len())
-        .filter(|&at| {
-            let object = &located[at].object;
-            !matches!(object.kind, Kind::Light { .. }) && !object.flags.no_image
-        })
-        .collect();
-    if visible.is_empty() {
-        return Vec::new();
+/// True if a scene is small enough, as far as the number of its objects shows.
+pub(super) fn is_examined(scene: &Scene) -> bool {
+    scene.objects.len() <= MOST_SHAPES && !scene.camera.is_mesh()
+}
+
+/// The doubts about the view; none if it takes too long to examine.
+pub(super) fn doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Vec<Diagnostic> {
+    view_doubts(scene, located).unwrap_or_default()
+}
+
+fn view_doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Option<Vec<Diagnostic>> {
+    let (lights, mut visible): (Vec<Located>, Vec<Located>) =
+        located.partition(|one| matches!(one.object.kind, Kind::Light { .. }));
+    visible.retain(|one| !one.object.flags.no_image);
+    let leaves = visible.iter().map(|one| one.object.size().leaves as usize);
+    if visible.is_empty() || leaves.fold(0, usize::saturating_add) > MOST_SHAPES {
+        return None;
     }
     let mut view = View {
         scene,
-        located,
+        lights: &lights,
+        visible: &visible,
+        candidates: Candidates::new(&visible),
         probe: ProbeModel::default(),
     };
-    let rays = view.rays(GRID);
-    let mut nearest = view.nearest(&visible, &rays);
+    let mut nearest = view.nearest(&view.rays(GRID))?;
     let hits_nothing = |nearest: &[Nearest]| nearest.iter().all(|one| one.first.is_none());
     if hits_nothing(&nearest) {
-        nearest = view.nearest(&visible, &view.rays(FINE_GRID));
+        nearest = view.nearest(&view.rays(FINE_GRID))?;
     }
     if hits_nothing(&nearest) {
-        return vec![doubt(
+        return Some(vec![doubt(
             Code::NothingInView,
             None,
             "no object is in view",
             "Point the camera at one: `look_at <0, 0, 0>`.",
-        )];
+        )]);
     }
     let mut doubts = Vec::new();
     doubts.extend(view.hidden(&nearest));
     doubts.extend(view.coincident(&nearest));
-    doubts.extend(view.lights_inside(&visible));
-    doubts
+    doubts.extend(view.lights_inside()?);
+    Some(doubts)
 }
 
 struct View<'a> {
     scene: &'a Scene,
-    located: &'a [Located],
+    lights: &'a [Located],
+    visible: &'a [Located],
+    candidates: Candidates,
     probe: ProbeModel,
 }
 
@@ -96,18 +102,22 @@ impl View<'_> {
             .collect()
     }
 
-    /// The nearest objects on rays, object by object, as the probe prepares one at a time.
-    fn nearest(&mut self, visible: &[usize], rays: &[Ray]) -> Vec<Nearest> {
+    /// The nearest objects on rays, object by object, as the probe prepares one at a time; `None` if too many come into
+    /// question.
+    fn nearest(&mut self, rays: &[Ray]) -> Option<Vec<Nearest>> {
         let mut nearest = vec![Nearest::default(); rays.len()];
-        for &at in visible {
-            let object = &self.located[at].object;
-            for (ray, nearest) in rays.iter().zip(&mut nearest) {
-                if let Some((point, _)) = self.probe.trace(object, ray.origin, ray.dir) {
-                    nearest.add(((point - ray.origin).dot(ray.dir), at));
-                }
+        for (at, index) in self.candidates.on_rays(rays)? {
+            let (ray, nearest) = (&rays[index], &mut nearest[index]);
+            let least = self.candidates.distance(at, ray.origin);
+            if nearest.second.is_some_and(|(known, _)| known < least) {
+                continue;
+            }
+            let object = &self.visible[at].object;
+            if let Some((point, _)) = self.probe.trace(object, ray.origin, ray.dir) {
+                nearest.add(((point - ray.origin).dot(ray.dir), at));
             }
         }
-        nearest
+        Some(nearest)
     }
 
     /// The object that alone is seen, though others lie behind it.
@@ -117,7 +127,7 @@ impl View<'_> {
             .iter()
             .all(|one| one.first.is_some_and(|(_, at)| at == only));
         let hides = nearest.iter().any(|one| one.second.is_some());
-        let Located { object, span, .. } = &self.located[only];
+        let Located { object, span, .. } = &self.visible[only];
         if !is_alone || !hides || !self.probe.is_opaque(object) {
             return None;
         }
@@ -157,7 +167,7 @@ impl View<'_> {
         let &(a, b) = pairs
             .iter()
             .find(|pair| pairs.iter().filter(|other| other == pair).count() >= COINCIDENT_RAYS)?;
-        let (a, b) = (&self.located[a], &self.located[b]);
+        let (a, b) = (&self.visible[a], &self.visible[b]);
         if a.has_texture_of(b)
             || !self.probe.is_opaque(&a.object)
             || !self.probe.is_opaque(&b.object)
@@ -176,44 +186,50 @@ impl View<'_> {
         })
     }
 
-    /// Lights in opaque objects that the camera sees from outside.
-    fn lights_inside(&mut self, visible: &[usize]) -> Vec<Diagnostic> {
-        let lights = self
-            .located
-            .iter()
-            .filter_map(|one| match &one.object.kind {
-                Kind::Light {
-                    light,
-                    looks_like: None,
-                    ..
-                } if one.object.steps.is_empty() => Some((one, light)),
-                _ => None,
-            });
-        let location = self.scene.camera.location();
-        let mut doubts = Vec::new();
-        for (one, light) in lights {
-            if light.is_parallel || light.beam == Beam::Shadowless {
-                continue;
+    /// Lights in opaque objects that the camera sees from outside; `None` if too many come into question.
+    fn lights_inside(&mut self) -> Option<Vec<Diagnostic>> {
+        let lights = self.lights.iter().filter_map(|one| match &one.object.kind {
+            Kind::Light {
+                light,
+                looks_like: None,
+                ..
+            } if one.object.steps.is_empty()
+                && !light.is_parallel
+                && light.beam != Beam::Shadowless =>
+            {
+                Some((one, light.centre))
             }
-            let around = visible.iter().map(|&at| &self.located[at]).find(|around| {
-                !around.object.flags.no_shadow
-                    && self.probe.is_inside(&around.object, light.centre)
-                    && !self.probe.is_inside(&around.object, location)
-                    && self.probe.is_opaque(&around.object)
-            });
-            if let Some(around) = around {
-                let doubt = doubt(
-                    Code::LightInside,
-                    one.span,
-                    "this light is inside an opaque object, which keeps its light",
-                    "Move it out, or write `no_shadow` in the object.",
-                );
-                doubts.push(match around.span {
-                    Some(span) => doubt.with_label(span, "this object"),
-                    None => doubt,
-                });
+            _ => None,
+        });
+        let (lights, centres): (Vec<&Located>, Vec<DVec3>) = lights.unzip();
+        let location = self.scene.camera.location();
+        let mut around: Vec<Option<&Located>> = vec![None; lights.len()];
+        for (at, light) in self.candidates.around(&centres)? {
+            let one = &self.visible[at];
+            let keeps_light = around[light].is_none()
+                && !one.object.flags.no_shadow
+                && self.probe.is_inside(&one.object, centres[light])
+                && !self.probe.is_inside(&one.object, location)
+                && self.probe.is_opaque(&one.object);
+            if keeps_light {
+                around[light] = Some(one);
             }
         }
-        doubts
+        let enclosed = lights.into_iter().zip(around);
+        let doubts = enclosed.filter_map(|(light, around)| Some(light_inside(light, around?)));
+        Some(doubts.collect())
+    }
+}
+
+fn light_inside(light: &Located, around: &Located) -> Diagnostic {
+    let doubt = doubt(
+        Code::LightInside,
+        light.span,
+        "this light is inside an opaque object, which keeps its light",
+        "Move it out, or write `no_shadow` in the object.",
+    );
+    match around.span {
+        Some(span) => doubt.with_label(span, "this object"),
+        None => doubt,
     }
 }
