@@ -115,6 +115,32 @@ faulty.pov: 2 errors
 }
 
 #[test]
+fn a_mistake_is_reported_once_and_no_more_than_twenty_are() {
+    let folder = folder();
+    let again = format!("#for (I, 1, 30) #declare A = I #end\n{RIGHT}sphere {{ Size, 1 }}\n");
+    let ended = povr(
+        folder.path(),
+        &["check", "-", "--message-format=short"],
+        &again,
+    );
+    let lines: Vec<&str> = ended.out.lines().collect();
+    assert_eq!(lines.len(), 3, "{}", ended.out);
+    assert!(lines[0].contains("must end with `;`") && lines[1].contains("`Size`"));
+    let many: String = (0..30).map(|n| format!("#declare A{n} = {n}\n")).collect();
+    let ended = povr(
+        folder.path(),
+        &["check", "-", "--message-format=short"],
+        &many,
+    );
+    let lines: Vec<&str> = ended.out.lines().collect();
+    let says = [
+        "warning: nothing is read after 20 errors",
+        "standard input: 20 errors, 1 warning",
+    ];
+    assert_eq!(lines[20..], says, "{}", ended.out);
+}
+
+#[test]
 fn folders_are_searched_and_all_scenes_are_counted() {
     let folder = folder();
     let ended = povr(folder.path(), &["check", "--message-format=short", "."], "");

@@ -269,6 +269,13 @@ impl<'a> Reader<'a> {
         self.report.record(finding, self.sources);
     }
 
+    /// Records an error after which its statement goes on, once for each span.
+    pub(super) fn record_in_passing(&mut self, error: Diagnostic) {
+        if !self.report.knows(&error) {
+            self.record(error);
+        }
+    }
+
     /// Records a warning, once for each span.
     pub(super) fn warning(&mut self, warning: Diagnostic) {
         if !self

@@ -38,11 +38,16 @@ impl<'a> Report<'a> {
 
     /// Records a warning, once for each span.
     pub(super) fn warning(&mut self, warning: Diagnostic, sources: &Sources) {
-        let is_known =
-            |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
-        if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
+        if self.findings.len() < limits::FINDINGS && !self.knows(&warning) {
             self.push(warning, sources);
         }
+    }
+
+    /// True if there is a finding with this message at the same span.
+    pub(super) fn knows(&self, finding: &Diagnostic) -> bool {
+        let is_same =
+            |known: &Diagnostic| known.span == finding.span && known.message == finding.message;
+        self.findings.iter().any(is_same)
     }
 
     fn push(&mut self, finding: Diagnostic, sources: &Sources) {

@@ -120,7 +120,7 @@ impl Reader<'_> {
                     && known.excludes(next)
                 {
                     let error = self.name_is_taken(symbol, name);
-                    self.record(*error);
+                    self.record_in_passing(*error);
                 }
                 self.assign(&declaring, value);
                 let outer = self.statement.declaring.replace(Declaring {

@@ -36,6 +36,8 @@ impl Reader<'_> {
                     },
                     frames,
                 ),
+            // Errors in passing, as a missing `;`, do not end the statement.
+            Ok(()) if self.report.errors >= limits::ERRORS => Err(self.consequence()),
             result => result,
         }
     }

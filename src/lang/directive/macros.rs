@@ -48,7 +48,7 @@ impl Reader<'_> {
             && !matches!(held, Value::Macro(_) | Value::Poison(_))
         {
             let error = self.name_is_taken(name, self.start_taken());
-            self.record(*error);
+            self.record_in_passing(*error);
         }
         let (mut parameters, mut optional) = (Vec::new(), Vec::new());
         if !self.take_raw_mark('(') {

@@ -185,7 +185,7 @@ impl Reader<'_> {
                 text: ";".to_owned(),
             };
             let error = Diagnostic::error(behind, message).with_fix("Add `;` here.", end);
-            self.record(*self.with_trace(error));
+            self.record_in_passing(*self.with_trace(error));
         } else {
             self.warning(Diagnostic::warning(behind, message));
         }
