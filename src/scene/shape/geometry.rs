@@ -114,7 +114,11 @@ pub trait Geometry {
     /// Bounding box of all points for which [`Geometry::contains`] may be true: larger than the bounds of the surface
     /// where the surface is only a part of the boundary of the solid (`disc`).
     fn solid_bounds(&self) -> Bounds {
-        self.bounds()
+        if self.extends_beyond_bounds() {
+            Bounds::EVERYTHING
+        } else {
+            self.bounds()
+        }
     }
 
     /// True if the inside extends beyond the bounding box of the surface.

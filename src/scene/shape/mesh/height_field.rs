@@ -413,10 +413,6 @@ impl Geometry for HeightField {
         bounds.transformed(&self.transform.world_from_object)
     }
 
-    fn solid_bounds(&self) -> Bounds {
-        Bounds::EVERYTHING
-    }
-
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
         let field = &self.field;
         let [columns, rows] = field.cells.map(|cells| cells as f64);

@@ -111,10 +111,6 @@ impl Geometry for Disc {
         Bounds::new(self.centre - reach, self.centre + reach)
     }
 
-    fn solid_bounds(&self) -> Bounds {
-        Bounds::EVERYTHING
-    }
-
     fn extends_beyond_bounds(&self) -> bool {
         true
     }

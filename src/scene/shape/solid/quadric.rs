@@ -353,14 +353,6 @@ impl Geometry for Quadric {
         Bounds::new(self.centre - reach, self.centre + reach)
     }
 
-    fn solid_bounds(&self) -> Bounds {
-        if self.extends_beyond_bounds() {
-            Bounds::EVERYTHING
-        } else {
-            self.bounds()
-        }
-    }
-
     fn extends_beyond_bounds(&self) -> bool {
         self.matrix.x_axis.x < 0.0
     }

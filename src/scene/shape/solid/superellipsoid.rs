@@ -445,14 +445,6 @@ impl Geometry for Superellipsoid {
     }
 
     /// A surface that the box cuts open is the boundary of all points where the norm is below 1.
-    fn solid_bounds(&self) -> Bounds {
-        if self.has_negative_power() {
-            Bounds::EVERYTHING
-        } else {
-            self.bounds()
-        }
-    }
-
     fn extends_beyond_bounds(&self) -> bool {
         self.has_negative_power()
     }
