@@ -53,12 +53,9 @@ pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
 
 /// Writes levels as decimal numbers, those of a pixel on one line as in POV-Ray.
 fn write_plain(levels: impl Iterator<Item = u16>, options: &EncodeOptions, file: &mut Vec<u8>) {
-    let channels = if options.grayscale { 1 } else { 3 };
-    for (at, level) in levels.enumerate() {
-        let end = match (at + 1) % channels {
-            0 => '\n',
-            _ => ' ',
-        };
-        file.extend(format!("{level}{end}").into_bytes());
+    let ends: &[u8] = if options.grayscale { b"\n" } else { b"  \n" };
+    for (level, &end) in levels.zip(ends.iter().cycle()) {
+        file.extend_from_slice(level.to_string().as_bytes());
+        file.push(end);
     }
 }
