@@ -143,7 +143,7 @@ static PATTERNS: &[(Word, New)] = &[
 ];
 
 /// Default colour map of most patterns.
-pub(super) const GREY: [Stop; 2] = [
+const GREY: [Stop; 2] = [
     (0.0, Color::opaque(Rgb::BLACK)),
     (1.0, Color::opaque(Rgb::WHITE)),
 ];
