@@ -1,4 +1,4 @@
-//! What lowering gathers before the world is built: models, shared slots, deferred spheres and inherited attributes.
+//! Data gathered by lowering before the world is built: models, shared slots, deferred spheres and inherited attributes.
 
 pub(crate) mod inherited;
 pub(super) mod model;
