@@ -98,13 +98,6 @@ impl Lights {
         &self.lists[list.0 as usize]
     }
 
-    /// The indices of those lights on a list that belong to no group.
-    #[must_use]
-    pub fn outside_groups(&self, list: LightList) -> &[u32] {
-        let all = self.of(list);
-        &all[..all.len() - self.listed[list.0 as usize].own.len()]
-    }
-
     /// Returns true if the light belongs to no group.
     #[must_use]
     pub fn is_outside_groups(&self, number: u32) -> bool {

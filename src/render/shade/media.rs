@@ -148,10 +148,10 @@ impl Tracer<'_> {
         Some(self.sum_up(&segment, &intervals, scratch))
     }
 
-    /// The lights that media scatter, with the intervals of their beams along a ray. Neither lights of light groups,
-    /// whatever the ray hits, nor shadowless ones take part (checked with POV-Ray).
+    /// The lights that media scatter, with the intervals of their beams along a ray: those that shine on the object at
+    /// its end, except shadowless ones.
     pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<LightBeam> {
-        let lights = self.world.lights.outside_groups(lights).iter();
+        let lights = self.world.lights.of(lights).iter();
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
             if !light.media_interaction || light.is_shadowless() {
