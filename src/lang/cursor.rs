@@ -349,6 +349,9 @@ impl Reader<'_> {
                 None => format!("the undeclared identifier `{}`", text()),
                 Some(value) => format!("`{}`, which is {}", text(), value.kind()),
             },
+            Kind::Mark if is_invisible(token.value) => {
+                format!("the invisible character U+{:04X}", token.value)
+            }
             _ => format!("`{}`", text()),
         }
     }
@@ -381,4 +384,11 @@ impl Reader<'_> {
         }
         true
     }
+}
+
+/// True for the code of a character that cannot be seen in a message.
+fn is_invisible(code: u32) -> bool {
+    let letter = char::from_u32(code);
+    letter.is_some_and(|letter| letter.is_whitespace() || letter.is_control())
+        || matches!(code, 0xad | 0x200b..=0x200f | 0x2028..=0x202e | 0x2060)
 }

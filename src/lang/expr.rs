@@ -52,12 +52,12 @@ impl Reader<'_> {
         }
         let span = self.span_from(start);
         let error = Diagnostic::error(span, format!("expected a number, found {}", number.kind()));
-        Err(
-            self.with_trace(match self.source_text(span).starts_with('<') {
-                true => error,
-                false => error.with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
-            }),
-        )
+        let component = self.raw().is_mark('[').then(|| self.component_by_number());
+        Err(self.with_trace(match component.flatten() {
+            Some(remedy) => remedy.added_to(error),
+            None if self.source_text(span).starts_with('<') => error,
+            None => error.with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
+        }))
     }
 
     /// The value of a condition: comparisons of numbers or of strings, logic, `? :`.
@@ -427,10 +427,16 @@ impl Reader<'_> {
                             self.discard_recording();
                             self.call(&callee)
                         }
-                        None => Err(self.error_taken(format!(
-                            "expected a number or vector, found {}",
-                            other.kind()
-                        ))),
+                        None => {
+                            let error = self.error_taken(format!(
+                                "expected a number or vector, found {}",
+                                other.kind()
+                            ));
+                            Err(match self.item_in_parentheses() {
+                                Some(remedy) => Box::new(remedy.added_to(*error)),
+                                None => error,
+                            })
+                        }
                     },
                 }
             }

@@ -3,8 +3,9 @@
 use crate::base::args::Word;
 use crate::base::nearest::nearest;
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::css_colors::css_color;
 use crate::lang::diagnose::other_dialects;
-use crate::lang::diagnose::rewrite::Remedy;
+use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
@@ -15,20 +16,86 @@ const INCLUDE_FILES: usize = 200;
 impl Reader<'_> {
     /// A hint for the next token, which cannot stand where `wanted` is expected.
     pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<Remedy> {
-        if let Some(rewritten) = self.rewritten(token, wanted) {
-            return Some(rewritten);
+        let remedy = self
+            .name_in_parts(wanted)
+            .or_else(|| self.typography(token))
+            .or_else(|| self.foreign_operator(token, wanted))
+            .or_else(|| self.foreign_value(token))
+            .or_else(|| self.foreign_brackets(token, wanted))
+            .or_else(|| self.rewritten(token, wanted));
+        if remedy.is_some() {
+            return remedy;
         }
-        let hint = match token.kind {
-            Kind::Name => self.remedy_of_name(Symbol(token.value), wanted),
+        match token.kind {
+            Kind::Name => self
+                .color_of_css(token, wanted)
+                .or_else(|| Some(self.remedy_of_name(Symbol(token.value), wanted)?.into())),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
-            Kind::Word => self
-                .remedy_after_directive(token.word()?)
-                .or_else(|| remedy_of_word(token.word()?, wanted))
-                .or_else(|| self.remedy_of_no_value(wanted)),
-            Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.to_owned()),
+            Kind::Word => self.remedy_of_word(token.word()?, wanted),
+            Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.into()),
+            Kind::Number if wanted.starts_with("a parameter of `interior`") => {
+                let number = self.source_text(self.here_span());
+                let text = format!("ior {number}");
+                let hint = format!("A number follows its word: `{text}`.");
+                Some(Remedy::fix(hint, self.here_span(), text))
+            }
             _ => None,
-        };
-        hint.map(Remedy::from)
+        }
+    }
+
+    fn remedy_of_word(&self, word: Word, wanted: &str) -> Option<Remedy> {
+        let is_directive = word.class() == Class::Directive;
+        if is_directive && wanted.contains("statement") {
+            if let Some(hint) = self.remedy_after_directive(word) {
+                return Some(hint.into());
+            }
+            let directive = format!("#{word}");
+            let hint = format!("Directives begin with `#`: `{directive}`.");
+            return Some(Remedy::fix(hint, self.here_span(), directive));
+        }
+        if word == Word::Gray && wanted == "a colour" {
+            let hint = "`gray` is a component of colours, no colour.";
+            return Some(Remedy::fix(hint, self.here_span(), "rgb 0.5"));
+        }
+        self.remedy_after_directive(word)
+            .or_else(|| hint_of_word(word, wanted))
+            .map(Remedy::from)
+            .or_else(|| self.misplaced(word, wanted))
+            .or_else(|| hint_beside(word, wanted).map(Remedy::from))
+            .or_else(|| self.named_parameter(self.raw(), wanted))
+            .or_else(|| self.remedy_of_no_value(wanted))
+    }
+
+    /// A colour that CSS knows by the name at the next token.
+    fn color_of_css(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        let is_undeclared = self.scopes.get(Symbol(token.value)).is_none();
+        let name = self.source_text(self.here_span());
+        if !is_undeclared || !wanted.starts_with("a colour") {
+            return None;
+        }
+        let (known, [red, green, blue]) = css_color(name)?;
+        let mut declared = self
+            .scopes
+            .defined()
+            .map(|symbol| self.names.spelling(symbol));
+        if declared.any(|declared| declared == known) {
+            let hint = format!("Names differ by capitals: `{known}`.");
+            return Some(Remedy::fix(hint, self.here_span(), known));
+        }
+        if let Some(library) = self
+            .sources
+            .library_file_that_declares(known, INCLUDE_FILES)
+        {
+            let file = library.file;
+            return Some(match known == name {
+                true => format!("`{file}` declares `{name}`: write `#include \"{file}\"` above."),
+                false => format!("`{file}` declares `{known}`: write `#include \"{file}\"` above, and `{known}` here."),
+            }
+            .into());
+        }
+        let color = format!("srgb <{red}, {green}, {blue}>/255");
+        let hint = format!("`{name}` is a colour of web pages: write `{color}`.");
+        Some(Remedy::fix(hint, self.here_span(), color))
     }
 
     /// A remedy that rewrites the text around the next token.
@@ -36,9 +103,22 @@ impl Reader<'_> {
         let is_statement = wanted.contains("statement");
         match token.kind {
             _ if wanted.starts_with("`(` after") => self.argument_without_parentheses(),
-            Kind::Mark | Kind::Name | Kind::Word if wanted == "a string" => self.unquoted_string(),
+            Kind::Mark | Kind::Name | Kind::Word if wanted == "a string" => self
+                .unquoted_string()
+                .or_else(|| self.number_for_string(token)),
+            Kind::Name
+                if wanted.ends_with("in `text`") && self.raw_ahead(1).kind == Kind::String =>
+            {
+                Some(Remedy::fix(
+                    "The word before the file of a font is `ttf`.",
+                    self.here_span(),
+                    "ttf",
+                ))
+            }
             Kind::Name => (is_statement.then(|| self.assignment()).flatten())
-                .or_else(|| self.keyword_in_capitals(Symbol(token.value), wanted)),
+                .or_else(|| self.keyword_in_capitals(Symbol(token.value), wanted))
+                .or_else(|| self.vector_by_call(token))
+                .or_else(|| self.named_parameter(token, wanted)),
             Kind::Mark if is_statement && token.is_mark('{') => self.braces_of_other_languages(),
             Kind::Mark if is_statement && token.is_mark('-') && self.raw_ahead(1).is_mark('-') => {
                 self.comment_of_other_languages()
@@ -46,10 +126,27 @@ impl Reader<'_> {
             Kind::Mark if wants_value(wanted) => self.vector_in_brackets(self.here.at),
             Kind::Number | Kind::Word if wanted.contains("`}`") => self
                 .axis_and_number()
+                .or_else(|| self.transform_in_parts(token))
                 .or_else(|| (token.kind == Kind::Number).then(|| self.numbers_in_a_row())?),
-            Kind::Mark if token.is_mark(',') && wanted.contains("`}`") => self.numbers_in_a_row(),
+            Kind::Mark if token.is_mark(',') && wanted.contains("`}`") => self
+                .transform_in_parts(token)
+                .or_else(|| self.numbers_in_a_row()),
             _ => None,
         }
+    }
+
+    /// The name of a number where a string is expected.
+    fn number_for_string(&self, token: Token) -> Option<Remedy> {
+        let value = token.symbol().and_then(|name| self.scopes.get(name));
+        let behind = self.raw_ahead(1);
+        let is_alone = !['+', '-', '*', '/', '.', '(']
+            .iter()
+            .any(|&mark| behind.is_mark(mark));
+        let is_number = matches!(value, Some(Value::Number(number)) if number.len == 1);
+        (is_number && is_alone).then(|| {
+            let text = format!("str({}, 0, -1)", self.source_text(self.here_span()));
+            Remedy::fix(NUMBER_FOR_STRING, self.here_span(), text)
+        })
     }
 
     /// `#else if` for `#elseif`.
@@ -61,26 +158,85 @@ impl Reader<'_> {
     }
 
     /// A word whose value is missing: `rotate }`.
-    fn remedy_of_no_value(&self, wanted: &str) -> Option<String> {
+    fn remedy_of_no_value(&self, wanted: &str) -> Option<Remedy> {
         let before = self.word_back(1)?;
-        (wants_value(wanted) && !before.is_value())
-            .then(|| format!("Write a value after `{before}`."))
+        if !wants_value(wanted) || before.is_value() {
+            return None;
+        }
+        let color = match before {
+            Word::Red => "rgb <1, 0, 0>",
+            Word::Green => "rgb <0, 1, 0>",
+            Word::Blue => "rgb <0, 0, 1>",
+            _ => return Some(format!("Write a value after `{before}`.").into()),
+        };
+        let span = self.here.tokens.span(self.here.at - 1);
+        Some(Remedy::fix(
+            format!("`{before}` is a component of colours: write `{color}`."),
+            span,
+            color,
+        ))
     }
 
-    fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
+    fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<Remedy> {
+        let removed = |hint: &str| Some(Remedy::fix(hint, self.here_span(), ""));
+        match mark {
+            ';' if wants_word(wanted) => {
+                return removed(
+                    "Only declarations of numbers, and some directives, end with `;`; remove it.",
+                );
+            }
+            ',' if wanted == "`}`" && self.is_after_mark(']') => {
+                return removed("Remove this comma: items in a block are not separated by commas.");
+            }
+            '}' | ',' | '<' if self.number_of_points().is_some() => return self.number_of_points(),
+            '}' if wants_value(wanted) && self.is_in_blob() => {
+                return Some("Components of a `blob` end with their strength: `sphere { <centre>, radius, strength }`.".into());
+            }
+            '}' => self.remedy_of_no_value(wanted),
+            '+' if self.is_after_string() => {
+                return self
+                    .sum_of_strings()
+                    .or_else(|| Some("Strings are joined by `concat(a, b)`.".into()));
+            }
+            '=' | ':'
+                if self.word_back(1).is_some_and(|word| !word.is_value())
+                    && !wanted.contains("#for") =>
+            {
+                return self.value_after_sign();
+            }
+            _ => self.hint_of_mark(mark, wanted).map(Remedy::from),
+        }
+    }
+
+    /// A value behind its word and a sign: `location = <0, 0, -5>`.
+    fn value_after_sign(&self) -> Option<Remedy> {
+        let word = self.word_back(1)?;
+        let at = self.here.at;
+        let [last, next] = [at - 1, at + 1].map(|at| self.here.tokens.span(at));
+        let between = Span::new(last.file, last.end, next.start);
+        Some(Remedy::fix(
+            format!("A value follows its word without a sign: `{word} ...`."),
+            between,
+            " ",
+        ))
+    }
+
+    /// True if the innermost block is a component of a blob.
+    fn is_in_blob(&self) -> bool {
+        let blocks: Vec<Word> = self.words_of_blocks().take(2).collect();
+        matches!(
+            blocks.as_slice(),
+            [Word::Sphere | Word::Cylinder, Word::Blob]
+        )
+    }
+
+    fn hint_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
         let before = self.mark_before();
         let text = match mark {
-            '=' if before == Some('=') => "One `=` compares two values.",
-            '&' if before == Some('&') => "One `&` means \"and\".",
-            '|' if before == Some('|') => "One `|` means \"or\".",
             '[' => "Only an array has items in `[` and `]`.",
-            '*' if before == Some('*') => "A power is `pow(a, b)`.",
             ')' if before == Some('(') && self.word_back(2) == Some(Word::Rand) => {
                 "`rand(stream)` draws a number; `#declare stream = seed(1);` makes the stream."
             }
-            '+' if self.is_after_string() => "Strings are joined by `concat(a, b)`.",
-            '%' => "The remainder of a division is `mod(a, b)`.",
-            '^' => "A power is `pow(a, b)`.",
             '+' | '-' | '*' | '/' if wanted.starts_with("`=` after") => {
                 "Write the name again after `=`: `#declare N = N + 1;`."
             }
@@ -93,13 +249,9 @@ impl Reader<'_> {
             ',' if wants_word(wanted) => {
                 "Remove this comma: items in a block are not separated by commas."
             }
-            ';' if wants_word(wanted) => {
-                "Only declarations of numbers, and some directives, end with `;`; remove it."
-            }
             '(' if wants_word(wanted) => {
                 "Parameters belong in `{` and `}`, or in no brackets at all."
             }
-            '}' => return self.remedy_of_no_value(wanted),
             '=' | ':' if wants_word(wanted) || self.word_back(1).is_some() => {
                 "A value follows its word without a sign: `ambient 0.2`."
             }
@@ -422,55 +574,27 @@ fn fits(word: Word, wanted: &str) -> bool {
     }
 }
 
-fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
-    let is_in = |block: &str| wanted.ends_with(block);
+fn hint_of_word(word: Word, wanted: &str) -> Option<String> {
     if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
         return Some(format!("Directives begin with `#`: `#{word}`."));
     }
     if let Some(translated) = other_dialects::translated(word.spelling(), false) {
         return Some(translated);
     }
-    let in_pigment = wanted.contains("in `pigment`");
     if wanted.ends_with("comes first, and once") {
         return Some("Remove one of the two, or blend them in a `pigment_map`.".to_owned());
-    }
-    if let Some(block) = block_of(word)
-        && (wanted.starts_with("a modifier") || in_pigment)
-        && !wanted.contains(&format!("`{block}`"))
-    {
-        return Some(match in_pigment {
-            true => format!(
-                "`{word}` belongs in `{block} {{ }}`, beside this block: close it with `}}` first."
-            ),
-            false => format!("`{word}` belongs in `{block} {{ }}`."),
-        });
-    }
-    if word.class() == Class::Color && is_in("`texture`") {
-        return Some("A colour belongs in `pigment { }`.".to_owned());
-    }
-    let is_part = matches!(
-        word,
-        Word::Texture | Word::Pigment | Word::Normal | Word::Finish | Word::Interior
-    );
-    if is_part && (in_pigment || is_in("`finish` or `}`")) {
-        return Some(format!(
-            "`{word}` belongs beside this block, not in it: close it with `}}` first."
-        ));
     }
     None
 }
 
-/// The block of a texture that a word belongs in.
-fn block_of(word: Word) -> Option<&'static str> {
-    use Word::{
-        Ambient, Brilliance, Bumps, Crand, Dents, Diffuse, Emission, Irid, Metallic, Phong,
-        PhongSize, Reflection, Ripples, Roughness, Specular, Waves, Wrinkles,
-    };
-    match word {
-        Ambient | Brilliance | Crand | Diffuse | Emission | Irid | Metallic | Phong | PhongSize
-        | Reflection | Roughness | Specular => Some("finish"),
-        Bumps | Dents | Ripples | Waves | Wrinkles => Some("normal"),
-        _ if word.class() == Class::Pattern => Some("pigment"),
-        _ => None,
-    }
+/// A hint for a part of an object in another one.
+fn hint_beside(word: Word, wanted: &str) -> Option<String> {
+    let is_part = matches!(
+        word,
+        Word::Texture | Word::Pigment | Word::Normal | Word::Finish | Word::Interior
+    );
+    let is_in_part = wanted.contains("in `pigment`") || wanted.ends_with("`finish` or `}`");
+    (is_part && is_in_part).then(|| {
+        format!("`{word}` belongs beside this block, not in it: close it with `}}` first.")
+    })
 }

@@ -1,9 +1,16 @@
 //! Hints, recovery and the words that are not supported.
 
+mod counts;
+mod css_colors;
 pub(super) mod hints;
+mod misplaced;
+mod notation;
+mod operators;
 pub(super) mod other_dialects;
 pub(super) mod recover;
+pub(super) mod remedy;
 pub(super) mod rewrite;
 pub(super) mod trace;
+mod typography;
 pub(super) mod unclosed;
 pub(super) mod unsupported;

@@ -57,6 +57,10 @@ const WORDS: &[(&str, &str)] = &[
         "bump bumpiness",
         "Bumps are a pattern: `normal { bumps 0.5 }`",
     ),
+    (
+        "intensity energy",
+        "The brightness of a light is that of its colour: `rgb 2`",
+    ),
     ("position pos origin eye", "location"),
     ("target lookto", "look_at"),
     ("fov fieldofview", "angle"),

@@ -2,87 +2,17 @@
 //! numbers, strings without quotes.
 
 use crate::base::args::Word;
-use crate::base::source::{Diagnostic, Fix, Span};
+use crate::base::source::Span;
+use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::{Class, Kind, Token};
-use std::ops::Range;
+use crate::lang::syntax::{Class, Kind};
 
 /// Most tokens that a rewritten vector spans.
 const VECTOR_TOKENS: usize = 64;
 
-/// A hint for the author, with the change of the text where that is certain.
-pub(crate) struct Remedy {
-    hint: String,
-    fix: Option<Fix>,
-}
-
-impl Remedy {
-    /// A hint that writes `text` in place of `span`.
-    pub(crate) fn fix(hint: impl Into<String>, span: Span, text: impl Into<String>) -> Self {
-        Remedy {
-            hint: hint.into(),
-            fix: Some(Fix {
-                span,
-                text: text.into(),
-            }),
-        }
-    }
-
-    /// The same without the change.
-    fn uncertain(self) -> Self {
-        Remedy { fix: None, ..self }
-    }
-
-    /// Adds it to an error.
-    pub(crate) fn added_to(self, error: Diagnostic) -> Diagnostic {
-        match self.fix {
-            Some(fix) => error.with_fix(self.hint, fix),
-            None => error.with_hint(self.hint),
-        }
-    }
-}
-
-impl<T: Into<String>> From<T> for Remedy {
-    fn from(hint: T) -> Self {
-        Remedy {
-            hint: hint.into(),
-            fix: None,
-        }
-    }
-}
-
 impl Reader<'_> {
-    /// A token of the current text.
-    fn token(&self, at: usize) -> Option<Token> {
-        self.here.tokens.tokens.get(at).copied()
-    }
-
-    /// The tokens of a range as a span.
-    fn tokens_span(&self, range: Range<usize>) -> Span {
-        let tokens = &self.here.tokens;
-        tokens.span(range.start).to(tokens.span(range.end - 1))
-    }
-
-    /// The text from a token to the end of its line.
-    fn rest_of_line(&self, at: usize) -> &str {
-        let start = self.here.tokens.span(at).start as usize;
-        let text = self.sources.text(self.here.tokens.file);
-        let rest = text.get(start..).unwrap_or_default();
-        rest.lines().next().unwrap_or_default()
-    }
-
-    /// The span of the first bytes of a token and what follows it.
-    fn bytes_from(&self, at: usize, len: usize) -> Span {
-        let span = self.here.tokens.span(at);
-        Span::new(
-            span.file,
-            span.start,
-            span.start + u32::try_from(len).unwrap_or(0),
-        )
-    }
-
     /// A vector in the brackets that open at a token: `(1, 0, 0)`.
     pub(crate) fn vector_in_brackets(&self, open: usize) -> Option<Remedy> {
         let brackets = [('(', ')'), ('[', ']'), ('{', '}')];
@@ -304,6 +234,29 @@ impl Reader<'_> {
             let hint = format!("Arguments stand in parentheses: `{function}({argument})`.");
             Remedy::fix(hint, self.here_span(), format!("({argument})"))
         })
+    }
+
+    /// `#define R 1` or `#define S(X) X*X`, from the name on, without `=`.
+    pub(crate) fn definition_of_c(&self, hash: Span) -> Option<Remedy> {
+        let at = self.here.at;
+        let name = self
+            .raw()
+            .symbol()
+            .map(|_| self.source_text(self.here_span()))?;
+        let line = self.rest_of_line(at);
+        let code = line.split("//").next()?.trim_end();
+        let value = code.get(name.len()..)?;
+        let is_macro = value.starts_with('(');
+        let is_value = !value.trim().is_empty() && !value.contains(['=', ';']);
+        if !is_value || code.len() > limits::QUOTED {
+            return None;
+        }
+        let text = match is_macro {
+            true => format!("#macro {code} #end"),
+            false => format!("#declare {name} = {};", value.trim()),
+        };
+        let span = hash.to(self.bytes_from(at, code.len()));
+        Some(Remedy::fix(format!("Write `{text}`."), span, text))
     }
 
     /// `--` where a statement is expected.

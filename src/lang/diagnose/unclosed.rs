@@ -1,7 +1,7 @@
 //! Messages about a `{`, `(` or `<` that is missing, or open where it should not be.
 
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::diagnose::rewrite::Remedy;
+use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
@@ -33,7 +33,7 @@ impl Reader<'_> {
     }
 
     /// The word of a block, with its span; the `{` itself where there is none.
-    fn element_of(&self, open: Span) -> (Span, &str) {
+    pub(super) fn element_of(&self, open: Span) -> (Span, &str) {
         for tokens in [&self.here.tokens, &self.last.tokens] {
             if tokens.file != open.file {
                 continue;

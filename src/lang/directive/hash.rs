@@ -6,7 +6,7 @@
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::diagnose::other_dialects;
-use crate::lang::diagnose::rewrite::Remedy;
+use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
@@ -19,6 +19,10 @@ impl Reader<'_> {
         if name.is_some_and(|name| self.scopes.get(name).is_none()) {
             let name = self.here_span();
             self.here.at += 1;
+            // A name that the misspelt directive declares need not be reported as undeclared.
+            if let Some(declared) = self.raw().symbol() {
+                self.usage.undeclared.insert(declared);
+            }
             return Err(self.no_directive(hash, name));
         }
         let token = self.peek()?;
@@ -40,6 +44,10 @@ impl Reader<'_> {
         } else if let Some([red, green, blue]) = hexadecimal_color(&found) {
             let color = format!("srgb <{red}, {green}, {blue}>/255");
             Remedy::fix(format!("Write the colour as `{color}`."), both, color)
+        } else if found == "define"
+            && let Some(remedy) = self.definition_of_c(hash)
+        {
+            remedy
         } else if let Some(directive) = other_dialects::directive(&found) {
             Remedy::fix(format!("Write `{directive}`."), both, directive)
         } else {

@@ -38,10 +38,11 @@ impl Reader<'_> {
         if end == u32::MAX {
             // The macro takes the rest of the file.
             self.here.at = self.here.tokens.tokens.len() - 1;
-            return Err(self.with_trace(
-                Diagnostic::error(span, "this `#macro` has no matching `#end`")
-                    .with_hint("Write `#end` after the macro."),
-            ));
+            let error = Diagnostic::error(span, "this `#macro` has no matching `#end`");
+            return Err(self.with_trace(match self.end_without_hash(index) {
+                Some(remedy) => remedy.added_to(error),
+                None => error.with_hint("Write `#end` after the macro."),
+            }));
         }
         let name = self.identifier("a name after `#macro`")?;
         if let Some(held) = self.scopes.get(name)

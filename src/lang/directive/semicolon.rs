@@ -134,10 +134,9 @@ impl Reader<'_> {
             return Ok(());
         }
         let next = self.raw();
-        let is_operator = |mark| next.is_mark(mark);
         if self.draft.version >= 3.5
             && self.statement.without_semicolon.is_none()
-            && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
+            && self.is_at_foreign_operator()
         {
             return Err(self.expected_here("an operator or `;` after the value"));
         }

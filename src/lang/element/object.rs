@@ -400,11 +400,4 @@ impl Reader<'_> {
         }
         Ok(())
     }
-
-    /// "`word` is not supported yet" at the next token.
-    pub(crate) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
-        let message = format!("`{word}` is not supported yet");
-        let error = Diagnostic::error(self.here_span(), message);
-        self.with_trace(error.with_code(Code::NotBuilt))
-    }
 }

@@ -10,7 +10,7 @@ use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::frame::Entered;
 use crate::lang::limits;
 use crate::lang::reader::{ObjectSpan, Reader};
-use crate::lang::syntax::{Class, Kind};
+use crate::lang::syntax::Kind;
 use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::scene::camera::Camera;
 use crate::scene::interior::Media;
@@ -218,7 +218,6 @@ impl Reader<'_> {
                 let hint = format!("`{word}` belongs in the `{{` and `}}` of an object.");
                 Err(Box::new(error.with_hint(hint)))
             }
-            Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
             _ if token.is_mark('}') => Err(self.with_trace(
                 Diagnostic::error(self.here_span(), "this `}` closes nothing")
                     .with_hint("Remove it, or look for a missing `{` above."),

@@ -84,10 +84,13 @@ impl Reader<'_> {
         };
         let plural = if wanted == 1 { "" } else { "s" };
         let span = name.to(self.here_span());
-        self.with_trace(Diagnostic::error(
-            span,
-            format!("`{called}` takes {wanted} argument{plural}, {found}"),
-        ))
+        let message = format!("`{called}` takes {wanted} argument{plural}, {found}");
+        let error = Diagnostic::error(span, message);
+        let names = ["a", "b", "c", "d", "e"];
+        self.with_trace(match names.get(..wanted) {
+            Some(names) => error.with_hint(format!("Write `{called}({})`.", names.join(", "))),
+            None => error,
+        })
     }
 
     fn call_spline(&mut self, spline: &Spline) -> Parse<Number> {

@@ -1,0 +1,187 @@
+//! Characters that word processors and web pages put in the place of ASCII: dashes, quotes, spaces, full-width signs,
+//! HTML's entities.
+
+use crate::lang::diagnose::remedy::Remedy;
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::Token;
+
+/// A character or entity, and the ASCII text that is meant by it.
+struct Sign {
+    /// Its bytes in the scene.
+    len: usize,
+    /// The text that replaces it.
+    meant: String,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Visible,
+    Space,
+    Nothing,
+    Entity,
+}
+
+impl Reader<'_> {
+    /// The ASCII text for the next token, and for all such signs behind it in the line.
+    pub(super) fn typography(&self, token: Token) -> Option<Remedy> {
+        let letter = (token.kind == crate::lang::syntax::Kind::Mark)
+            .then(|| char::from_u32(token.value))
+            .flatten()
+            .filter(|&letter| !letter.is_ascii() || letter == '&')?;
+        let at = self.here.at;
+        let line = self.rest_of_line(at);
+        match letter {
+            '°' => {
+                let hint = "Angles are in degrees already: remove `°`.";
+                return Some(Remedy::fix(hint, self.here_span(), ""));
+            }
+            '²' | '³' => return Some(self.raised(if letter == '²' { 2 } else { 3 })),
+            '…' => return Some("`…` stands for text that was left out: write that text.".into()),
+            _ => {}
+        }
+        let Some(first) = sign(line) else {
+            return self.letter_of_name(letter);
+        };
+        let (len, text) = line_in_ascii(line);
+        let written = &line[..first.len];
+        let hint = match first.kind {
+            Kind::Visible => format!(
+                "`{written}` (U+{:04X}) is not `{}`.",
+                u32::from(letter),
+                first.meant
+            ),
+            Kind::Space => format!(
+                "The character U+{:04X} looks like a space and is none.",
+                u32::from(letter)
+            ),
+            Kind::Nothing => format!(
+                "The invisible character U+{:04X} is here: remove it.",
+                u32::from(letter)
+            ),
+            Kind::Entity => format!("`{written}` is HTML: write `{}`.", first.meant),
+        };
+        Some(Remedy::fix(hint, self.bytes_from(at, len), text))
+    }
+
+    /// `r²` for `pow(r, 2)`.
+    fn raised(&self, power: u32) -> Remedy {
+        let before = self.here.at.checked_sub(1);
+        let base = before.map(|at| self.here.tokens.span(at));
+        match base.filter(|base| base.end == self.here_span().start) {
+            Some(base) => {
+                let text = format!("pow({}, {power})", self.source_text(base));
+                Remedy::fix(format!("Write `{text}`."), base.to(self.here_span()), text)
+            }
+            None => "A power is `pow(a, b)`.".into(),
+        }
+    }
+
+    /// A letter of another alphabet, as part of a name.
+    fn letter_of_name(&self, letter: char) -> Option<Remedy> {
+        letter.is_alphabetic().then(|| {
+            format!("Names consist of the letters a to z, digits and `_`: write another one for `{letter}`.").into()
+        })
+    }
+}
+
+/// A text up to the last foreign sign in it, before any string or comment, in ASCII; and its length before.
+fn line_in_ascii(line: &str) -> (usize, String) {
+    let (mut at, mut text) = (0, String::new());
+    let mut known = (0, 0);
+    while let Some(next) = line[at..].chars().next() {
+        let rest = &line[at..];
+        if at > limits::QUOTED || rest.starts_with('"') || rest.starts_with("//") {
+            break;
+        }
+        if let Some(sign) = sign(rest) {
+            at += sign.len;
+            text.push_str(&sign.meant);
+            known = (at, text.len());
+        } else {
+            at += next.len_utf8();
+            text.push(next);
+        }
+    }
+    text.truncate(known.1);
+    (known.0, text)
+}
+
+/// The sign that begins a text.
+fn sign(text: &str) -> Option<Sign> {
+    if let Some(entity) = text.strip_prefix('&') {
+        let (name, _) = entity.split_once(';')?;
+        let (_, meant) = ENTITIES.iter().find(|(entity, _)| *entity == name)?;
+        return Some(Sign {
+            len: name.len() + 2,
+            meant: (*meant).to_owned(),
+            kind: Kind::Entity,
+        });
+    }
+    let letter = text.chars().next()?;
+    let (meant, kind) = match letter {
+        '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}' => {
+            (" ".to_owned(), Kind::Space)
+        }
+        '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}' => {
+            (String::new(), Kind::Nothing)
+        }
+        '\u{ff01}'..='\u{ff5e}' => {
+            let ascii = char::from_u32(u32::from(letter) - 0xfee0)?;
+            (ascii.to_string(), Kind::Visible)
+        }
+        _ => {
+            let (_, meant) = SIGNS.iter().find(|(letters, _)| letters.contains(letter))?;
+            ((*meant).to_owned(), Kind::Visible)
+        }
+    };
+    Some(Sign {
+        len: letter.len_utf8(),
+        meant,
+        kind,
+    })
+}
+
+/// Signs, and what is meant by them. Those from U+0085 to U+0097 are of Windows' character set.
+const SIGNS: &[(&str, &str)] = &[
+    ("‐‑‒–—―−﹣\u{96}\u{97}", "-"),
+    ("“”„‟«»″‘’‚‛′´\u{91}\u{92}\u{93}\u{94}", "\""),
+    ("×∗·∙⋅", "*"),
+    ("÷∕⁄", "/"),
+    ("≤", "<="),
+    ("≥", ">="),
+    ("≠", "!="),
+    ("‹⟨〈", "<"),
+    ("›⟩〉", ">"),
+    ("π", "pi"),
+    ("、", ","),
+    ("。", "."),
+];
+
+/// HTML's entities.
+const ENTITIES: &[(&str, &str)] = &[
+    ("lt", "<"),
+    ("gt", ">"),
+    ("amp", "&"),
+    ("quot", "\""),
+    ("nbsp", " "),
+    ("minus", "-"),
+    ("ndash", "-"),
+    ("times", "*"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::line_in_ascii;
+
+    #[test]
+    fn signs_become_ascii_up_to_a_string_or_comment() {
+        assert_eq!(line_in_ascii("–1, −2>"), (9, "-1, -".to_owned()));
+        assert_eq!(
+            line_in_ascii("“a.inc”  // – b"),
+            (11, "\"a.inc\"".to_owned())
+        );
+        assert_eq!(line_in_ascii("&lt;0&gt;, 1"), (9, "<0>".to_owned()));
+    }
+}
