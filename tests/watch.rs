@@ -229,6 +229,15 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
         "{error}"
     );
     assert_eq!(fetched(&address, &path("picture.png"), &address).1, png);
+    let warning = format!("{}#warning \"a doubt\"\n", look("<1, 0, 0>"));
+    write(here, "look.inc", &warning);
+    let doubt = events
+        .find(|line| line.contains("a doubt"))
+        .expect("the warning is told");
+    assert!(
+        doubt.contains("\"errors\":\"\"") && doubt.contains("\"warnings\":\"warning: a doubt"),
+        "{doubt}"
+    );
 }
 
 #[cfg(target_os = "linux")]

@@ -172,6 +172,32 @@ def an_error_is_shown_beside_the_last_picture_and_goes(live):
 
 
 @test
+def warnings_are_shown_with_the_picture(live):
+    live.start()
+    page = live.page()
+    picture(page)
+    live.scene.write_text(SCENE + '#warning "a doubt"\n')
+    expect(page.locator("#warnings")).to_contain_text("a doubt")
+    expect(page.locator("#errors")).to_have_text("")
+    live.scene.write_text(SCENE)
+    expect(page.locator("#warnings")).to_have_text("")
+
+
+@test
+def the_picture_fills_the_window_or_has_its_size(live):
+    live.start()
+    page = live.page()
+    picture(page)
+    width = "document.querySelector('canvas').getBoundingClientRect().width"
+    fitted, own = page.evaluate(width), page.evaluate("document.querySelector('canvas').width")
+    assert fitted > 2 * own
+    page.locator("#actual").click()
+    assert page.evaluate(width) == own
+    page.locator("#actual").click()
+    assert page.evaluate(width) == fitted
+
+
+@test
 def a_click_names_the_object(live):
     live.start()
     page = live.page()

@@ -82,7 +82,7 @@ impl Pass {
 impl Painter {
     /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
     pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime, order: &Order) {
-        let errors = Mutex::new(String::new());
+        let (errors, warnings) = (Mutex::new(String::new()), Mutex::new(String::new()));
         let is_reported =
             |event: &Event<'_>| !drawing.is_cancelled() && !matches!(event, Event::Drawn(_));
         let listen = |event: Event<'_>| {
@@ -92,10 +92,13 @@ impl Painter {
                 *lock(&drawing.read) = Some(known);
             }
             if let Event::Finding(message) = event
-                && message.severity == Severity::Error
                 && !drawing.is_cancelled()
             {
-                lock(&errors).push_str(&format!("{}\n", message.excerpt));
+                let findings = match message.severity {
+                    Severity::Error => &errors,
+                    Severity::Warning => &warnings,
+                };
+                lock(findings).push_str(&format!("{}\n", message.excerpt));
             }
             if is_reported(&event) {
                 self.reporter.report(event);
@@ -118,6 +121,8 @@ impl Painter {
             if pick.is_none() {
                 *lock(&self.drawn) = None;
             }
+            // Each pass reads the scene anew.
+            lock(&warnings).clear();
             let start = Instant::now();
             let draw = self.order(pass, order);
             let drawn = self.drawn(draw, (drawing, is_preview), order, &listen);
@@ -140,7 +145,9 @@ impl Painter {
                 continue;
             }
             let mut files = files.into_iter();
-            self.show(files.next().unwrap_or_default(), is_preview, seconds);
+            let warnings = std::mem::take(&mut *lock(&warnings));
+            let png = files.next().unwrap_or_default();
+            self.show(png, is_preview, seconds, warnings);
             if is_preview {
                 if !has_better {
                     has_better = true;
@@ -329,7 +336,7 @@ impl Painter {
         }
     }
 
-    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
+    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64, warnings: String) {
         if !self.is_silent {
             terminal::show(&png, is_preview);
         }
@@ -338,6 +345,7 @@ impl Painter {
             is_preview,
             seconds,
             size: (self.settings.render.width, self.settings.render.height),
+            warnings,
         });
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Picture {
     pub(super) seconds: f64,
     /// The size of the whole picture.
     pub(super) size: (u32, u32),
+    /// The warnings of the scene; empty if none.
+    pub(super) warnings: String,
 }
 
 /// The display for any number of pages.
@@ -58,6 +60,8 @@ struct Event<'a> {
     /// The number of the picture.
     picture: u64,
     errors: &'a str,
+    /// The warnings of the scene that the picture shows.
+    warnings: &'a str,
     is_preview: bool,
     seconds: Option<f64>,
     width: Option<u32>,
@@ -176,6 +180,7 @@ impl State {
             number: self.number,
             picture: self.pictures,
             errors: &self.errors,
+            warnings: picture.map_or("", |picture| &picture.warnings),
             is_preview: picture.is_some_and(|picture| picture.is_preview),
             seconds: picture.map(|picture| picture.seconds),
             width: picture.map(|picture| picture.size.0),

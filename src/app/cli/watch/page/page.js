@@ -70,6 +70,7 @@ async function load() {
       if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
         canvas.width = wanted.width;
         canvas.height = wanted.height;
+        canvas.style.setProperty('--ratio', wanted.width / wanted.height);
       }
       context.clearRect(0, 0, canvas.width, canvas.height);
       context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
@@ -96,7 +97,9 @@ function show(now) {
   state = now;
   if (chosen !== null && !now.history.includes(chosen)) chosen = null;
   $('errors').textContent = now.errors;
+  $('warnings').textContent = now.errors ? '' : now.warnings;
   document.body.classList.toggle('wrong', now.errors !== '');
+  document.body.classList.toggle('drawing', now.is_preview && now.errors === '');
   $('state').textContent = status(now);
   $('camera').textContent = now.camera ?? 'This camera cannot be moved by hand.';
   $('copy').disabled = now.camera === null;
@@ -387,6 +390,11 @@ $('write-camera').addEventListener('click', () => change('write-camera', 'write_
 $('reset-camera').addEventListener('click', () => change('reset-camera', 'reset_camera'));
 $('write-values').addEventListener('click', () => change('write-values', 'write_values'));
 $('reset-values').addEventListener('click', () => change('reset-values', 'reset_values'));
+$('actual').addEventListener('click', () => {
+  const isActual = document.body.classList.toggle('actual');
+  $('actual').setAttribute('aria-pressed', isActual);
+});
+
 $('clock').addEventListener('input', () => {
   $('clock-value').textContent = $('clock').valueAsNumber.toFixed(2);
   change('clock', { clock: $('clock').valueAsNumber });
@@ -397,13 +405,19 @@ const AGAIN = 1000;
 function listen() {
   const events = new EventSource('events');
   // A server that has been started again counts from the beginning.
-  events.onopen = () => { state = chosen = null; loaded = -1; };
+  events.onopen = () => {
+    state = chosen = null;
+    loaded = -1;
+    document.body.classList.remove('ended');
+  };
   events.onmessage = event => {
     const now = JSON.parse(event.data);
     if (state === null || now.number !== state.number) show(now);
   };
   events.onerror = () => {
     $('state').textContent = 'povr does not answer: waiting for it to come back';
+    document.body.classList.remove('drawing');
+    document.body.classList.add('ended');
     events.close();
     setTimeout(listen, AGAIN);
   };
