@@ -25,6 +25,7 @@ pub use photons::{PhotonMapping, PhotonTarget};
 pub use primitive::{Extent, Leaf};
 pub use query::QueryScratch;
 pub use query::blocker_memory::BlockerMemory;
+pub use query::packet::area::{AreaBlockers, LightArea};
 pub use query::packet::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
 pub use query::ray_counts::RayCounts;
 pub use query::transmission::{TransmissiveHit, TransmissiveHits};

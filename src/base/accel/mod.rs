@@ -8,6 +8,7 @@
 //! Traversal never loses a hit, and it visits a box that begins exactly where the search ends. So a caller who breaks
 //! ties by a rule of its own gets the same answer whatever the order of the visits.
 
+mod beam;
 mod bounding_cylinder;
 mod bounding_sphere;
 mod build;
@@ -21,6 +22,7 @@ mod sphere_leaf;
 mod stream;
 mod treelets;
 
+pub use beam::MAX_BEAM_ITEMS;
 pub use bundle::{Bundle, NewEnds};
 
 pub use bounding_cylinder::BoundingCylinder;

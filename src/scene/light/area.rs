@@ -212,6 +212,20 @@ impl Area {
         a * self.axes.first + b * self.axes.second
     }
 
+    /// Half the edges of a parallelogram around the centre that holds all grid lights, wherever jitter moves them.
+    #[must_use]
+    pub fn half_edges(&self, axes: &Axes) -> [DVec3; 2] {
+        let reach = |size: u32| match size {
+            1 => OFF_CENTRE,
+            _ if self.has_jitter => 0.5 + 0.5 / f64::from(size - 1) + OFF_CENTRE,
+            _ => 0.5 + OFF_CENTRE,
+        };
+        [
+            axes.first * reach(self.sizes[0]),
+            axes.second * reach(self.sizes[1]),
+        ]
+    }
+
     /// The offset of grid light (`u`, `v`) from the centre of the light. Jitter makes the indices fractional.
     #[must_use]
     pub fn grid_light_offset(&self, axes: &Axes, u: f64, v: f64) -> DVec3 {
@@ -263,6 +277,24 @@ mod tests {
             (offset(1.0), offset(2.0)),
             (DVec3::ZERO, DVec3::new(2.0, 0.0, 0.0))
         );
+    }
+
+    #[test]
+    fn half_edges_hold_jittered_lights() {
+        for shape in ["5, 3", "2, 1", "4, 4 circular"] {
+            let text = format!("0 rgb 1 area_light <2, 0, 0>, <0, 3, 0>, {shape} jitter");
+            let area = area(&text).unwrap();
+            let [across, up] = area.half_edges(&area.axes);
+            let last = area.sizes.map(|size| f64::from(size - 1));
+            for [u, v] in [
+                [-0.5, -0.5],
+                [last[0] + 0.5, -0.5],
+                [last[0] + 0.5, last[1] + 0.5],
+            ] {
+                let offset = area.grid_light_offset(&area.axes, u, v).abs();
+                assert!(offset.x <= across.x && offset.y <= up.y, "{shape} {offset}");
+            }
+        }
     }
 
     #[test]

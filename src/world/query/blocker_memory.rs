@@ -8,7 +8,7 @@
 use super::QueryScratch;
 use super::closest::{POV_RAY_SHADOW, POV_RAY_T_MIN};
 use super::intersect::Search;
-use crate::base::math::simd::SimdLevel;
+use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::model::{IndexedItem, ItemBvh};
@@ -63,12 +63,31 @@ impl QueryScratch {
 }
 
 impl World {
-    /// Occlusion of a shadow ray that comes after all those before it.
+    /// Occlusion of a shadow ray whose search gave `result`, as the memory changes it, if there is one.
+    #[must_use]
+    pub fn occlusion_after_memory(
+        &self,
+        result: Occlusion,
+        query: &Query,
+        light: u32,
+        scratch: &mut QueryScratch,
+    ) -> Occlusion {
+        match scratch.memory.is_some() {
+            true => with_widest(
+                #[inline(always)]
+                |lanes| self.occlusion_by_memory(lanes, query, light, Some(result), scratch),
+            ),
+            false => result,
+        }
+    }
+
+    /// Occlusion of a shadow ray that comes after all those before it; `result` is that of the search, if it was made.
     pub(in crate::world) fn occlusion_by_memory(
         &self,
         lanes: SimdLevel,
         query: &Query,
         light: u32,
+        result: Option<Occlusion>,
         scratch: &mut QueryScratch,
     ) -> Occlusion {
         let remembered = scratch.memory.as_deref();
@@ -87,7 +106,7 @@ impl World {
                 return Occlusion::Opaque;
             }
         }
-        let occlusion = self.find_occlusion(lanes, query, light, scratch);
+        let occlusion = result.unwrap_or_else(|| self.find_occlusion(lanes, query, light, scratch));
         if occlusion == Occlusion::Opaque
             && let Some((item, hit)) = self.first_blocker(lanes, query, scratch)
             && self.ends_light(&hit)

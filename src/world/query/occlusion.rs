@@ -124,7 +124,7 @@ impl World {
         with_widest(
             #[inline(always)]
             |lanes| match scratch.memory.is_some() {
-                true => self.occlusion_by_memory(lanes, query, light, scratch),
+                true => self.occlusion_by_memory(lanes, query, light, None, scratch),
                 false => self.find_occlusion(lanes, query, light, scratch),
             },
         )

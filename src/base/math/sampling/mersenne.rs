@@ -99,6 +99,15 @@ impl Stream {
         }
     }
 
+    /// Leaves out the next numbers.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the position wraps around, as it does number by number"
+    )]
+    pub fn skip(&mut self, count: usize) {
+        self.last = self.last.wrapping_add(count as u32);
+    }
+
     /// The next number.
     pub fn next_number(&mut self) -> f64 {
         self.last = self.last.wrapping_add(1);

@@ -13,7 +13,7 @@ use crate::render::shade::bsdf::{LayerBsdf, LightContribution, is_negligible};
 use crate::render::shade::shading_point::ShadingPoint;
 use crate::render::shade::shading_point::shadow_query;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
-use crate::world::{HitPacket4, ShadowPacket4};
+use crate::world::{AreaBlockers, HitPacket4, LightArea, ShadowPacket4};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -33,6 +33,10 @@ pub(in crate::render::shade) struct AreaLight<'a> {
     arriving: Rgb,
     /// The shading point in all four lanes, if shadow rays can be traced as packets.
     hits: Option<HitPacket4>,
+    /// The items that may block its light, where they are few.
+    blockers: Option<AreaBlockers>,
+    /// True if grid lights must be sampled one after the other in POV-Ray's order.
+    is_in_order: bool,
 }
 
 /// Sets up four shadow rays to grid lights with these offsets from the centre of a light.
@@ -90,6 +94,8 @@ impl<'a> AreaLight<'a> {
             distance: arrival.distance,
             arriving,
             hits: None,
+            blockers: None,
+            is_in_order: false,
         }
     }
 
@@ -125,6 +131,14 @@ impl<'a> AreaLight<'a> {
         offsets
     }
 
+    /// Counts the shadow rays to this many grid lights, and leaves out their random numbers.
+    fn skip(&self, count: usize, scratch: &mut Scratch) {
+        scratch.query.rays.shadow += count as u64;
+        if self.area.has_jitter {
+            scratch.random.lights.skip(2 * count);
+        }
+    }
+
     /// The offset of a grid light from the centre. With jitter each call gives another one.
     #[inline(always)]
     fn offset(&self, u: u32, v: u32, scratch: &mut Scratch) -> DVec3 {
@@ -150,9 +164,17 @@ impl Tracer<'_> {
             .area
             .light
             .resize(columns as usize * rows as usize, None);
-        area_light.hits = self.packet_for(area_light, scratch);
+        area_light.hits = self.packet_for(area_light);
+        area_light.is_in_order = scratch.random.continues;
         if area_light.hits.is_some() {
             let first = area_light.area.initial_grid_lights();
+            area_light.blockers = self.area_blockers(area_light, scratch);
+            if self.is_clear(area_light) {
+                area_light.skip(first.len(), scratch);
+                return area_light.arriving;
+            }
+            let random = scratch.random.lights;
+            let memory = scratch.query.memory.as_deref().cloned();
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
@@ -163,22 +185,48 @@ impl Tracer<'_> {
             {
                 return light;
             }
+            // POV-Ray divides a part before it samples the next one.
+            if area_light.is_in_order && first.len() < scratch.area.light.len() {
+                scratch.random.lights = random;
+                if let (Some(now), Some(before)) = (scratch.query.memory.as_deref_mut(), memory) {
+                    *now = before;
+                }
+                scratch.area.light.fill(None);
+            }
         }
         self.shadowed_part(area_light, Part::all(area_light.area.sizes), 0, scratch)
     }
 
+    /// The items that may block light from the grid, if they are few.
+    fn area_blockers(&self, area_light: &AreaLight, scratch: &mut Scratch) -> Option<AreaBlockers> {
+        let AreaLight {
+            light, area, axes, ..
+        } = area_light;
+        let hits = area_light.hits.as_ref().filter(|_| !light.is_parallel)?;
+        let light_area = LightArea {
+            centre: light.centre,
+            half_edges: area.half_edges(axes),
+        };
+        self.world
+            .area_blockers(hits, &light_area, &mut scratch.query)
+    }
+
+    /// True if all of the light arrives.
+    fn is_clear(&self, area_light: &AreaLight) -> bool {
+        let blockers = area_light.blockers.as_ref();
+        blockers.is_some_and(AreaBlockers::is_empty)
+            && !self.is_attenuated_by_atmosphere(area_light.light_index)
+            && is_its_own_mean(area_light.arriving)
+    }
+
     /// The shading point in all four lanes, if shadow rays can be traced as packets. Not in media, which draw random
-    /// numbers, nor, in POV-Ray's order, with jitter, which draws two for each ray, or with a memory of blockers.
-    fn packet_for(&self, area_light: &AreaLight, scratch: &Scratch) -> Option<HitPacket4> {
+    /// numbers.
+    fn packet_for(&self, area_light: &AreaLight) -> Option<HitPacket4> {
         let lights = &self.world.lights;
         let spawn_surface = area_light.lit.spawn_surface?;
-        let draws_in_order = area_light.area.has_jitter && scratch.random.continues;
-        let is_fit = !draws_in_order
-            && !self.features.has_media
-            && scratch.query.memory.is_none()
+        let is_fit = !self.features.has_media
             && !area_light.light.is_shadowless()
-            && !lights.is_projected(area_light.light_index)
-            && self.world.can_bundle_from_point();
+            && !lights.is_projected(area_light.light_index);
         is_fit.then(|| HitPacket4::all_at(area_light.lit.at.point, spawn_surface))
     }
 
@@ -216,15 +264,22 @@ impl Tracer<'_> {
             hits,
             &mut shadow_rays,
             requested.len(),
+            area_light.blockers.as_ref(),
             &mut scratch.query,
         );
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
+            let (light, query) = (area_light.light_index, shadow_rays.query(hits, lane));
+            let known = shadow_rays.occlusion(lane).map(|result| {
+                let scratch = &mut scratch.query;
+                self.world
+                    .occlusion_after_memory(result, &query, light, scratch)
+            });
             let shadow_path = ShadowPath {
-                light: area_light.light_index,
-                query: shadow_rays.query(hits, lane),
+                light,
+                query,
                 distance: shadow_rays.distance[lane],
-                known: shadow_rays.occlusion(lane),
+                known,
                 inside: &area_light.lit.path.inside,
                 collects: area_light.lit.collects,
             };
@@ -277,6 +332,18 @@ impl Tracer<'_> {
         packet
     }
 
+    /// Samples the corners of these parts that are not sampled yet, if shadow rays can be traced as packets.
+    fn sample_parts(&self, area_light: &AreaLight, parts: &[Part], scratch: &mut Scratch) {
+        if area_light.hits.is_none() {
+            return;
+        }
+        let mut requested = GridIndices::new();
+        for &part in parts {
+            request_corners(area_light, part, &mut requested, scratch);
+        }
+        self.sample_grid(area_light, &requested, scratch);
+    }
+
     fn shadowed_part(
         &self,
         area_light: &AreaLight,
@@ -284,6 +351,9 @@ impl Tracer<'_> {
         level: u32,
         scratch: &mut Scratch,
     ) -> Rgb {
+        if area_light.is_in_order {
+            self.sample_parts(area_light, &[part], scratch);
+        }
         // Not `map`, which is not always inlined.
         let [a, b, c, d] = part.corners();
         let mut light = |corner| self.sample_grid_light(area_light, corner, scratch);
@@ -297,12 +367,8 @@ impl Tracer<'_> {
                 || differ(low_high, low_low));
         let parts = if is_divided {
             let quarters = part.quarters();
-            if area_light.hits.is_some() && level >= area_light.area.adaptive {
-                let mut requested = GridIndices::new();
-                for quarter in quarters {
-                    request_corners(area_light, quarter, &mut requested, scratch);
-                }
-                self.sample_grid(area_light, &requested, scratch);
+            if !area_light.is_in_order && level >= area_light.area.adaptive {
+                self.sample_parts(area_light, &quarters, scratch);
             }
             let [a, b, c, d] = quarters;
             let mut light = |quarter| self.shadowed_part(area_light, quarter, level + 1, scratch);

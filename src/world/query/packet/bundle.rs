@@ -12,7 +12,6 @@ use crate::world::model::Item;
 use crate::world::query::{ClosestHit, QueryScratch};
 use crate::world::ray::{Occlusion, Query, RayKind};
 use glam::DVec3;
-use smallvec::{SmallVec, smallvec};
 
 /// An item, and up to eight rays of a stream to be intersected with it.
 pub(in crate::world) struct ItemRays<'a, Q> {
@@ -52,7 +51,7 @@ pub(in crate::world) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
 
 /// Mask of the rays, of the first eight, that are not blocked.
 #[inline(always)]
-fn unblocked(occlusions: &[Occlusion]) -> u32 {
+pub(super) fn unblocked(occlusions: &[Occlusion]) -> u32 {
     let mut bits = 0;
     for (lane, occlusion) in occlusions.iter().take(MAX_STREAM_RAYS).enumerate() {
         bits |= u32::from(*occlusion != Occlusion::Opaque) << lane;
@@ -287,74 +286,6 @@ impl World {
         occlusions
     }
 
-    /// Returns true if [`World::occlusion_from_point`] pays off.
-    #[must_use]
-    pub fn can_bundle_from_point(&self) -> bool {
-        self.meshes.is_empty()
-    }
-
-    /// Records the occlusion of the first `count` shadow rays from one hit to samples of a light. All lanes of `hits`
-    /// hold that hit; lanes past the last ray repeat some ray.
-    pub fn occlusion_from_point(
-        &self,
-        hits: &HitPacket4,
-        to_light: &mut [ShadowPacket4],
-        count: usize,
-        scratch: &mut QueryScratch,
-    ) {
-        scratch.rays.shadow += count as u64;
-        let mut bundle = std::mem::take(&mut scratch.bundle);
-        let mut stream = std::mem::take(&mut scratch.ray_stream);
-        let mut occlusions: SmallVec<[Occlusion; 16]> = smallvec![Occlusion::Clear; count];
-        let shadow_rays = &*to_light;
-        let query = |ray: usize| shadow_rays[ray / 4].query(hits, ray % 4);
-        with_widest(
-            #[inline(always)]
-            |lanes| {
-                stream.load_shadow_rays_from_point(
-                    hits,
-                    shadow_rays,
-                    #[inline(always)]
-                    |blur| self.t_min_from(Some(blur), RayKind::Shadow),
-                );
-                self.occlude_by_unbounded(lanes, &query, &mut stream, &mut occlusions, scratch);
-                let is_bundled = bundle.fill(
-                    &self.bvh().tree,
-                    hits.point(0),
-                    count,
-                    #[inline(always)]
-                    |packet| {
-                        let mut end = [f64::NEG_INFINITY; 4];
-                        for (lane, occlusion) in occlusions[4 * packet..].iter().take(4).enumerate()
-                        {
-                            if *occlusion != Occlusion::Opaque {
-                                end[lane] = shadow_rays[packet].distance[lane];
-                            }
-                        }
-                        (*stream.dirs(packet), end)
-                    },
-                );
-                let is_done = is_bundled
-                    && self.occlude_by_bounded(
-                        lanes,
-                        &query,
-                        &mut stream,
-                        &mut occlusions,
-                        &mut bundle,
-                        scratch,
-                    );
-                if !is_done {
-                    self.occlude_streams(lanes, &query, &mut stream, &mut occlusions, scratch);
-                }
-            },
-        );
-        for (ray, &occlusion) in occlusions.iter().enumerate() {
-            to_light[ray / 4].note(ray % 4, occlusion);
-        }
-        scratch.bundle = bundle;
-        scratch.ray_stream = stream;
-    }
-
     /// Intersects an item with up to eight rays; notes new far limits in `ended`.
     #[inline(always)]
     pub(in crate::world) fn intersect_packet8(
@@ -409,7 +340,7 @@ impl World {
 
     /// Tests shadow rays against the unbounded items.
     #[inline(always)]
-    fn occlude_by_unbounded(
+    pub(super) fn occlude_by_unbounded(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,
@@ -456,7 +387,7 @@ impl World {
     /// Tests shadow rays against the items of the BVH except large meshes. Returns false if the traversal was
     /// abandoned.
     #[inline(always)]
-    fn occlude_by_bounded(
+    pub(super) fn occlude_by_bounded(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,
@@ -488,7 +419,7 @@ impl World {
 
     /// Tests an item against up to eight shadow rays.
     #[inline(always)]
-    fn occlude_packet8(
+    pub(super) fn occlude_packet8(
         &self,
         lanes: SimdLevel,
         rays: &ItemRays<'_, impl Fn(usize) -> Query>,
@@ -567,7 +498,7 @@ impl World {
 
     /// Tests the shadow rays that are not yet blocked against the items of the BVH, in streams: for incoherent rays.
     #[inline(always)]
-    fn occlude_streams(
+    pub(super) fn occlude_streams(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,

@@ -1,5 +1,6 @@
 //! Queries for packets of rays: the same bits as one ray at a time.
 
+pub(in crate::world) mod area;
 pub(in crate::world) mod bundle;
 pub(in crate::world) mod csg;
 pub(crate) mod csg_packet;
