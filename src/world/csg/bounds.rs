@@ -4,6 +4,7 @@
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
 use crate::world::primitive::Leaf;
+use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
@@ -13,6 +14,15 @@ const AXIS_TOLERANCE: f64 = 1e-12;
 const SLACK: f64 = 1e-9;
 /// Rounds of clipping: a limit on one axis may limit another in the next round.
 const ROUNDS: u32 = 3;
+
+/// Planes that are taken into account where none of the operands is bounded.
+const MAX_PLANES: usize = 12;
+/// The sine of an angle below which directions count as parallel.
+const PARALLEL: f64 = 1e-6;
+/// The same for planes whose line of intersection is unknown.
+const ALIGNED: f64 = 1e-9;
+/// Relative error of a corner on three planes that are nearly parallel to each other, and more.
+const CORNER_SLACK: f64 = 1e-8;
 
 /// Factors of an intersection: primitives by index, marked if inverse.
 pub(crate) type Factors = SmallVec<[(u32, bool); 8]>;
@@ -28,7 +38,74 @@ pub(crate) fn clip_to_planes(leaves: &[Leaf], factors: &Factors, around: Bounds)
             limited = limited.touching_intersection(&in_world);
         }
     }
+    if !limited.is_finite() {
+        limited = limited.touching_intersection(&polyhedron(&half_spaces(leaves, factors)));
+    }
     limited
+}
+
+/// The planes of a polyhedron, by unit normal and distance: it lies below all of them.
+type HalfSpaces = ArrayVec<(DVec3, f64), MAX_PLANES>;
+
+/// The first planes among the factors; any of them hold the intersection.
+fn half_spaces(leaves: &[Leaf], factors: &Factors) -> HalfSpaces {
+    let half_space = |&(number, is_inverse): &(u32, bool)| {
+        let leaf = &leaves[number as usize];
+        let (normal, distance) = leaf.shape.half_space()?;
+        let sign = if is_inverse { -1.0 } else { 1.0 };
+        let scale = sign / normal.length();
+        let is_known =
+            leaf.object_from_world.is_none() && scale.is_normal() && distance.is_finite();
+        is_known.then_some((normal * scale, distance * scale.abs() * sign))
+    };
+    factors
+        .iter()
+        .filter_map(half_space)
+        .take(MAX_PLANES)
+        .collect()
+}
+
+/// Bounds of the polyhedron below these planes: those of its corners, each on three of them; everything if it is
+/// unbounded.
+fn polyhedron(planes: &HalfSpaces) -> Bounds {
+    let edges = |first: usize| {
+        let (a, _) = planes[first];
+        let second =
+            (first + 1..planes.len()).map(move |second| (second, a.cross(planes[second].0)));
+        second.filter(|(_, along)| along.length() > ALIGNED)
+    };
+    let goes_on = |along: DVec3| {
+        planes
+            .iter()
+            .all(|(normal, _)| normal.dot(along) < PARALLEL * along.length())
+    };
+    let mut corners = Bounds::EMPTY;
+    for first in 0..planes.len() {
+        for (second, along) in edges(first) {
+            if goes_on(along) || goes_on(-along) {
+                return Bounds::EVERYTHING;
+            }
+            for &(c, at_c) in &planes[second + 1..] {
+                let ((a, at_a), (b, at_b)) = (planes[first], planes[second]);
+                let volume = along.dot(c);
+                if volume.abs() < PARALLEL {
+                    continue;
+                }
+                let corner = (at_a * b.cross(c) + at_b * c.cross(a) + at_c * along) / volume;
+                let slack = CORNER_SLACK * (corner.length() + at_a.abs() + at_b.abs() + at_c.abs());
+                if planes
+                    .iter()
+                    .all(|(normal, at)| normal.dot(corner) <= at + slack)
+                {
+                    corners = corners.union(&Bounds::new(corner - slack, corner + slack));
+                }
+            }
+        }
+    }
+    match corners.is_finite() && !corners.is_empty() {
+        true => corners,
+        false => Bounds::EVERYTHING,
+    }
 }
 
 /// Bounds of the inside of an unbounded primitive, or of its outside, within a box and the planes among the factors.
@@ -161,6 +238,49 @@ mod tests {
                 assert!(inside > 20, "{inside}");
             }
         }
+    }
+
+    #[test]
+    fn tilted_planes_that_enclose_a_polyhedron_bound_it() {
+        let mut rng = Random::new(5);
+        let (mut bounded, mut inside) = (0, 0);
+        for round in 0..300 {
+            let count = 4 + round % 5;
+            let leaves: Vec<Leaf> = (0..count)
+                .map(|_| plane(rng.vector(1.0), rng.uniform() - 0.1, &[]))
+                .collect();
+            let factors: Factors = (0..)
+                .take(count)
+                .map(|number| (number, round % 2 == 0))
+                .collect();
+            let around = clip_to_planes(&leaves, &factors, Bounds::EVERYTHING);
+            bounded += usize::from(around.is_finite());
+            for _ in 0..2_000 {
+                let point = rng.vector(5.0);
+                if leaves
+                    .iter()
+                    .all(|leaf| leaf.contains(point) != (round % 2 == 0))
+                {
+                    inside += 1;
+                    assert!((around.min.cmple(point) & point.cmple(around.max)).all());
+                }
+            }
+        }
+        assert!(bounded > 30 && inside > 10_000, "{bounded} {inside}");
+        let tetrahedron = [
+            DVec3::new(1.0, 1.0, 1.0),
+            DVec3::new(-1.0, -1.0, 1.0),
+            DVec3::new(-1.0, 1.0, -1.0),
+            DVec3::new(1.0, -1.0, -1.0),
+        ];
+        let leaves = tetrahedron.map(|normal| plane(normal, 3.0_f64.sqrt(), &[]));
+        let around = |count| {
+            let factors: Factors = (0..count).map(|number| (number, false)).collect();
+            clip_to_planes(&leaves, &factors, Bounds::EVERYTHING)
+        };
+        let size = around(4).max - around(4).min;
+        assert!(around(4).is_finite() && size.max_element() < 11.0, "{size}");
+        assert!(!around(3).is_finite());
     }
 
     #[test]
