@@ -7,6 +7,9 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// Maximum length of the path of a file in bytes, as on Linux.
+const LONGEST_PATH: usize = 4095;
+
 /// Folders, with their subfolders, that hold all files a scene may access. An entry may also be a single file.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Folders {
@@ -41,18 +44,28 @@ impl Folders {
     /// True if the file at `path` lies in one of the folders, or would if it existed. Only of such files may anyone learn
     /// if they exist.
     pub(crate) fn reach(&self, path: &Path) -> bool {
-        if self.hold(path) {
+        if *self == Folders::All {
             return true;
         }
-        // A file that lies elsewhere, or a link to one that is missing.
-        if path.symlink_metadata().is_ok() {
+        // No file has such a path, whose folders would take time in proportion to the square of their number.
+        if path.as_os_str().len() > LONGEST_PATH {
             return false;
         }
-        match (path.parent(), path.file_name()) {
-            (Some(folder), Some(_)) if folder.as_os_str().is_empty() => self.reach(Path::new(".")),
-            (Some(folder), Some(_)) => self.reach(folder),
-            // A `..` behind a missing folder.
-            _ => false,
+        let mut path = path;
+        loop {
+            if self.hold(path) {
+                return true;
+            }
+            // A file that lies elsewhere, or a link to one that is missing.
+            if path.symlink_metadata().is_ok() {
+                return false;
+            }
+            path = match (path.parent(), path.file_name()) {
+                (Some(folder), Some(_)) if folder.as_os_str().is_empty() => Path::new("."),
+                (Some(folder), Some(_)) => folder,
+                // A `..` behind a missing folder.
+                _ => return false,
+            };
         }
     }
 
@@ -134,6 +147,8 @@ mod tests {
             assert!(Folders::All.reach(&path(name)), "{name}");
         }
         assert!(Folders::Only(vec![PathBuf::new()]).reach(Path::new("none")));
+        let long = path("in").join("a/".repeat(LONGEST_PATH));
+        assert!(!folders.reach(&long) && Folders::All.reach(&long));
     }
 
     #[test]
