@@ -99,6 +99,12 @@ fn wait(child: &mut Child, limit: Duration, stop: &CancelToken) -> io::Result<Op
 mod tests {
     use super::*;
 
+    const LONG: Duration = Duration::from_secs(60);
+
+    fn shell(command: &str, limit: Duration) -> Ended {
+        run(Command::new("sh").args(["-c", command]), limit).unwrap()
+    }
+
     #[test]
     fn slow_processes_are_killed() {
         let ended = run(Command::new("sleep").arg("60"), Duration::from_millis(50)).unwrap();
@@ -107,29 +113,17 @@ mod tests {
 
     #[test]
     fn a_process_that_holds_the_pipe_open_is_not_waited_for() {
-        let ended = run(
-            Command::new("sh").args(["-c", "echo no >&2; sleep 60; true"]),
-            Duration::from_millis(500),
-        )
-        .unwrap();
+        let ended = shell("echo no >&2; sleep 60; true", Duration::from_millis(500));
         assert_eq!((ended.status, ended.stderr.as_str()), (None, "no\n"));
         let start = Instant::now();
-        let ended = run(
-            Command::new("sh").args(["-c", "sleep 20 & echo no >&2"]),
-            Duration::from_secs(60),
-        )
-        .unwrap();
+        let ended = shell("sleep 20 & echo no >&2", LONG);
         assert!(ended.status.is_some() && ended.stderr == "no\n");
         assert!(start.elapsed() < Duration::from_secs(15));
     }
 
     #[test]
     fn output_comes_with_the_status() {
-        let ended = run(
-            Command::new("sh").args(["-c", "echo no >&2; exit 3"]),
-            Duration::from_secs(30),
-        )
-        .unwrap();
+        let ended = shell("echo no >&2; exit 3", LONG);
         assert_eq!(
             (ended.status.and_then(|s| s.code()), ended.stderr.as_str()),
             (Some(3), "no\n")
