@@ -1,6 +1,7 @@
 //! Transforms, rays, bounds, root finders, noise and sampling: mathematics independent of the scene.
 
 mod bounds;
+mod complex;
 pub(crate) mod conditioning;
 #[cfg(test)]
 pub(crate) mod exact;
@@ -17,6 +18,7 @@ mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::{Bounds, COINCIDENT};
+pub(crate) use complex::Complex;
 pub use ray::Ray;
 pub use sampling::halton::halton;
 pub use sampling::jitter::jitter;

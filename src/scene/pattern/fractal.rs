@@ -1,19 +1,12 @@
-//! Parts shared by the escape-time fractals: complex numbers, iteration, and the `exterior` and `interior` values.
+//! Parts shared by the escape-time fractals: powers, iteration, and the `exterior` and `interior` values.
 
 pub(super) mod julia;
 pub(super) mod magnet;
 pub(super) mod mandel;
 
 use crate::base::args::{Args, Parse, Word};
+use crate::base::math::Complex;
 use crate::base::source::Diagnostic;
-use std::ops::{Add, Div, Mul, Sub};
-
-/// A complex number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Complex {
-    pub(super) re: f64,
-    pub(super) im: f64,
-}
 
 /// Largest number of iterations, to bound the time per point.
 const MAX_ITERATIONS: f64 = 1e9;
@@ -78,7 +71,7 @@ impl Coloring {
                     1 => number / f64::from(self.iterations),
                     7 => (number % factor) / factor,
                     8 => (number % (factor + 1.0)) / factor,
-                    6 => z.length_sq().sqrt() * factor,
+                    6 => z.norm_sq().sqrt() * factor,
                     _ => part(kind, z) * factor,
                 }
             }
@@ -141,18 +134,18 @@ pub(super) fn iterate_power(z: Complex, c: Complex, exponent: i32, iterations: u
     if exponent == 2 {
         return iterate(z, iterations, |z| z.square() + c);
     }
-    iterate(z, iterations, |z| z.power(exponent) + c)
+    iterate(z, iterations, |z| z.integer_power(exponent) + c)
 }
 
 #[inline]
 fn iterate(start: Complex, iterations: u32, next: impl Fn(Complex) -> Complex) -> Outcome {
     let mut z = start;
-    let mut least_sq = z.length_sq();
+    let mut least_sq = z.norm_sq();
     let (mut saved, mut saved_number) = (z, 0);
     let mut number = 0;
     while number < iterations {
         z = next(z);
-        let size_sq = z.length_sq();
+        let size_sq = z.norm_sq();
         least_sq = least_sq.min(size_sq);
         if size_sq > 4.0 {
             return Outcome::Escaped(number, z);
@@ -169,17 +162,6 @@ fn iterate(start: Complex, iterations: u32, next: impl Fn(Complex) -> Complex) -
 }
 
 impl Complex {
-    pub(super) const ZERO: Complex = Complex::new(0.0, 0.0);
-    pub(super) const ONE: Complex = Complex::new(1.0, 0.0);
-
-    pub(super) const fn new(re: f64, im: f64) -> Self {
-        Complex { re, im }
-    }
-
-    pub(super) fn length_sq(self) -> f64 {
-        self.re * self.re + self.im * self.im
-    }
-
     pub(super) fn square(self) -> Self {
         Complex::new(
             self.re * self.re - self.im * self.im,
@@ -188,7 +170,7 @@ impl Complex {
     }
 
     /// An integer power, rounded as POV-Ray rounds it (measured): near the border of a set the last digit decides.
-    fn power(self, exponent: i32) -> Self {
+    fn integer_power(self, exponent: i32) -> Self {
         let (a, b) = (self.re, self.im);
         let (a_sq, b_sq) = (a * a, b * b);
         match exponent {
@@ -221,48 +203,6 @@ impl Complex {
     }
 }
 
-impl Add for Complex {
-    type Output = Complex;
-    fn add(self, other: Complex) -> Complex {
-        Complex::new(self.re + other.re, self.im + other.im)
-    }
-}
-
-impl Sub for Complex {
-    type Output = Complex;
-    fn sub(self, other: Complex) -> Complex {
-        Complex::new(self.re - other.re, self.im - other.im)
-    }
-}
-
-impl Mul for Complex {
-    type Output = Complex;
-    fn mul(self, other: Complex) -> Complex {
-        Complex::new(
-            self.re * other.re - self.im * other.im,
-            self.re * other.im + self.im * other.re,
-        )
-    }
-}
-
-impl Mul<f64> for Complex {
-    type Output = Complex;
-    fn mul(self, factor: f64) -> Complex {
-        Complex::new(self.re * factor, self.im * factor)
-    }
-}
-
-impl Div for Complex {
-    type Output = Complex;
-    fn div(self, other: Complex) -> Complex {
-        let size_sq = other.length_sq();
-        Complex::new(
-            (self.re * other.re + self.im * other.im) / size_sq,
-            (self.im * other.re - self.re * other.im) / size_sq,
-        )
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -273,11 +213,11 @@ mod tests {
             let c = Complex::new(re, 0.1 * re);
             for iterations in [0, 1, 2, 3, 700, 5000, 5001, 5002] {
                 let mut z = c;
-                let mut least_sq = c.length_sq();
+                let mut least_sq = c.norm_sq();
                 let escaped = (0..iterations).find(|_| {
                     z = z.square() + c;
-                    least_sq = least_sq.min(z.length_sq());
-                    z.length_sq() > 4.0
+                    least_sq = least_sq.min(z.norm_sq());
+                    z.norm_sq() > 4.0
                 });
                 match iterate_power(c, c, 2, iterations) {
                     Outcome::Escaped(number, at) => assert_eq!((escaped, at), (Some(number), z)),
@@ -315,15 +255,18 @@ mod tests {
             ),
         ];
         for (exponent, [a, b], [re, im]) in printed {
-            assert_eq!(Complex::new(a, b).power(exponent), Complex::new(re, im));
+            assert_eq!(
+                Complex::new(a, b).integer_power(exponent),
+                Complex::new(re, im)
+            );
         }
     }
 
     #[test]
     fn powers_and_quotients() {
         let z = Complex::new(1.0, 2.0);
-        assert_eq!(z.power(2), z * z);
-        assert_eq!(z.power(3), Complex::new(-11.0, -2.0));
+        assert_eq!(z.integer_power(2), z * z);
+        assert_eq!(z.integer_power(3), Complex::new(-11.0, -2.0));
         assert_eq!((z * Complex::new(0.5, -1.0)) / Complex::new(0.5, -1.0), z);
     }
 }

@@ -76,14 +76,14 @@ impl PatternEval for Magnet {
             None => (Complex::ZERO, point),
         };
         let mut least_sq = match self.c {
-            Some(_) => z.length_sq(),
+            Some(_) => z.norm_sq(),
             None => INITIAL_LEAST_SQ,
         };
         for number in 0..self.iterations {
             z = self.model.next(z, c);
-            let size_sq = z.length_sq();
+            let size_sq = z.norm_sq();
             least_sq = least_sq.min(size_sq);
-            if size_sq > FAR_SQ || (z - Complex::ONE).length_sq() < NEAR_SQ {
+            if size_sq > FAR_SQ || (z - Complex::ONE).norm_sq() < NEAR_SQ {
                 return self.coloring.value(Outcome::Escaped(number, z));
             }
         }
@@ -108,7 +108,7 @@ impl Model {
                 let linear = |c: Complex| {
                     Complex::new(3.0 * (a * c.re - b * c.im), 3.0 * (a * c.im + b * c.re))
                 };
-                let above = z.power(3) + linear(c1) + product;
+                let above = z.integer_power(3) + linear(c1) + product;
                 let below = Complex::new(3.0 * (a_sq - b_sq), 6.0 * a * b)
                     + linear(c2)
                     + product

@@ -24,12 +24,12 @@ mod left_orbit;
 mod packet;
 
 use crate::base::args::{Args, Parse, Word};
-use crate::base::math::{Bounds, Ray, Step};
+use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
     Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read, uniform_scale,
 };
-use complex::{Complex, Function};
+use complex::Function;
 use glam::{DVec3, DVec4};
 use inside_test::{BATCH, Lookahead};
 use left_orbit::{LeftOrbit, SearchStep};

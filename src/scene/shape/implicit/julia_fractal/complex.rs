@@ -1,14 +1,8 @@
-//! Complex numbers and the functions of them that a hypercomplex fractal may iterate.
+//! The functions of complex numbers that a hypercomplex fractal may iterate.
 
 use crate::base::args::Word;
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
-/// A complex number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Complex {
-    pub(super) re: f64,
-    pub(super) im: f64,
-}
+use crate::base::math::Complex;
+use std::ops::Neg;
 
 /// A function of a complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,20 +95,6 @@ impl Function {
 }
 
 impl Complex {
-    pub(super) const ONE: Complex = Complex::new(1.0, 0.0);
-
-    pub(super) const fn new(re: f64, im: f64) -> Self {
-        Complex { re, im }
-    }
-
-    pub(super) fn norm_sq(self) -> f64 {
-        self.re * self.re + self.im * self.im
-    }
-
-    pub(super) fn conjugate(self) -> Self {
-        Complex::new(self.re, -self.im)
-    }
-
     /// `1 - self`, with the sign of a zero that POV-Ray has on branch cuts (measured).
     fn one_minus(self) -> Self {
         Complex::new(1.0 - self.re, -self.im)
@@ -175,46 +155,6 @@ impl Complex {
 
     fn power(self, exponent: Complex) -> Self {
         (exponent * self.ln()).exp()
-    }
-}
-
-impl Add for Complex {
-    type Output = Complex;
-    fn add(self, other: Complex) -> Complex {
-        Complex::new(self.re + other.re, self.im + other.im)
-    }
-}
-
-impl Sub for Complex {
-    type Output = Complex;
-    fn sub(self, other: Complex) -> Complex {
-        Complex::new(self.re - other.re, self.im - other.im)
-    }
-}
-
-impl Mul for Complex {
-    type Output = Complex;
-    fn mul(self, other: Complex) -> Complex {
-        Complex::new(
-            self.re * other.re - self.im * other.im,
-            self.re * other.im + self.im * other.re,
-        )
-    }
-}
-
-impl Div for Complex {
-    type Output = Complex;
-    fn div(self, other: Complex) -> Complex {
-        let product = self * other.conjugate();
-        let size = other.norm_sq();
-        Complex::new(product.re / size, product.im / size)
-    }
-}
-
-impl Neg for Complex {
-    type Output = Complex;
-    fn neg(self) -> Complex {
-        Complex::new(-self.re, -self.im)
     }
 }
 

@@ -1,10 +1,10 @@
 //! Inside test and step length at points of a ray: eight points at once for quaternions and hypercomplex
 //! squares, whose chain of products and sums takes no longer for eight than for one.
 
-use super::complex::{Complex, Function};
+use super::complex::Function;
 use super::{Fractal, MAX_STEP_RATIO, Rule, TOLERANCE};
-use crate::base::math::Ray;
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
+use crate::base::math::{Complex, Ray};
 use glam::{DVec3, DVec4};
 
 /// Points evaluated together.

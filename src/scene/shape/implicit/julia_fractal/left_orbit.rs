@@ -5,9 +5,10 @@
 //! middles of the step that crossed the surface. Where the one at the hit leaves the sphere, so did all of these: the step
 //! has its inner end at the hit.
 
-use super::complex::{Complex, Function};
+use super::complex::Function;
 use super::inside_test::{gradient, to_complex_pair};
 use super::{Fractal, TOLERANCE};
+use crate::base::math::Complex;
 use crate::scene::shape::Crossing;
 use glam::{DVec3, DVec4};
 
