@@ -236,7 +236,7 @@ fn encoded(message: &impl Serialize, longest: usize) -> io::Result<Vec<u8>> {
         }
         _ => Err(io::Error::other(format!(
             "it takes {} MB, and {} MB are the limit",
-            length >> 20,
+            length.div_ceil(1 << 20),
             longest >> 20
         ))),
     }
@@ -272,7 +272,7 @@ mod tests {
         let longest = reply(LONGEST_REPLY - 20).encoded().unwrap();
         assert!(Reply::read(&mut longest.as_slice()).is_ok());
         let refused = reply(LONGEST_REPLY).encoded().unwrap_err().to_string();
-        assert_eq!(refused, "it takes 16 MB, and 16 MB are the limit");
+        assert_eq!(refused, "it takes 17 MB, and 16 MB are the limit");
         let request = encoded(&reply(LONGEST_REPLY), LONGEST_REQUEST).unwrap();
         let read = Reply::read(&mut request.as_slice()).unwrap_err();
         assert_eq!(read.kind(), io::ErrorKind::InvalidData);

@@ -4,7 +4,7 @@
 //! without one is refused. Measured with povray 3.7.0.10 by what `Create_Ini` writes.
 
 use super::error::CliError;
-use super::values::number;
+use super::values::{no_number, number};
 
 /// The options with whole numbers.
 const WHOLE: [&str; 23] = [
@@ -69,7 +69,7 @@ pub(crate) fn value(key: &str, value: &str, word: &str) -> Result<String, CliErr
     } else {
         return Ok(value.to_owned());
     };
-    let read = read.map_or_else(|| number("", word).map(|_| String::new()), Ok)?;
+    let read = read.ok_or_else(|| no_number(value, word))?;
     if key == "Render_Block_Size" && number(&read, word)? < SMALLEST_BLOCK {
         return Err(CliError::new(format!(
             "`{word}`: a block has at least {SMALLEST_BLOCK} pixels on a side"

@@ -22,15 +22,19 @@ pub(crate) fn unquoted(value: &str) -> &str {
 
 /// A number in decimal notation.
 pub(crate) fn number(value: &str, word: &str) -> Result<f64, CliError> {
+    let parsed = value.parse().ok();
+    parsed
+        .filter(|v: &f64| v.is_finite())
+        .ok_or_else(|| no_number(value, word))
+}
+
+/// The error of a value that is no number.
+pub(crate) fn no_number(value: &str, word: &str) -> CliError {
     let shown_value = match value {
         "" => "nothing".to_owned(),
         text => format!("`{text}`"),
     };
-    value
-        .parse()
-        .ok()
-        .filter(|v: &f64| v.is_finite())
-        .ok_or_else(|| CliError::new(format!("`{word}` needs a number, found {shown_value}")))
+    CliError::new(format!("`{word}` needs a number, found {shown_value}"))
 }
 
 /// A number truncated to an integer, as in POV-Ray. Not negative.
