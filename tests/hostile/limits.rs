@@ -144,13 +144,14 @@ fn the_memory_of_drawings_of_watch_and_a_curve_is_limited() {
     }
 }
 
-/// In each round they would be copied otherwise, which takes a minute.
+/// In each round they would be copied or searched otherwise, which takes a minute.
 #[test]
 fn what_grows_in_a_loop_takes_time_in_proportion() {
     for scene in [
         "#version 3.8; #declare A = array; #for (I, 0, 199999) #declare A[I] = I; #end",
         "#version 3.8; #declare A = array; #declare A[0] = array; #for (I, 0, 199999) #declare A[0][I] = I; #end",
         "#declare A = array[200000]; #for (I, 0, 199999) #declare B = A; #end",
+        "#declare A = array[100000]; #for (I, 99999, 0, -1) #declare A[I] = function(x) { x }; #declare B = A[I](2); #end",
         "#declare S = \"\"; #for (I, 0, 699999) #declare S = concat(S, \"x\"); #end",
         "#declare S = \"\"; #macro M(X) #declare S = concat(S, X, X) #end #for (I, 0, 399999) M(\"x\") #end",
     ] {

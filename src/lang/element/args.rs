@@ -241,14 +241,7 @@ impl Args for Reader<'_> {
                     _ => Ok(None),
                 }
             }
-            Some(Value::Array(array))
-                if array.holds_elements()
-                    && array
-                        .items
-                        .iter()
-                        .flatten()
-                        .any(|item| item.is_element(kind)) =>
-            {
+            Some(Value::Array(array)) if array.holds_elements(kind) => {
                 match self.array_or_item()? {
                     Value::Element(element) if element.kind() == kind => Ok(Some(element.value)),
                     other => Err(self.error_taken(format!("{} is not allowed here", other.kind()))),

@@ -148,6 +148,8 @@ pub(crate) struct Array {
     pub(crate) items: Vec<Option<Value>>,
     /// The kind of all elements, once one has been set. Mixed arrays have none.
     pub(crate) holds: Option<&'static str>,
+    /// No item before this one has a value.
+    begin: usize,
     /// True if elements may be of several kinds.
     pub(crate) is_mixed: bool,
     /// True once an element was an array for which [`Value::is_mixed`] holds.
@@ -173,6 +175,7 @@ impl Array {
         Array {
             items: vec![None; sizes.iter().product()],
             sizes,
+            begin: usize::MAX,
             holds: None,
             is_mixed: false,
             holds_mixed: false,
@@ -214,18 +217,23 @@ impl Array {
         next
     }
 
-    /// The first item that has a value. An array without any is not searched.
+    /// The first item that has a value.
     pub(crate) fn first(&self) -> Option<&Value> {
-        match self.holds {
-            None if !self.is_mixed => None,
-            _ => self.items.iter().flatten().next(),
-        }
+        self.values().next()
     }
 
-    /// True if the items may be elements: those of an array are of one kind, and the first has it.
-    pub(crate) fn holds_elements(&self) -> bool {
-        let first = self.first();
-        first.is_some_and(|value| matches!(value, Value::Element(_) | Value::Poison(_)))
+    /// True if the items, which are all of one kind, are elements of this Rust type.
+    pub(crate) fn holds_elements(&self, kind: TypeId) -> bool {
+        let read = |value: &&Value| !matches!(value, Value::Poison(_));
+        self.values()
+            .find(read)
+            .is_some_and(|value| value.is_element(kind))
+    }
+
+    /// The items that have a value.
+    fn values(&self) -> impl Iterator<Item = &Value> {
+        let items = self.items.get(self.begin..).unwrap_or_default();
+        items.iter().flatten()
     }
 
     /// Makes an array of one dimension at least this long.
@@ -249,6 +257,7 @@ impl Array {
         }
         self.holds_mixed |= value.is_mixed();
         *self.items.get_mut(at)? = Some(value);
+        self.begin = self.begin.min(at);
         None
     }
 }
@@ -392,5 +401,22 @@ mod tests {
         assert!(!outer.is_mixed());
         assert_eq!(outer.put(&[0, 1], Value::Array(Rc::new(mixed))), None);
         assert!(outer.is_mixed());
+    }
+
+    #[test]
+    fn the_first_value_may_be_set_last_and_removed() {
+        let text = |array: &Array| match array.first() {
+            Some(Value::Text(text)) => text.letters().to_owned(),
+            _ => String::new(),
+        };
+        let mut array = array(3);
+        assert_eq!(text(&array), "");
+        for (at, value) in [(2, "last"), (1, "middle")] {
+            assert_eq!(array.set(at, Value::Text(value.into())), None);
+            assert_eq!(text(&array), value);
+        }
+        let mut held = Value::Array(Rc::new(array));
+        *held.item_mut(&[1]).unwrap() = None;
+        assert_eq!(text(held.array_mut(&[]).unwrap()), "last");
     }
 }
