@@ -42,7 +42,7 @@ impl Folders {
     }
 
     /// True if the file at `path` lies in one of the folders, or would if it existed. Only of such files may anyone learn
-    /// if they exist.
+    /// if they exist, and only such files may be written.
     pub(crate) fn reach(&self, path: &Path) -> bool {
         if *self == Folders::All {
             return true;

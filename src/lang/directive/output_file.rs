@@ -6,8 +6,8 @@ use crate::base::file::Folders;
 use crate::base::options::Writes;
 use crate::base::source::{Code, Diagnostic, Span, refusal};
 use crate::lang::reader::Reader;
+use std::io;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 impl Reader<'_> {
     pub(crate) fn open_output(&mut self, name: String, mode: Word, span: Span) -> Parse<Output> {
@@ -21,7 +21,8 @@ impl Reader<'_> {
 
     /// Rejects a file that the scene may not write.
     pub(crate) fn check_writable(&mut self, name: &str, span: Span) -> Parse<()> {
-        if self.may_write(Path::new(name)) {
+        // In a missing folder, opening reports the error.
+        if self.options.writable.reach(Path::new(name)) {
             return Ok(());
         }
         let allowed: &[PathBuf] = match &self.options.writable {
@@ -43,39 +44,6 @@ impl Reader<'_> {
             self.is_over = true;
         }
         Err(self.with_trace(error.with_hint(hint)))
-    }
-
-    /// True if a file lies in a writable folder, with links and `..` resolved.
-    fn may_write(&self, path: &Path) -> bool {
-        if self.options.writable == Folders::All {
-            return true;
-        }
-        let resolved = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
-            let folder = match path.parent() {
-                Some(folder) if !folder.as_os_str().is_empty() => folder,
-                _ => Path::new("."),
-            };
-            // A dangling link can point anywhere.
-            if fs::symlink_metadata(path).is_ok() {
-                return Err(io::ErrorKind::InvalidInput.into());
-            }
-            match path.file_name() {
-                Some(name) => Ok(fs::canonicalize(folder)?.join(name)),
-                None => Err(io::ErrorKind::InvalidInput.into()),
-            }
-        });
-        // In a missing folder, opening reports the error.
-        let resolved = match resolved {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => path
-                .ancestors()
-                .find_map(|folder| fs::canonicalize(folder).ok())
-                .or_else(|| fs::canonicalize(".").ok()),
-            resolved => resolved.ok(),
-        };
-        let Some(resolved) = resolved else {
-            return false;
-        };
-        self.options.writable.contain(&resolved)
     }
 
     pub(crate) fn not_written(&self, name: &str, error: &io::Error, span: Span) -> Box<Diagnostic> {
