@@ -181,28 +181,28 @@ impl Reader<'_> {
         let removed = |hint: &str| Some(Remedy::fix(hint, self.here_span(), ""));
         match mark {
             ';' if wants_word(wanted) => {
-                return removed(
+                removed(
                     "Only declarations of numbers, and some directives, end with `;`; remove it.",
-                );
+                )
             }
             ',' if wanted == "`}`" && self.is_after_mark(']') => {
-                return removed("Remove this comma: items in a block are not separated by commas.");
+                removed("Remove this comma: items in a block are not separated by commas.")
             }
-            '}' | ',' | '<' if self.number_of_points().is_some() => return self.number_of_points(),
+            '}' | ',' | '<' if self.number_of_points().is_some() => self.number_of_points(),
             '}' if wants_value(wanted) && self.is_in_blob() => {
-                return Some("Components of a `blob` end with their strength: `sphere { <centre>, radius, strength }`.".into());
+                Some("Components of a `blob` end with their strength: `sphere { <centre>, radius, strength }`.".into())
             }
             '}' => self.remedy_of_no_value(wanted),
             '+' if self.is_after_string() => {
-                return self
+                self
                     .sum_of_strings()
-                    .or_else(|| Some("Strings are joined by `concat(a, b)`.".into()));
+                    .or_else(|| Some("Strings are joined by `concat(a, b)`.".into()))
             }
             '=' | ':'
                 if self.word_back(1).is_some_and(|word| !word.is_value())
                     && !wanted.contains("#for") =>
             {
-                return self.value_after_sign();
+                self.value_after_sign()
             }
             _ => self.hint_of_mark(mark, wanted).map(Remedy::from),
         }
