@@ -102,7 +102,7 @@ mod tests {
     const LONG: Duration = Duration::from_secs(60);
 
     fn shell(command: &str, limit: Duration) -> Ended {
-        run(Command::new("sh").args(["-c", command]), limit).unwrap()
+        run(Command::new("sh").args(["-c", command]), limit).expect("the shell runs")
     }
 
     #[test]
