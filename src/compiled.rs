@@ -1,13 +1,14 @@
 //! A scene that stays compiled from one picture to the next, and the surfaces and objects that its pixels see.
 
 use crate::base::color::Gamma;
-use crate::base::encoding::Rounding;
+use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
 };
 use crate::base::source::{Diagnostic, Message, Sources};
 use crate::lang::{ObjectSpan, Texts};
 use crate::render::Checkpoint;
+use crate::render::cost::PixelCost;
 use crate::render::statistics::StageTimer;
 use crate::scene::camera::Camera;
 use crate::scene::{Object, pattern};
@@ -110,6 +111,21 @@ impl CompiledScene {
         })
     }
 
+    /// The cost of each pixel of a picture without antialiasing, row by row; zeros after a cancellation. The camera must
+    /// have been set for its size.
+    #[must_use]
+    pub fn costs(&self, render: &RenderOptions, session: &RenderSession) -> Vec<PixelCost> {
+        match &session.pool {
+            None => render::cost::costs(&self.world, render),
+            Some(pool) => pool.install(|| render::cost::costs(&self.world, render)),
+        }
+    }
+
+    /// The options to encode its pictures, from those for any scene.
+    pub(crate) fn encoding(&self, options: &EncodeOptions) -> EncodeOptions {
+        options.for_scene(self.working, self.rounding)
+    }
+
     /// Draws a picture. The camera must have been set for its size.
     ///
     /// # Errors
@@ -134,16 +150,15 @@ impl CompiledScene {
         let (world, working, rounding) = (&self.world, self.working, self.rounding);
         let unfinished = unfinished(read, render, self.print, listen);
         let unfinished = unfinished.as_ref();
-        let progress = |pixels| listen(Event::Drawn(pixels));
         let only_for = render.target_format.as_ref();
-        let only_for = only_for.map(|options| options.for_scene(working, rounding));
+        let only_for = only_for.map(|options| self.encoding(options));
         let render = &RenderOptions {
             target_format: only_for,
             ..render.clone()
         };
         let drawn = match &session.pool {
-            None => render::render(world, render, unfinished, &progress),
-            Some(pool) => pool.install(|| render::render(world, render, unfinished, &progress)),
+            None => render::render(world, render, unfinished, listen),
+            Some(pool) => pool.install(|| render::render(world, render, unfinished, listen)),
         };
         if render.stop.is_cancelled() {
             if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::file::Folders;
-use crate::base::film::Film;
+use crate::base::film::{Film, Pixel};
 use crate::base::source::{Dependency, Message};
 
 /// Progress events of reading and rendering.
@@ -40,6 +40,16 @@ pub enum Event<'a> {
     Checkpointed(u64),
     /// Number of pixels finished since the last event of this kind. Sent from any thread.
     Drawn(u64),
+    /// A part of the picture in the working space of the scene, row by row; a later one may replace it. Not sent for
+    /// pictures of a target format. Sent from any thread.
+    Tile {
+        /// Its columns in the picture.
+        columns: &'a Range<u32>,
+        /// Its rows in the picture.
+        rows: &'a Range<u32>,
+        /// Its pixels.
+        pixels: &'a [Pixel],
+    },
 }
 
 /// Callback for progress events.

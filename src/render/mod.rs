@@ -3,6 +3,7 @@
 mod adaptive;
 mod antialias;
 mod checkpoint;
+pub mod cost;
 mod photon_pass;
 pub mod photons;
 mod pretrace;
@@ -14,7 +15,7 @@ mod tiles;
 
 use crate::base::film;
 use crate::base::film::{Pixel, Quantizer};
-use crate::base::options::{RenderOptions, Sampling};
+use crate::base::options::{Event, EventHandler, RenderOptions, Sampling};
 use crate::world::{RayCounts, World};
 use antialias::Sampler;
 use checkpoint::CheckpointTile;
@@ -29,20 +30,20 @@ use tiles::{Canvas, DrawnTile, MIN_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, t
 /// Pixels of a tile, row by row, and the rays traced for them.
 type Pixels = (Vec<Pixel>, RayCounts);
 
-/// Renders the world. `progress` receives the number of pixels finished since its last call, from any thread. The
-/// picture is the same for any number of threads, unless there is a time limit, and the same if a part of it comes from
-/// a `checkpoint`.
+/// Renders the world. `listen` receives the finished pixels, from any thread. The picture is the same for any number of
+/// threads, unless there is a time limit, and the same if a part of it comes from a `checkpoint`.
 #[must_use]
 pub fn render(
     world: &World,
     options: &RenderOptions,
     checkpoint: Option<&Checkpoint>,
-    progress: &(dyn Fn(u64) + Sync),
+    listen: &EventHandler<'_>,
 ) -> Drawn {
     if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
         // Short parallel sections are started from one of the worker threads.
-        return rayon::scope(|_| render(world, options, checkpoint, progress));
+        return rayon::scope(|_| render(world, options, checkpoint, listen));
     }
+    let progress = &|pixels| listen(Event::Drawn(pixels));
     let tracer = Tracer::new(world, options.quality).with_cancel_token(&options.stop);
     let (tracer, photons) = photon_pass::with_photons(tracer);
     if photons.as_ref().is_some_and(|photons| !photons.is_complete) {
@@ -61,7 +62,7 @@ pub fn render(
             None => (tracer, None),
             Some(radiosity_pass) => radiosity_pass.given_to(tracer),
         };
-        let drawn = adaptive::draw(&tracer, options, settings, checkpoint, progress);
+        let drawn = adaptive::draw(&tracer, options, settings, checkpoint, listen);
         return Drawn {
             radiosity,
             photons,
@@ -92,7 +93,9 @@ pub fn render(
             Some(quantizer) => TilePixels::Levels(quantizer.levels(&pixels)),
             None => TilePixels::Light(pixels),
         };
-        DrawnTile { tile, pixels, rays }
+        let drawn = DrawnTile { tile, pixels, rays };
+        drawn.report(listen);
+        drawn
     };
     let rays = radiosity_pass
         .as_ref()

@@ -3,7 +3,9 @@
 use super::photon_pass::PhotonPass;
 use super::shade::BlockScratch;
 use crate::base::film::{Film, Levels, Pixel, Quantizer};
-use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions};
+use crate::base::options::{
+    AdaptiveOutcome, Event, EventHandler, RadiosityStatistics, RenderOptions,
+};
 use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -26,6 +28,20 @@ pub(super) enum TilePixels {
 pub(super) struct Canvas {
     pub(super) film: Film,
     pub(super) rays: RayCounts,
+}
+
+impl DrawnTile {
+    /// Sends the colours of the tile.
+    pub(super) fn report(&self, listen: &EventHandler<'_>) {
+        if let TilePixels::Light(pixels) = &self.pixels {
+            let Tile { columns, rows } = &self.tile;
+            listen(Event::Tile {
+                columns,
+                rows,
+                pixels,
+            });
+        }
+    }
 }
 
 impl Canvas {

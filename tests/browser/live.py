@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,7 +20,7 @@ light_source { <-4, 6, -8>, rgb 1 }
 sphere { Height*y, 1 pigment { rgb <1, 0.2, 0.1> } }
 plane { y, -1 pigment { checker rgb 1 rgb 0.3 } }
 """
-LIMIT = 60_000
+LIMIT = 240_000
 TESTS = []
 
 
@@ -38,8 +39,9 @@ class Live:
         self.faults = []
         self.process = None
 
-    def start(self, *arguments):
-        command = [self.povr, "live", "s.pov", "+W320", "+H240", *arguments]
+    def start(self, *arguments, scene="s.pov"):
+        scene = [scene] if scene else []
+        command = [self.povr, "live", *scene, "+W320", "+H240", *arguments]
         self.process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
         for line in self.process.stderr:
             if found := re.search(r"http://\S+", line):
@@ -141,7 +143,7 @@ def a_slider_changes_a_number_and_the_file_on_request(live):
 def a_number_of_the_source_is_dragged(live):
     live.start()
     page = live.page()
-    page.locator("summary").click()
+    page.locator("#source-box summary").click()
     number = page.locator(".number[data-written='40']")
     number.scroll_into_view_if_needed()
     box = number.bounding_box()
@@ -177,6 +179,9 @@ def warnings_are_shown_with_the_picture(live):
     page = live.page()
     picture(page)
     live.scene.write_text(SCENE + '#warning "a doubt"\n')
+    expect(page.locator("#warnings")).to_contain_text("a doubt")
+    # They stay with a scene that stays compiled.
+    after(page, lambda: drag(page, 60, 0))
     expect(page.locator("#warnings")).to_contain_text("a doubt")
     expect(page.locator("#errors")).to_have_text("")
     live.scene.write_text(SCENE)
@@ -228,6 +233,125 @@ def the_clock_is_scrubbed(live):
     live.start()
     page = live.page()
     after(page, lambda: page.get_by_role("slider", name="clock").fill("0.5"))
+    seen = int(page.locator("canvas").get_attribute("data-pictures"))
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("seen => document.querySelector('canvas').dataset.pictures > seen + 5", arg=seen)
+    page.get_by_role("button", name="Stop").click()
+    assert page.locator("#clock-value").inner_text() != "0.50"
+
+
+def view(page, kind):
+    """The note on a view beside the picture, once it is there."""
+    page.get_by_label("Beside it").select_option(kind)
+    page.wait_for_selector(f"canvas[data-view={kind}]")
+    return page.locator("#legend-text").inner_text()
+
+
+@test
+def maps_of_cost_and_error_stand_beside_the_picture(live):
+    live.start()
+    page = live.page()
+    alone = picture(page)
+    assert "rays a pixel" in view(page, "rays")
+    rays = picture(page)
+    assert rays != alone
+    page.get_by_label("divider").fill("100")
+    page.wait_for_timeout(100)
+    assert picture(page) != rays
+    assert "µs a pixel" in view(page, "time")
+    assert "steps of 1/255" in view(page, "error")
+    # It is made again for another camera.
+    page.get_by_label("divider").fill("0")
+    page.wait_for_timeout(100)
+    error = picture(page)
+    drag(page, 60, 0)
+    page.wait_for_selector("canvas[data-view='']")
+    page.wait_for_selector("canvas[data-view=error]")
+    assert picture(page) != error
+    page.get_by_label("Beside it").select_option("")
+    page.wait_for_selector("canvas[data-view='']")
+    whole(page)
+
+
+@test
+def the_picture_of_povray_stands_beside_it(live):
+    if not shutil.which("povray"):
+        return
+    live.start()
+    page = live.page()
+    assert "equal in every pixel" in view(page, "povray")
+    after(page, lambda: drag(page, 60, 0))
+    page.wait_for_selector("canvas[data-view=povray]")
+    assert "equal in every pixel" in page.locator("#legend-text").inner_text()
+
+
+@test
+def the_plan_names_what_is_left_out(live):
+    live.start()
+    page = live.page()
+    page.locator("#plan-box summary").click()
+    expect(page.locator("#plan")).to_contain_text("1 plane")
+    expect(page.locator("#plan")).to_contain_text("left out")
+
+
+@test
+def the_picture_comes_in_tiles(live):
+    ring = "torus { 1 + I/9, 0.04 rotate 9*I*x pigment { rgb 0.8 } finish { reflection 0.6 } }"
+    live.start("+A0.3")
+    page = live.page()
+    # As many as take this machine a while.
+    for count in [4, 16, 64, 256]:
+        live.scene.write_text(f"{SCENE}#for (I, 0, {count}) {ring} #end\n")
+        expect(page.locator("#state")).not_to_contain_text("drawn in", timeout=LIMIT)
+        whole(page)
+        if float(re.search(r"([\d.]+) s$", page.locator("#state").inner_text())[1]) > 1.5:
+            break
+    page.evaluate(
+        """() => { window.seen = new Set(); setInterval(() => { if (document.querySelector('canvas').dataset.final === 'false')
+        seen.add(document.querySelector('canvas').dataset.pictures); }, 20); }"""
+    )
+    after(page, lambda: drag(page, 40, 0))
+    assert page.evaluate("seen.size") >= 4, page.evaluate("[...seen]")
+
+
+@test
+def scenes_of_the_folder_are_listed_and_opened(live):
+    (live.folder / "other.pov").write_text(SCENE.replace("<1, 0.2, 0.1>", "<0.1, 0.2, 1>").replace("Height = 1", "Height = 0.5"))
+    live.start()
+    page = live.page()
+    scenes = page.get_by_role("navigation", name="Scenes").get_by_role("button")
+    expect(scenes).to_have_count(2)
+    expect(page.locator("nav img")).to_have_count(2, timeout=LIMIT)
+    first = picture(page)
+    after(page, lambda: scenes.filter(has_text="other.pov").click())
+    expect(page.locator("#title")).to_have_text("other.pov")
+    expect(scenes.filter(has_text="other.pov")).to_have_attribute("aria-current", "true")
+    expect(page.locator("#history button")).to_have_count(1)
+    page.locator("#source-box summary").click()
+    expect(page.locator("#source")).to_contain_text("Height = 0.5")
+    after(page, lambda: page.get_by_label("Height").fill("2"))
+    page.locator("#write-values").click()
+    expect(page.locator("#message")).to_have_text("Written to the file.")
+    assert "Height = 2;" in (live.folder / "other.pov").read_text()
+    assert live.scene.read_text() == SCENE
+    scenes.filter(has_text="s.pov").click()
+    page.wait_for_function("first => document.querySelector('canvas').toDataURL() === first", arg=first)
+
+
+@test
+def without_a_scene_the_showcase_is_the_first_page(live):
+    live.start(scene=None)
+    page = live.browser.new_page(viewport={"width": 1200, "height": 800})
+    page.goto(live.address)
+    expect(page.locator("#state")).to_have_text("choose a scene")
+    expect(page.locator("nav button")).to_have_count(6)
+    expect(page.locator("nav img").first).to_be_visible(timeout=LIMIT)
+    page.get_by_role("button", name="molecule.pov").click()
+    whole(page)
+    expect(page.locator("#title")).to_have_text("molecule.pov")
+    after(page, lambda: drag(page, 40, 0))
+    page.locator("#write-camera").click()
+    expect(page.locator("#message")).to_contain_text("copy its source")
 
 
 @test
@@ -294,7 +418,7 @@ def all_that_answers_has_a_name(live):
     live.start()
     page = live.page()
     nameless = page.evaluate(
-        """[...document.querySelectorAll('button, input, canvas')].filter(part => !(part.ariaLabel
+        """[...document.querySelectorAll('button, input, select, canvas')].filter(part => !(part.ariaLabel
         || part.textContent.trim() || part.labels?.length)).map(part => part.outerHTML)"""
     )
     assert nameless == [], nameless

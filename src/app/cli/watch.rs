@@ -8,6 +8,8 @@
 mod files;
 mod page;
 mod painter;
+mod povray;
+mod scenes;
 mod shown;
 mod source;
 mod terminal;
@@ -17,7 +19,7 @@ use crate::app::cli::options::command_line;
 use crate::app::server;
 use crate::base::file::{FileLimits, Folders, Named, read_limited};
 use std::net::TcpListener;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -29,15 +31,17 @@ use clap::Parser;
 
 use self::files::{Known, Watched};
 use self::painter::{Drawing, Order, Painter};
+use self::scenes::{SceneFile, Scenes};
 use self::shown::Shown;
 use self::wishes::{SceneWish, Wishes};
 use super::Command;
 use super::draw::report::say;
 use super::draw::{Request, reporter, request_of};
 use super::options::environment::Environment;
-use super::options::error::CliError;
+use super::options::error::{CliError, Stage};
 use super::options::long_options;
-use super::options::settings::Scene;
+use super::options::settings::{Scene, Settings};
+use crate::base::sync::lock;
 
 pub(super) const COMMAND: Command = Command {
     name: "watch",
@@ -173,45 +177,89 @@ fn run_as(
     } else {
         "povr watch"
     };
-    let mut settings = match request_of(command, &rest, environment)? {
-        Request::Print(text) => {
+    let (folder, rest) = match wanted.is_live {
+        true => split_folder(rest),
+        false => (None, rest),
+    };
+    let requested = request_of(command, &rest, environment);
+    let is_gallery = match &requested {
+        Err(error) => wanted.is_live && error.stage == Stage::NoScene,
+        Ok(_) => false,
+    };
+    let settings = match requested {
+        Ok(Request::Print(text)) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
-        Request::Draw(settings) => *settings,
+        Ok(Request::Draw(settings)) => Some(*settings),
+        Err(_) if is_gallery => None,
+        Err(error) => return Err(error),
     };
-    let Scene::File(file) = settings.scene.clone() else {
-        return Err(CliError::new("a file is watched, not standard input"));
+    let file = match settings.as_ref().map(|settings| &settings.scene) {
+        Some(Scene::Stdin) => {
+            return Err(CliError::new("a file is watched, not standard input"));
+        }
+        Some(Scene::File(file)) => Some(file.clone()),
+        None => None,
     };
-    if settings.frames.is_some() {
+    let beside = |file: &PathBuf| file.parent().map(Path::to_owned);
+    let scenes = Scenes::of(folder.or_else(|| beside(file.as_ref()?)));
+    let settings_of = |scene: &SceneFile| opened(command, &rest, scene, environment);
+    let (scene, mut settings) = match (file, settings) {
+        (Some(path), Some(settings)) => {
+            let built_in = None;
+            (SceneFile { path, built_in }, settings)
+        }
+        _ => {
+            let first = scenes.all().into_iter().next();
+            let first = first.ok_or_else(|| CliError::new("there are no scenes in this folder"))?;
+            let settings = settings_of(&first)?;
+            (first, settings)
+        }
+    };
+    if settings.frames.is_some() && !wanted.is_live {
         return Err(CliError::new("an animation is not watched")
             .with_hint("Watch one picture of it: `+K0.5` sets the clock."));
     }
-    if wanted.is_live && !settings.names_output {
+    if wanted.is_live && (!settings.names_output || settings.frames.is_some()) {
         settings.output = None;
     }
+    let clocks = still(&mut settings);
     let (sender, receiver) = mpsc::channel();
     let writes_nothing = Folders::Only(Vec::new());
     let may_write = !settings.is_sandboxed && settings.read.writable != writes_nothing;
-    let wishes = Arc::new(Wishes::new(file.clone(), may_write, sender.clone()));
-    let shown = Arc::new(Shown::new(Arc::clone(&wishes), settings.read.clock));
-    if wanted.is_served || wanted.port.is_some() {
-        serve(&wanted, &shown, &wishes, &file.display().to_string())?;
+    let povray = which::which("povray").ok();
+    // It has limits of its own.
+    let povray = povray.filter(|_| may_write);
+    let wishes = Wishes::new(scenes, may_write, povray, sender.clone());
+    let wishes = Arc::new(wishes);
+    let shown = Arc::new(Shown::new(Arc::clone(&wishes)));
+    if !is_gallery {
+        wishes.open(scene.clone());
+        shown.open(scene.name(), settings.read.clock, clocks);
     }
+    let is_served = wanted.is_served || wanted.port.is_some();
+    if is_served {
+        serve(&wanted, &shown, &wishes)?;
+    }
+    let file = scene.path.clone();
     let painter = Painter {
-        scene: file.clone(),
+        scene,
         reporter: reporter(&settings),
         settings,
-        shown,
+        shown: Arc::clone(&shown),
         is_silent: wanted.is_silent,
         worker: Mutex::default(),
-        wishes,
+        wishes: Arc::clone(&wishes),
         preview_side: AtomicU32::new(painter::PREVIEW),
         drawn: Mutex::default(),
         picked: Mutex::default(),
+        warnings: Mutex::default(),
+        overlaid: Mutex::default(),
     };
     let mut watch = Watch {
         painter,
+        settings_of: &settings_of,
         sender: sender.clone(),
         receiver,
         watched: Watched::new(move || drop(sender.send(WatchEvent::Change))),
@@ -221,14 +269,81 @@ fn run_as(
         versions: 0,
         drawn: 0,
     };
-    let mut left = wanted.times;
-    loop {
-        watch.draw();
-        left = left.map(|left| left.saturating_sub(1));
-        if left == Some(0) {
-            return Ok(ExitCode::SUCCESS);
+    thread::scope(|scope| {
+        if is_served {
+            scope.spawn(|| {
+                let settings_of = |scene: &SceneFile| settings_of(scene).ok();
+                wishes.scenes.draw_thumbnails(settings_of, &shown);
+            });
         }
-        watch.wait();
+        if is_gallery {
+            watch.wait_for_wish();
+        }
+        let mut left = wanted.times;
+        loop {
+            watch.draw();
+            left = left.map(|left| left.saturating_sub(1));
+            if left == Some(0) {
+                wishes.scenes.end();
+                return Ok(ExitCode::SUCCESS);
+            }
+            watch.wait();
+        }
+    })
+}
+
+/// The last argument that is a folder, and all others.
+fn split_folder(arguments: Vec<String>) -> (Option<PathBuf>, Vec<String>) {
+    let is_folder = |argument: &String| {
+        let is_switch = argument.starts_with(['-', '+']) || argument.contains('=');
+        !is_switch && Path::new(argument).is_dir()
+    };
+    let folder = arguments.iter().rfind(|argument| is_folder(argument));
+    let folder = folder.map(PathBuf::from);
+    let others = arguments.into_iter().filter(|argument| {
+        let is_taken = folder.as_deref() == Some(Path::new(argument));
+        !is_taken
+    });
+    (folder.clone(), others.collect())
+}
+
+/// Takes the first picture of an animation; returns the first clock and the last one.
+fn still(settings: &mut Settings) -> [f64; 2] {
+    let clock = settings.read.clock;
+    let Some(frames) = settings.frames.take() else {
+        return [clock.min(0.0), clock.max(1.0)];
+    };
+    let numbers = frames.numbers();
+    let ends = [numbers.first(), numbers.last()];
+    let ends = ends.map(|frame| frame.map_or(clock, |&frame| frames.clock(frame)));
+    settings.read.clock = ends[0];
+    settings.read.clock_on = true;
+    ends
+}
+
+/// The settings of a scene that a page opens: those of the command line, without the picture that it stores.
+fn opened(
+    command: &str,
+    arguments: &[String],
+    scene: &SceneFile,
+    environment: &Environment,
+) -> Result<Settings, CliError> {
+    let mut arguments = arguments.to_vec();
+    match scene.built_in {
+        Some(_) => arguments.push("-".to_owned()),
+        None => {
+            let path = std::path::absolute(&scene.path).unwrap_or_else(|_| scene.path.clone());
+            let folder = path.parent().unwrap_or(&path);
+            arguments.push(format!("+L{}", folder.display()));
+            arguments.push(path.display().to_string());
+        }
+    }
+    match request_of(command, &arguments, environment)? {
+        Request::Draw(settings) => Ok(Settings {
+            output: None,
+            ..*settings
+        }),
+        Request::Print(_) => Err(CliError::new("no scene is named")),
     }
 }
 
@@ -282,12 +397,7 @@ fn read_arguments(
 }
 
 /// Serves the page, on this machine only.
-fn serve(
-    wanted: &Wanted,
-    shown: &Arc<Shown>,
-    wishes: &Arc<Wishes>,
-    title: &str,
-) -> Result<(), CliError> {
+fn serve(wanted: &Wanted, shown: &Arc<Shown>, wishes: &Arc<Wishes>) -> Result<(), CliError> {
     let port = wanted.port.unwrap_or(0);
     let cannot = |error: std::io::Error| {
         CliError::new(format!("cannot serve on port {port}: {error}"))
@@ -299,14 +409,16 @@ fn serve(
         Some(token) => token.clone(),
         None => server::token().map_err(cannot)?,
     };
-    page::serve(listener, &token, (shown, wishes), title).map_err(cannot)?;
+    page::serve(listener, &token, (shown, wishes)).map_err(cannot)?;
     say(format_args!("povr: http://{address}/{token}/"));
     Ok(())
 }
 
 /// A watched scene.
-struct Watch {
+struct Watch<'a> {
     painter: Painter,
+    /// The settings of a scene that is opened.
+    settings_of: &'a dyn Fn(&SceneFile) -> Result<Settings, CliError>,
     sender: Sender<WatchEvent>,
     receiver: Receiver<WatchEvent>,
     watched: Watched,
@@ -323,7 +435,40 @@ struct Watch {
     drawn: u64,
 }
 
-impl Watch {
+impl Watch<'_> {
+    /// Waits until a page opens a scene.
+    fn wait_for_wish(&self) {
+        while self.drawn == self.painter.wishes.number() {
+            let _ = self.receiver.recv();
+        }
+    }
+
+    /// Opens a scene in place of the current one.
+    fn open(&mut self, scene: SceneFile) {
+        let painter = &mut self.painter;
+        let mut settings = match (self.settings_of)(&scene) {
+            Ok(settings) => settings,
+            Err(error) => return painter.shown.fail(error.to_string()),
+        };
+        painter.wishes.open(scene.clone());
+        let clocks = still(&mut settings);
+        painter
+            .shown
+            .open(scene.name(), settings.read.clock, clocks);
+        painter.reporter = reporter(&settings);
+        painter.settings = settings;
+        if painter.settings.is_sandboxed {
+            // A worker in a sandbox draws one scene.
+            *lock(&painter.worker) = None;
+        }
+        let path = scene.path.clone();
+        painter.scene = scene;
+        for known in [&mut self.known, &mut self.text_known] {
+            *known = Known::of([path.clone()], SystemTime::now());
+        }
+        self.scene = None;
+    }
+
     /// Renders again and again until nothing changes meanwhile.
     fn draw(&mut self) {
         loop {
@@ -373,14 +518,19 @@ impl Watch {
 
     /// The next picture to draw. The text is read again if files have changed since the last one.
     fn order(&mut self) -> Order {
+        if let Some(scene) = self.painter.wishes.take_next() {
+            self.open(scene);
+        }
         let painter = &self.painter;
+        let SceneFile { path, built_in } = &painter.scene;
         if self.scene.is_none() {
             // Before its text is read, so that no change of it is missed.
-            self.text_known = Known::of([painter.scene.clone()], SystemTime::now());
+            self.text_known = Known::of([path.clone()], SystemTime::now());
             let limits = FileLimits::default();
-            let bytes = read_limited(&painter.scene, Named::ByScene, &limits)
-                .ok()
-                .flatten();
+            let bytes = match built_in {
+                Some(text) => Some(text.as_bytes().to_vec()),
+                None => read_limited(path, Named::ByScene, &limits).ok().flatten(),
+            };
             painter.wishes.take_file(bytes);
             painter.shown.refresh();
         }
@@ -392,7 +542,7 @@ impl Watch {
         }
         let edits = &wished.wish.scene.edits;
         let text = wished.source.text.as_deref();
-        let text = text.filter(|_| !edits.is_empty());
+        let text = text.filter(|_| !edits.is_empty() || built_in.is_some());
         Order {
             number: self.versions,
             text: text.and_then(|text| source::edited(text, edits)),
@@ -410,6 +560,7 @@ impl Watch {
         }
         let drawing = Drawing::default();
         let order = &self.order();
+        self.painter.shown.set_drawing(true);
         self.drawn = order.wished.number;
         let mut is_changed = false;
         // Until the scene has been read, the previous dependencies count.
@@ -438,6 +589,7 @@ impl Watch {
                 }
             }
         });
+        self.painter.shown.set_drawing(false);
         self.watched.watch(&known);
         self.known = known;
         // A last check: from now on the system reports changes.

@@ -1,16 +1,18 @@
 //! A worker process: draws pictures for the command that has started it ([`crate::app::worker`]).
 
 mod live;
+mod map;
+mod mosaic;
 
 use super::draw::limits::{Limits, Watch};
 use super::draw::report::say;
 use super::kernel;
-use crate::app::worker::{COMMAND, Draw, Reply, Report, Request};
+use crate::RenderSession;
+use crate::app::worker::{COMMAND, Draw, LONGEST_PARTIAL, Reply, Report, Request};
 use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::sync::lock;
 use crate::output;
-use crate::{CompiledScene, RenderSession};
-use live::LiveScene;
+use live::{LiveProduct, LiveScene, LiveScenes};
 use std::any::Any;
 use std::io::{self, Stdout, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -55,7 +57,7 @@ pub(super) fn run() -> ExitCode {
         replies,
         pool: None,
         session: None,
-        compiled: None,
+        live: LiveScenes::default(),
     };
     for (draw, control) in waiting {
         worker.draw(*draw, &control);
@@ -236,8 +238,7 @@ struct Worker {
     pool: Option<Arc<Pool>>,
     /// The series that was drawn last.
     session: Option<(usize, RenderSession)>,
-    /// The live scene with its number.
-    compiled: Option<(u64, CompiledScene)>,
+    live: LiveScenes,
 }
 
 impl Worker {
@@ -305,9 +306,6 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
-        let report = |report| {
-            self.replies.send(&Reply::Report(report));
-        };
         let drawn = match draw.live {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
             Some(live) => {
@@ -318,18 +316,12 @@ impl Worker {
                     render: &render,
                     listen: &listen,
                 };
-                let scene = scene.compiled(&live, &mut self.compiled, &report);
-                if let (Some(pixel), Ok((scene, live))) = (live.pick, &scene) {
-                    let picked = live.picked(scene, pixel);
-                    let picked = picked.map_err(|Failure { .. }| None)?;
-                    report(Report::Picked(Box::new(picked)));
-                    return Ok(Vec::new());
+                let encode = files.first();
+                match self.live.draw(&scene, &live, encode, &self.replies) {
+                    Ok(LiveProduct::Files(files)) => return Ok(files),
+                    Ok(LiveProduct::Picture(picture)) => Ok(*picture),
+                    Err(failure) => Err(failure),
                 }
-                let start = Instant::now();
-                let drawn =
-                    scene.and_then(|(scene, _)| scene.draw(&read, &render, &listen, session));
-                report(Report::Traced(start.elapsed()));
-                drawn
             }
         };
         let drawn = drawn.map_err(|Failure { .. }| None)?;
@@ -382,6 +374,20 @@ impl Replies {
             let _ = pipe.out.flush();
         }
         Sent::Whole
+    }
+
+    /// Sends the file of a picture in progress, unless it is too long.
+    fn partial(&self, file: &[u8]) {
+        let length = file.len() as u64;
+        if length > LONGEST_PARTIAL {
+            return;
+        }
+        let mut pipe = lock(&self.0);
+        pipe.send_pixels();
+        if pipe.send(&Reply::Partial(length)) == Sent::Whole {
+            let _ = pipe.out.write_all(file);
+        }
+        let _ = pipe.out.flush();
     }
 
     fn send(&self, reply: &Reply) -> Sent {

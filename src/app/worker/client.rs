@@ -1,7 +1,7 @@
 //! A command's end of a worker.
 
 use super::COMMAND;
-use super::wire::{Draw, Limit, Reply, Report, Request, read_bytes};
+use super::wire::{Draw, LONGEST_PARTIAL, Limit, Reply, Report, Request, read_bytes};
 use crate::app::program;
 use crate::app::watchdog::Watchdog;
 use crate::base::file::Folders;
@@ -275,6 +275,12 @@ impl Expected {
                     });
                 }
                 Reply::Drawn(pixels) => listen(Event::Drawn(pixels)),
+                Reply::Partial(length) if length > LONGEST_PARTIAL => {
+                    return Err(io::ErrorKind::InvalidData.into());
+                }
+                Reply::Partial(length) => {
+                    report(Report::Partial(read_bytes(&mut replies, length)?));
+                }
                 Reply::Limit(reached) => *limit = Some(reached),
                 Reply::Failed(reason) => return Ok(Err(reason)),
                 Reply::Done(lengths) if lengths.len() != self.files => {

@@ -27,10 +27,17 @@ fn replies() -> Vec<u8> {
         },
         Reply::Drawn(9),
         Reply::Limit(Limit::Time),
+        Reply::Partial(3),
         Reply::Done(vec![3]),
     ];
-    let encoded = replies.iter().map(|reply| reply.encoded().unwrap());
-    [encoded.collect::<Vec<_>>().concat(), b"abc".to_vec()].concat()
+    let encoded = replies.iter().map(|reply| {
+        let mut bytes = reply.encoded().unwrap();
+        if matches!(reply, Reply::Partial(_) | Reply::Done(_)) {
+            bytes.extend(b"abc");
+        }
+        bytes
+    });
+    encoded.collect::<Vec<_>>().concat()
 }
 
 #[test]

@@ -17,7 +17,8 @@ mod wire;
 pub use client::read_replies;
 pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{
-    CameraReport, Draw, Limit, Live, Picked, PickedSurface, Reply, Report, Request,
+    CameraReport, Draw, LONGEST_PARTIAL, Limit, Live, LiveTask, MapKind, MapReport, Picked,
+    PickedSurface, Reply, Report, Request,
 };
 
 /// The first argument of a worker process.

@@ -20,6 +20,8 @@ const LONGEST_REQUEST: usize = 1 << 28;
 /// Maximum length of a reply in bytes, pictures excluded: a worker that a scene has taken over cannot exhaust the memory
 /// of the command. The longest string of a scene has 10 MB.
 const LONGEST_REPLY: usize = 16 << 20;
+/// Maximum length of the file of a picture in progress in bytes.
+pub(crate) const LONGEST_PARTIAL: u64 = 32 << 20;
 
 /// A request to a worker.
 #[derive(Debug, Serialize, Deserialize)]
@@ -66,10 +68,44 @@ pub(crate) struct Live {
     pub(crate) number: u64,
     /// The text, if it is not that of the file.
     pub(crate) text: Option<String>,
+    /// True if there is no file: the scene is one that povr brings along.
+    pub(crate) is_built_in: bool,
     /// The statement of the camera, if it is not the scene's own.
     pub(crate) camera: Option<String>,
-    /// Column and row of a pixel that is reported on, instead of a picture.
-    pub(crate) pick: Option<(u32, u32)>,
+    pub(crate) task: LiveTask,
+}
+
+/// The product of a live scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum LiveTask {
+    /// A coarse picture, over which the next whole one is drawn.
+    Coarse,
+    /// A whole picture; it is also sent in progress.
+    Whole,
+    /// A report on the pixel of this column and row, instead of a picture.
+    Pixel(u32, u32),
+    /// A map of the picture.
+    Map(MapKind),
+}
+
+/// A map of the pixels of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum MapKind {
+    /// Rays traced without antialiasing.
+    Rays,
+    /// Microseconds to trace them.
+    Time,
+    /// Estimated error of the picture, in steps of 1/255 of the working space.
+    Error,
+}
+
+/// The scale of a map: logarithmic, from zero.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct MapReport {
+    /// The value of the brightest colour.
+    pub(crate) brightest: f64,
+    pub(crate) largest: f64,
+    pub(crate) mean: f64,
 }
 
 /// A report of a worker that is no event of the scene.
@@ -83,6 +119,13 @@ pub(crate) enum Report {
     Traced(Duration),
     /// The pixel that was asked for.
     Picked(Box<Picked>),
+    /// The map that was asked for.
+    Map(MapReport),
+    /// The statistics of a live scene and its whole picture, as JSON.
+    Statistics(String),
+    /// The file of a picture in progress, which comes behind a [`Reply::Partial`].
+    #[serde(skip)]
+    Partial(Vec<u8>),
 }
 
 /// A pixel and the surface that the camera sees in its centre.
@@ -136,6 +179,8 @@ pub(crate) enum Reply {
     },
     /// As [`Event::Drawn`].
     Drawn(u64),
+    /// The file of the picture in progress follows, with this length in bytes.
+    Partial(u64),
     /// A limit is reached. The worker cancels the picture, and ends soon.
     Limit(Limit),
     /// The picture is finished; its files follow, with these lengths in bytes.

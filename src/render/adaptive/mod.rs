@@ -29,8 +29,8 @@ mod two_class;
 
 use super::checkpoint::{Checkpoint, CheckpointTile};
 use super::tiles::Drawn;
-use crate::base::film::Film;
-use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
+use crate::base::film::{Film, Pixel};
+use crate::base::options::{Adaptive, AdaptiveOutcome, Event, EventHandler, RenderOptions};
 use crate::render::shade::Tracer;
 use crate::world::RayCounts;
 use band::MARGIN;
@@ -61,8 +61,9 @@ pub(super) fn draw(
     options: &RenderOptions,
     settings: &Adaptive,
     checkpoint: Option<&Checkpoint>,
-    progress: &(dyn Fn(u64) + Sync),
+    listen: &EventHandler<'_>,
 ) -> Drawn {
+    let progress = &|pixels| listen(Event::Drawn(pixels));
     let deadline = settings
         .time
         .and_then(|time| Instant::now().checked_add(time));
@@ -109,12 +110,13 @@ pub(super) fn draw(
             };
             for rows in missing.iter().flat_map(|rows| bands(rows, height)) {
                 drawing.draw(&rows, target, progress);
+                drawing.report(&rows, listen);
                 if let Some(checkpoint) = checkpoint.filter(|_| !options.stop.is_cancelled()) {
                     checkpoint.keep(&drawing.tile(&rows));
                 }
             }
         }
-        Some(deadline) => drawing.draw_in_time(error, deadline, progress),
+        Some(deadline) => drawing.draw_in_time(error, deadline, listen),
     }
     let reached = Some(drawing.reached(settings.error));
     Drawn {
@@ -144,19 +146,34 @@ impl Drawing<'_> {
         (BAND_PIXELS / width.max(1)).max(MARGIN)
     }
 
+    /// Sends the pixels of some rows.
+    fn report(&self, rows: &Range<u32>, listen: &EventHandler<'_>) {
+        listen(Event::Tile {
+            columns: &self.columns,
+            rows,
+            pixels: &self.pixels_of(rows),
+        });
+    }
+
+    /// The pixels of some rows.
+    fn pixels_of(&self, rows: &Range<u32>) -> Vec<Pixel> {
+        let width = self.sampler.size.0 as usize;
+        let columns = self.columns.start as usize..self.columns.end as usize;
+        rows.clone()
+            .map(|y| y as usize * width)
+            .flat_map(|line| &self.film.pixels[line + columns.start..line + columns.end])
+            .copied()
+            .collect()
+    }
+
     /// The finished pixels of some rows, for the checkpoint.
     fn tile(&self, rows: &Range<u32>) -> CheckpointTile {
-        let (wide, width) = (self.columns.len(), self.sampler.size.0 as usize);
+        let wide = self.columns.len();
         let first = (rows.start - self.rows.start) as usize * wide;
-        let columns = self.columns.start as usize..self.columns.end as usize;
-        let lines = rows.clone().map(|y| y as usize * width);
         CheckpointTile {
             columns: self.columns.clone(),
             rows: rows.clone(),
-            pixels: lines
-                .flat_map(|line| &self.film.pixels[line + columns.start..line + columns.end])
-                .copied()
-                .collect(),
+            pixels: self.pixels_of(rows),
             errors: self.errors[first..first + rows.len() * wide].to_vec(),
             samples: self.samples,
         }
@@ -185,11 +202,13 @@ impl Drawing<'_> {
     }
 
     /// Renders for smaller and smaller errors until the time is over.
-    fn draw_in_time(&mut self, error: f64, deadline: Instant, progress: &(dyn Fn(u64) + Sync)) {
+    fn draw_in_time(&mut self, error: f64, deadline: Instant, listen: &EventHandler<'_>) {
+        let progress = &|pixels| listen(Event::Drawn(pixels));
         let mut goal = FIRST_ERROR.max(error);
         // The first pass is finished regardless of the time: there must be a picture.
         for rows in bands(&self.rows, self.rows_together()) {
             self.draw(&rows, ErrorTarget::new(goal / LEVELS, None), progress);
+            self.report(&rows, listen);
         }
         while goal > error && Instant::now() < deadline {
             goal = (goal * ERROR_FACTOR).max(error);
@@ -201,6 +220,7 @@ impl Drawing<'_> {
                     return;
                 }
                 self.draw(&rows, target, &|_| {});
+                self.report(&rows, listen);
             }
         }
     }

@@ -3,7 +3,6 @@
 use super::shown::Shown;
 use super::source::SceneText;
 use super::wishes::{Change, Wishes};
-use crate::app::page::escaped;
 use crate::app::server::{Answer, Call, Limits, Route, serve as serve_routes};
 use hyper::StatusCode;
 use std::io;
@@ -22,23 +21,33 @@ pub(super) fn serve(
     listener: TcpListener,
     token: &str,
     (shown, wishes): (&Arc<Shown>, &Arc<Wishes>),
-    title: &str,
 ) -> io::Result<()> {
-    let page = PAGE.replace("TITLE", &escaped(title));
     let events = shown.events();
     let picture = Arc::clone(shown);
     let history = Arc::clone(shown);
-    let text = Arc::clone(wishes);
+    let overlay = Arc::clone(shown);
+    let (text, scenes, thumbnails) = (Arc::clone(wishes), Arc::clone(wishes), Arc::clone(wishes));
     let (changed, wishes) = (Arc::clone(shown), Arc::clone(wishes));
     let routes = vec![
-        Route::get("/", move |_| {
-            Answer::Content("text/html; charset=utf-8", page.clone().into())
+        Route::get("/", |_| {
+            Answer::Content("text/html; charset=utf-8", PAGE.into())
+        }),
+        Route::get("/scenes.json", move |_| {
+            Answer::Content("application/json", scenes.scenes.json().into())
+        }),
+        Route::get("/thumbnail.png", move |call| {
+            png(call
+                .query
+                .parse()
+                .ok()
+                .and_then(|number| thumbnails.scenes.thumbnail(number)))
         }),
         Route::get("/page.css", |_| Answer::Content("text/css", STYLE.into())),
         Route::get("/page.js", |_| {
             Answer::Content("text/javascript; charset=utf-8", SCRIPT.into())
         }),
         Route::get("/picture.png", move |_| png(picture.png())),
+        Route::get("/overlay.png", move |_| png(overlay.overlay_png())),
         Route::get("/history.png", move |call| {
             png(call
                 .query

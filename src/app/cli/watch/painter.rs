@@ -1,23 +1,24 @@
 //! One rendering for `povr watch`: a coarse picture first, then the whole one; both are shown. The worker compiles the
 //! scene once for both, and keeps it for other cameras.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 use std::collections::VecDeque;
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 use super::files::Known;
-use super::shown::{Picture, Shown};
+use super::povray;
+use super::scenes::SceneFile;
+use super::shown::{Overlaid, Picture, Shown};
 use super::terminal;
-use super::wishes::{Pick, SceneWish, Wish, Wished, Wishes};
+use super::wishes::{Overlay, Pick, SceneWish, Wish, Wished, Wishes};
 use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
-use crate::app::worker::{Control, Draw, Live, Lost, Report, Worker};
-use crate::base::options::{Event, RenderOptions, Sampling};
+use crate::app::worker::{Control, Draw, Live, LiveTask, Lost, MapKind, MapReport, Report, Worker};
+use crate::base::options::{CancelToken, Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::base::sync::lock;
 use crate::output::{self, EncodeOptions, Format};
@@ -33,12 +34,14 @@ const PREVIEW_TIMES: [Duration; 2] = [Duration::from_millis(8), Duration::from_m
 const LONG: Duration = Duration::from_secs(1);
 /// Time without new wishes after which the whole picture of a camera in motion is begun.
 const REST: Duration = Duration::from_millis(60);
+/// The larger side of a map of costs at most.
+const MAP: u32 = 400;
 /// Pictures of fewer pixels have no preview.
 const SMALL: u64 = 200 * 150;
 
 /// Renders and shows pictures.
 pub(super) struct Painter {
-    pub(super) scene: PathBuf,
+    pub(super) scene: SceneFile,
     pub(super) settings: Settings,
     pub(super) reporter: Reporter,
     pub(super) shown: Arc<Shown>,
@@ -52,6 +55,10 @@ pub(super) struct Painter {
     pub(super) drawn: Mutex<Option<(u64, Option<View>)>>,
     /// The number of the last pixel that was reported on.
     pub(super) picked: Mutex<Option<u64>>,
+    /// The warnings of the scene of a number.
+    pub(super) warnings: Mutex<(u64, String)>,
+    /// The last view beside a picture, with the number and the camera of the scene.
+    pub(super) overlaid: Mutex<Option<(Overlay, u64, Option<View>)>>,
 }
 
 /// A picture to draw.
@@ -66,39 +73,53 @@ pub(super) struct Order {
     pub(super) is_wished: bool,
 }
 
-/// One picture of a drawing, or a report on one of its pixels.
+/// One task of a drawing.
 struct Pass {
     render: RenderOptions,
-    /// The number of the report, and the column and row of the pixel.
-    pick: Option<(u64, (u32, u32))>,
+    task: LiveTask,
 }
 
-impl Pass {
-    fn picture(render: RenderOptions) -> Self {
-        Pass { render, pick: None }
-    }
+/// Reports of a worker on its task.
+#[derive(Debug, Default)]
+struct News {
+    traced: Duration,
+    map: Option<MapReport>,
+    statistics: Option<String>,
 }
+
+/// A view beside a picture: a PNG file, a note, and the scale of a map.
+type OverlayPicture = (Vec<u8>, String, Option<MapReport>);
 
 impl Painter {
     /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
     pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime, order: &Order) {
-        let (errors, warnings) = (Mutex::new(String::new()), Mutex::new(String::new()));
+        let errors = Mutex::new(String::new());
+        // A scene that stays compiled is not read for each picture.
+        let warnings = &self.warnings;
+        if lock(warnings).0 != order.number {
+            *lock(warnings) = (order.number, String::new());
+        }
         let is_reported =
             |event: &Event<'_>| !drawing.is_cancelled() && !matches!(event, Event::Drawn(_));
         let listen = |event: Event<'_>| {
             if let Event::Read { dependencies, .. } = event {
                 let paths = dependencies.iter().map(|one| one.path.clone());
-                let known = Known::of(paths.chain([self.scene.clone()]), began);
+                let known = Known::of(paths.chain([self.scene.path.clone()]), began);
                 *lock(&drawing.read) = Some(known);
             }
             if let Event::Finding(message) = event
                 && !drawing.is_cancelled()
             {
-                let findings = match message.severity {
-                    Severity::Error => &errors,
-                    Severity::Warning => &warnings,
-                };
-                lock(findings).push_str(&format!("{}\n", message.excerpt));
+                let excerpt = format!("{}\n", message.excerpt);
+                match message.severity {
+                    Severity::Error => lock(&errors).push_str(&excerpt),
+                    Severity::Warning => {
+                        let warnings = &mut lock(warnings).1;
+                        if !warnings.contains(&excerpt) {
+                            warnings.push_str(&excerpt);
+                        }
+                    }
+                }
             }
             if is_reported(&event) {
                 self.reporter.report(event);
@@ -109,20 +130,17 @@ impl Painter {
             .pick
             .filter(|pick| Some(pick.number) != *lock(&self.picked));
         let current = Some((order.number, wish.view.clone()));
-        let is_drawn = *lock(&self.drawn) == current;
-        let passes = self.passes().into_iter().map(Pass::picture);
-        let passes = passes.filter(|_| !(is_drawn && pick.is_some()));
-        let pick = pick.map(|pick| self.pick(pick));
-        let mut passes: VecDeque<_> = pick.into_iter().chain(passes).collect();
+        let is_drawn = order.is_wished && *lock(&self.drawn) == current;
+        let passes = self.passes().into_iter().filter(|_| !is_drawn);
+        let picked = pick.map(|pick| self.pick(pick));
+        let mut passes: VecDeque<_> = picked.into_iter().chain(passes).collect();
         let mut has_better = false;
         while let Some(pass) = passes.pop_front() {
-            let is_preview = pass.render.width < self.settings.render.width;
-            let pick = pass.pick;
-            if pick.is_none() {
+            let task = pass.task;
+            let is_preview = task == LiveTask::Coarse;
+            if is_preview || task == LiveTask::Whole {
                 *lock(&self.drawn) = None;
             }
-            // Each pass reads the scene anew.
-            lock(&warnings).clear();
             let start = Instant::now();
             let draw = self.order(pass, order);
             let drawn = self.drawn(draw, (drawing, is_preview), order, &listen);
@@ -131,28 +149,31 @@ impl Painter {
             if drawn.is_err() && drawing.is_cancelled() {
                 return;
             }
-            if let Some((number, _)) = pick {
-                *lock(&self.picked) = Some(number);
+            if let (LiveTask::Pixel(..), Some(pick)) = (task, pick) {
+                *lock(&self.picked) = Some(pick.number);
             }
-            let (files, traced) = match drawn {
+            let (files, news) = match drawn {
                 Ok(drawn) => drawn,
                 Err(lost) => {
                     let errors = errors.into_inner().unwrap_or_else(PoisonError::into_inner);
                     return self.fail(errors, lost);
                 }
             };
-            if pick.is_some() {
+            if let LiveTask::Pixel(..) = task {
                 continue;
             }
+            let traced = news.traced;
+            if let Some(statistics) = news.statistics {
+                self.shown.plan(&statistics);
+            }
             let mut files = files.into_iter();
-            let warnings = std::mem::take(&mut *lock(&warnings));
             let png = files.next().unwrap_or_default();
-            self.show(png, is_preview, seconds, warnings);
+            self.show(png, is_preview, seconds);
             if is_preview {
                 if !has_better {
                     has_better = true;
                     if let Some(better) = self.better_preview(traced) {
-                        passes.push_front(Pass::picture(better));
+                        passes.push_front(better);
                     }
                     self.adapt(traced);
                 }
@@ -167,6 +188,106 @@ impl Painter {
                 say(format_args!("povr: drawn in {seconds:.2} s"));
             }
         }
+        self.overlay(drawing, order, &listen);
+    }
+
+    /// Draws the view beside the picture, unless it has been drawn.
+    fn overlay(&self, drawing: &Drawing, order: &Order, listen: &dyn Fn(Event<'_>)) {
+        let Wish { view, overlay, .. } = &order.wished.wish;
+        let Some(overlay) = *overlay else {
+            return;
+        };
+        let current = Some((overlay, order.number, view.clone()));
+        if *lock(&self.overlaid) == current {
+            return self.shown.overlay_again();
+        }
+        let start = Instant::now();
+        let drawn = match overlay {
+            Overlay::PovRay => self.by_povray(drawing, order),
+            Overlay::Rays => self.map(MapKind::Rays, drawing, order, listen),
+            Overlay::Time => self.map(MapKind::Time, drawing, order, listen),
+            Overlay::Error => self.map(MapKind::Error, drawing, order, listen),
+        };
+        if drawing.is_cancelled() {
+            return;
+        }
+        *lock(&self.overlaid) = current;
+        let (png, note, scale) = match drawn {
+            Ok((png, note, scale)) => (Some(png.into()), note, scale),
+            Err(reason) => (None, reason, None),
+        };
+        self.shown.overlay(Overlaid {
+            kind: overlay,
+            png,
+            note,
+            scale,
+            seconds: start.elapsed().as_secs_f64(),
+        });
+    }
+
+    /// A map as a PNG file, with its scale.
+    fn map(
+        &self,
+        kind: MapKind,
+        drawing: &Drawing,
+        order: &Order,
+        listen: &dyn Fn(Event<'_>),
+    ) -> Result<OverlayPicture, String> {
+        let whole = &self.settings.render;
+        let render = match kind {
+            MapKind::Error => whole.clone(),
+            MapKind::Rays | MapKind::Time => {
+                self.smaller(whole.width.max(whole.height).div_ceil(MAP))
+            }
+        };
+        let task = LiveTask::Map(kind);
+        let draw = self.order(Pass { render, task }, order);
+        let drawn = self.drawn(draw, (drawing, false), order, listen);
+        self.reporter.take_counts();
+        let no_map = || "no map has been drawn".to_owned();
+        match drawn {
+            Ok((files, News { map: Some(map), .. })) => {
+                let png = files.into_iter().next().ok_or_else(no_map)?;
+                Ok((png, String::new(), Some(map)))
+            }
+            Ok(_) => Err(no_map()),
+            Err(lost) => Err(self.reason(lost).unwrap_or_default()),
+        }
+    }
+
+    /// POV-Ray's picture as a PNG file, with a note on the differences.
+    fn by_povray(&self, drawing: &Drawing, order: &Order) -> Result<OverlayPicture, String> {
+        let stop = CancelToken::default();
+        if drawing.begin(Stop::PovRay(stop.clone()), false).is_err() {
+            return Err(String::new());
+        }
+        let wished = &order.wished;
+        let Some(program) = &self.wishes.povray else {
+            return Err(String::new());
+        };
+        let text = match &order.text {
+            Some(text) => text,
+            None => match &wished.source.text {
+                Some(text) => text,
+                None => return Err("the scene is not a text in UTF-8".to_owned()),
+            },
+        };
+        let statement = self.wishes.camera_statement(wished);
+        let text = povray::text(text, wished.wish.view.as_ref(), statement);
+        let mut read = self.settings.read.clone();
+        wished.wish.scene.declare(&mut read);
+        let task = povray::Task {
+            program,
+            scene: &self.scene.path,
+            text: &text,
+            read: &read,
+            render: &self.settings.render,
+            stop: &stop,
+        };
+        let (png, version) = task.draw()?;
+        let own = self.shown.png().unwrap_or_default();
+        let note = povray::difference(&own, &png);
+        Ok((png, format!("{version}; {note}"), None))
     }
 
     /// The pass that reports on a pixel.
@@ -182,26 +303,26 @@ impl Painter {
             [x * f64::from(render.width), y * f64::from(render.height)].map(|part| part as u32);
         Pass {
             render,
-            pick: Some((pick.number, (column, row))),
+            task: LiveTask::Pixel(column, row),
         }
     }
 
     /// The order for the worker of a pass. Only the picture of the file as it is has an output.
-    fn order(&self, Pass { render, pick }: Pass, order: &Order) -> Draw {
+    fn order(&self, Pass { render, task }: Pass, order: &Order) -> Draw {
         let Wish { view, scene, .. } = &order.wished.wish;
         let is_unchanged = view.is_none() && *scene == SceneWish::default();
-        let is_output = render.width == self.settings.render.width && is_unchanged;
+        let is_output = task == LiveTask::Whole && is_unchanged;
         let output = self.settings.output.as_ref().filter(|_| is_output);
         let mut read = self.settings.read.clone();
         scene.declare(&mut read);
         Draw {
-            scene: self.scene.clone(),
+            scene: self.scene.path.clone(),
             series: Some(usize::try_from(order.number).unwrap_or_default()),
             read,
             render,
-            files: match pick {
-                Some(_) => Vec::new(),
-                None => [self.png()]
+            files: match task {
+                LiveTask::Pixel(..) => Vec::new(),
+                _ => [self.png()]
                     .into_iter()
                     .chain(output.map(|(_, options)| options.clone()))
                     .collect(),
@@ -214,8 +335,9 @@ impl Painter {
             live: Some(Live {
                 number: order.number,
                 text: order.text.clone(),
+                is_built_in: self.scene.built_in.is_some(),
                 camera: view.as_ref().map(View::to_string),
-                pick: pick.map(|(_, pixel)| pixel),
+                task,
             }),
         }
     }
@@ -268,21 +390,29 @@ impl Painter {
         (drawing, is_preview): (&Drawing, bool),
         order: &Order,
         listen: &dyn Fn(Event<'_>),
-    ) -> Result<(Vec<Vec<u8>>, Duration), Lost> {
+    ) -> Result<(Vec<Vec<u8>>, News), Lost> {
         let mut worker = lock(&self.worker);
         let worker = Worker::ready(&mut worker)
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
-        drawing.begin(worker.control(), is_preview)?;
+        drawing.begin(Stop::Worker(worker.control()), is_preview)?;
         let wished = &order.wished;
         let read = (wished.source.number, &wished.wish.scene.edits);
-        let traced = Cell::default();
+        let news = RefCell::new(News::default());
+        let start = Instant::now();
         let files = worker.draw(draw, listen, &|report| match report {
             Report::Weaker(lack) => kernel::warn(&[lack]),
             Report::Camera(camera) => self.wishes.take_camera(*camera, read),
-            Report::Traced(time) => traced.set(time),
+            Report::Traced(time) => news.borrow_mut().traced = time,
+            Report::Map(map) => news.borrow_mut().map = Some(map),
+            Report::Statistics(json) => news.borrow_mut().statistics = Some(json),
             Report::Picked(picked) => self.shown.pick(*picked),
+            Report::Partial(png) => {
+                if !drawing.is_cancelled() {
+                    self.show_on_page(png, true, start.elapsed().as_secs_f64());
+                }
+            }
         })?;
-        Ok((files, traced.get()))
+        Ok((files, news.into_inner()))
     }
 
     /// The reason that there is no picture, unless the messages of the scene give it.
@@ -298,21 +428,27 @@ impl Painter {
     }
 
     /// The passes: a preview first, unless the picture is small itself.
-    fn passes(&self) -> Vec<RenderOptions> {
-        let whole = self.settings.render.clone();
-        let (width, height) = (whole.width, whole.height);
-        let is_whole = (whole.columns.len(), whole.rows.len()) == (width as usize, height as usize);
+    fn passes(&self) -> Vec<Pass> {
+        let render = RenderOptions {
+            statistics: true,
+            ..self.settings.render.clone()
+        };
+        let (width, height) = (render.width, render.height);
+        let is_whole =
+            (render.columns.len(), render.rows.len()) == (width as usize, height as usize);
+        let whole = Pass {
+            render,
+            task: LiveTask::Whole,
+        };
         if !is_whole || u64::from(width) * u64::from(height) < SMALL {
             return vec![whole];
         }
-        vec![
-            self.preview(self.preview_side.load(Ordering::Relaxed)),
-            whole,
-        ]
+        let side = self.preview_side.load(Ordering::Relaxed);
+        vec![self.preview(side), whole]
     }
 
     /// A preview between the first, which took this time, and a picture that takes long.
-    fn better_preview(&self, time: Duration) -> Option<RenderOptions> {
+    fn better_preview(&self, time: Duration) -> Option<Pass> {
         let first = self.preview_side.load(Ordering::Relaxed);
         let side = match self.settings.render.sampling {
             Sampling::Centres => 3,
@@ -322,8 +458,15 @@ impl Painter {
         (is_long && side < first).then(|| self.preview(side))
     }
 
+    fn preview(&self, side: u32) -> Pass {
+        Pass {
+            render: self.smaller(side),
+            task: LiveTask::Coarse,
+        }
+    }
+
     /// The picture without antialiasing in a smaller size, for a side that is this part of the whole.
-    fn preview(&self, side: u32) -> RenderOptions {
+    fn smaller(&self, side: u32) -> RenderOptions {
         let whole = &self.settings.render;
         let (width, height) = ((whole.width / side).max(1), (whole.height / side).max(1));
         RenderOptions {
@@ -336,16 +479,20 @@ impl Painter {
         }
     }
 
-    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64, warnings: String) {
+    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
         if !self.is_silent {
             terminal::show(&png, is_preview);
         }
+        self.show_on_page(png, is_preview, seconds);
+    }
+
+    fn show_on_page(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
         self.shown.put(Picture {
             png: png.into(),
             is_preview,
             seconds,
             size: (self.settings.render.width, self.settings.render.height),
-            warnings,
+            warnings: lock(&self.warnings).1.clone(),
         });
     }
 }
@@ -362,8 +509,8 @@ pub(super) struct Drawing {
 
 #[derive(Debug, Default)]
 struct Progress {
-    /// The worker of the current pass.
-    pass: Option<Control>,
+    /// Ends the current pass.
+    pass: Option<Stop>,
     /// True for a preview.
     is_preview: bool,
     /// True if the wishes have changed: a preview is finished, so that a camera in motion is seen, and the picture is not
@@ -372,11 +519,18 @@ struct Progress {
     is_cancelled: bool,
 }
 
+/// Ends a pass.
+#[derive(Debug)]
+enum Stop {
+    Worker(Control),
+    PovRay(CancelToken),
+}
+
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
-    fn begin(&self, control: Control, is_preview: bool) -> Result<(), Lost> {
+    fn begin(&self, stop: Stop, is_preview: bool) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
-        progress.pass = Some(control);
+        progress.pass = Some(stop);
         progress.is_preview = is_preview;
         progress.is_cancelled |= progress.is_superseded && !is_preview;
         match progress.is_cancelled {
@@ -419,8 +573,10 @@ impl Drawing {
         let mut progress = lock(&self.progress);
         if !std::mem::replace(&mut progress.is_cancelled, true) {
             self.superseded.notify_all();
-            if let Some(control) = &progress.pass {
-                control.stop();
+            match &progress.pass {
+                Some(Stop::Worker(control)) => control.stop(),
+                Some(Stop::PovRay(stop)) => stop.cancel(),
+                None => {}
             }
         }
     }

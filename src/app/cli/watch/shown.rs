@@ -1,17 +1,20 @@
 //! The current display: the last good picture, errors since, and the pictures before.
 
 use super::source::Control;
-use super::wishes::{Wished, Wishes};
-use crate::app::worker::Picked;
+use super::wishes::{Overlay, Wished, Wishes};
+use crate::app::worker::{MapReport, Picked};
 use crate::base::sync::lock;
 use hyper::body::Bytes;
 use serde::Serialize;
 use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
 
 /// The number of finished pictures that stay, and their size in bytes.
 const HISTORY: (usize, usize) = (24, 64 << 20);
+/// The most bytes of the statistics of a picture: they are a part of each event.
+const LONGEST_STATISTICS: usize = 1 << 14;
 
 /// A picture on display.
 #[derive(Clone, Debug)]
@@ -28,12 +31,28 @@ pub(super) struct Picture {
     pub(super) warnings: String,
 }
 
+/// A view beside the picture.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Overlaid {
+    pub(super) kind: Overlay,
+    /// A PNG file; `None` if there is none, for the reason in the note.
+    #[serde(skip)]
+    pub(super) png: Option<Bytes>,
+    pub(super) note: String,
+    /// The scale of a map.
+    pub(super) scale: Option<MapReport>,
+    /// The time to draw it in seconds.
+    pub(super) seconds: f64,
+}
+
 /// The display for any number of pages.
 #[derive(Debug)]
 pub(super) struct Shown {
     state: Mutex<State>,
     events: watch::Sender<String>,
     wishes: Arc<Wishes>,
+    /// True while a picture is in progress.
+    is_drawing: AtomicBool,
 }
 
 /// The display at one moment.
@@ -48,7 +67,19 @@ struct State {
     errors: String,
     /// The clock of the command line.
     clock: f64,
+    /// The first clock and the last one.
+    clocks: [f64; 2],
     picked: Option<Picked>,
+    /// The plan and the counts of the last whole picture.
+    statistics: Option<serde_json::Value>,
+    /// The last view beside a picture, with its number.
+    overlaid: Option<(u64, Overlaid)>,
+    /// True if it is of the current picture.
+    is_overlaid: bool,
+    /// The scene that is open.
+    scene: Option<String>,
+    /// The number of the last thumbnail.
+    thumbnails: u64,
     /// Finished pictures with their numbers, the latest last.
     history: VecDeque<(u64, Bytes)>,
 }
@@ -57,6 +88,10 @@ struct State {
 #[derive(Serialize)]
 struct Event<'a> {
     number: u64,
+    /// The name of the scene that is open.
+    scene: Option<&'a str>,
+    /// The number of the last thumbnail.
+    thumbnails: u64,
     /// The number of the picture.
     picture: u64,
     errors: &'a str,
@@ -79,23 +114,59 @@ struct Event<'a> {
     clock: Option<f64>,
     /// The clock of the command line.
     own_clock: f64,
+    /// The ends of its scrubber.
+    clocks: [f64; 2],
     /// The last pixel that was reported on.
     picked: Option<&'a Picked>,
+    statistics: Option<&'a serde_json::Value>,
+    has_povray: bool,
+    /// The view that is asked for.
+    overlay: Option<Overlay>,
+    /// The view that is there, with its number.
+    overlaid: Option<&'a (u64, Overlaid)>,
     history: Vec<u64>,
 }
 
 impl Shown {
-    /// An empty display; `clock` is that of the command line.
-    pub(super) fn new(wishes: Arc<Wishes>, clock: f64) -> Self {
-        let state = State {
-            clock,
-            ..State::default()
-        };
+    /// An empty display.
+    pub(super) fn new(wishes: Arc<Wishes>) -> Self {
+        let state = State::default();
         Shown {
             events: watch::Sender::new(state.json(&wishes)),
             state: Mutex::new(state),
             wishes,
+            is_drawing: AtomicBool::new(false),
         }
+    }
+
+    /// Shows a scene that has been opened, without the pictures of another one; `clock` is that of the command line.
+    pub(super) fn open(&self, scene: String, clock: f64, clocks: [f64; 2]) {
+        self.change(|state| {
+            *state = State {
+                number: state.number,
+                pictures: state.pictures + 1,
+                thumbnails: state.thumbnails,
+                scene: Some(scene),
+                clock,
+                clocks,
+                ..State::default()
+            }
+        });
+    }
+
+    /// Shows that there are thumbnails up to this number.
+    pub(super) fn thumbnails(&self, number: u64) {
+        self.change(|state| state.thumbnails = number);
+    }
+
+    /// Notes that a picture is begun, or ended.
+    pub(super) fn set_drawing(&self, is_drawing: bool) {
+        self.is_drawing.store(is_drawing, Ordering::Relaxed);
+    }
+
+    /// True while a picture is in progress.
+    pub(super) fn is_drawing(&self) -> bool {
+        self.is_drawing.load(Ordering::Relaxed)
     }
 
     /// Shows a picture and clears the errors.
@@ -105,6 +176,7 @@ impl Shown {
                 state.remember(picture.png.clone());
             }
             state.picture = Some(picture);
+            state.is_overlaid = false;
             state.pictures += 1;
             state.errors.clear();
         });
@@ -118,6 +190,33 @@ impl Shown {
     /// Shows the report on a pixel.
     pub(super) fn pick(&self, picked: Picked) {
         self.change(|state| state.picked = Some(picked));
+    }
+
+    /// Shows the statistics of a picture, which are JSON.
+    pub(super) fn plan(&self, statistics: &str) {
+        let read = Some(statistics).filter(|json| json.len() <= LONGEST_STATISTICS);
+        let statistics = read.and_then(|json| serde_json::from_str(json).ok());
+        // The picture follows.
+        lock(&self.state).statistics = statistics;
+    }
+
+    /// Shows a view beside the picture.
+    pub(super) fn overlay(&self, overlaid: Overlaid) {
+        self.change(|state| {
+            state.overlaid = Some((state.number, overlaid));
+            state.is_overlaid = true;
+        });
+    }
+
+    /// Shows the last view again.
+    pub(super) fn overlay_again(&self) {
+        self.change(|state| state.is_overlaid = true);
+    }
+
+    /// The view beside the picture, as a PNG file.
+    pub(super) fn overlay_png(&self) -> Option<Bytes> {
+        let state = lock(&self.state);
+        state.overlaid.as_ref()?.1.png.clone()
     }
 
     /// Shows the current wishes and text.
@@ -178,6 +277,8 @@ impl State {
         let values = wish.scene.edits.into_iter();
         let event = Event {
             number: self.number,
+            scene: self.scene.as_deref(),
+            thumbnails: self.thumbnails,
             picture: self.pictures,
             errors: &self.errors,
             warnings: picture.map_or("", |picture| &picture.warnings),
@@ -193,7 +294,15 @@ impl State {
             values: values.map(|(start, edit)| (start, edit.text)).collect(),
             clock: wish.scene.clock,
             own_clock: self.clock,
+            clocks: self.clocks,
             picked: self.picked.as_ref(),
+            statistics: self.statistics.as_ref(),
+            has_povray: wishes.povray.is_some(),
+            overlay: wish.overlay,
+            overlaid: self
+                .overlaid
+                .as_ref()
+                .filter(|(_, one)| self.is_overlaid && Some(one.kind) == wish.overlay),
             history: self.history.iter().map(|(number, _)| *number).collect(),
         };
         // Its maps have texts for keys.

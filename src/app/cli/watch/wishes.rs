@@ -1,6 +1,7 @@
 //! The wishes of the viewers of a page: the camera, the values of numbers, the clock and the cursor. All viewers share them.
 
 use super::WatchEvent;
+use super::scenes::{SceneFile, Scenes};
 use super::source::{self, CURSOR, Edit, Edits, SceneText};
 use crate::app::worker::CameraReport;
 use crate::base::file::{FileLimits, Named, read_limited};
@@ -8,7 +9,7 @@ use crate::base::options::ReadOptions;
 use crate::base::sync::lock;
 use crate::output::{self, Target};
 use crate::scene::camera::{Movement, View};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::mpsc::Sender;
@@ -25,6 +26,22 @@ pub(super) struct Wish {
     pub(super) scene: SceneWish,
     /// The last pixel to report on.
     pub(super) pick: Option<Pick>,
+    /// The view beside the picture.
+    pub(super) overlay: Option<Overlay>,
+}
+
+/// A view beside the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Overlay {
+    /// Rays of each pixel.
+    Rays,
+    /// Time of each pixel.
+    Time,
+    /// Estimated error of each pixel.
+    Error,
+    /// POV-Ray's picture.
+    PovRay,
 }
 
 /// A pixel to report on.
@@ -62,10 +79,12 @@ impl SceneWish {
 /// The wishes, which the server changes and the drawing loop reads.
 #[derive(Debug)]
 pub(super) struct Wishes {
-    /// The file of the scene.
-    path: PathBuf,
-    /// True if pages may write into it.
+    /// The scenes that can be opened.
+    pub(super) scenes: Scenes,
+    /// True if pages may write into files.
     may_write: bool,
+    /// POV-Ray, if it is installed and may read the scene.
+    pub(super) povray: Option<PathBuf>,
     state: Mutex<State>,
     /// Held while the file is written, and until its new text is known.
     writing: Mutex<()>,
@@ -82,6 +101,10 @@ struct State {
     source: Arc<SceneText>,
     /// The camera of the scene, and the number of the text that its statement is in.
     own: (CameraReport, u64),
+    /// The scene that is open.
+    scene: Option<SceneFile>,
+    /// The scene to open.
+    next: Option<SceneFile>,
 }
 
 /// All wishes at one moment, with the text that they refer to.
@@ -113,6 +136,10 @@ pub(super) enum Change {
     Cursor([f64; 3]),
     /// Reports on a pixel.
     Pick([f64; 2]),
+    /// Shows a view beside the picture.
+    Overlay(Option<Overlay>),
+    /// Opens a scene of the list.
+    Open(String),
     /// Takes the camera of the scene.
     ResetCamera,
     /// Takes the numbers of the text, and the clock of the command line.
@@ -124,11 +151,17 @@ pub(super) enum Change {
 }
 
 impl Wishes {
-    /// No wishes for the scene of a file; pages write into that if they may.
-    pub(super) fn new(path: PathBuf, may_write: bool, sender: Sender<WatchEvent>) -> Self {
+    /// No wishes yet; pages open these scenes, and write into them if they may.
+    pub(super) fn new(
+        scenes: Scenes,
+        may_write: bool,
+        povray: Option<PathBuf>,
+        sender: Sender<WatchEvent>,
+    ) -> Self {
         Wishes {
-            path,
+            scenes,
             may_write,
+            povray,
             state: Mutex::default(),
             writing: Mutex::default(),
             sender,
@@ -147,6 +180,28 @@ impl Wishes {
         }
     }
 
+    /// The scene to open, once.
+    pub(super) fn take_next(&self) -> Option<SceneFile> {
+        lock(&self.state).next.take()
+    }
+
+    /// Takes a scene that has been opened, without the wishes for another one.
+    pub(super) fn open(&self, scene: SceneFile) {
+        let _written = lock(&self.writing);
+        let mut state = lock(&self.state);
+        *state = State {
+            number: state.number,
+            wish: Wish {
+                overlay: state.wish.overlay,
+                ..Wish::default()
+            },
+            source: Arc::new(SceneText::new(state.source.number + 1, None)),
+            scene: Some(scene),
+            next: state.next.take(),
+            ..State::default()
+        };
+    }
+
     /// The number of the current wishes.
     pub(super) fn number(&self) -> u64 {
         lock(&self.state).number
@@ -157,7 +212,7 @@ impl Wishes {
         let _written = lock(&self.writing);
         let mut state = lock(&self.state);
         let new = SceneText::new(state.source.number + 1, bytes);
-        if state.source.number == 0 || new.text != state.source.text {
+        if new.text != state.source.text {
             state.wish.scene.edits.clear();
             state.source = Arc::new(new);
         }
@@ -180,6 +235,16 @@ impl Wishes {
         state.own = (own, number);
     }
 
+    /// The bytes of the camera's statement in the text with its edits, if it stands there.
+    pub(super) fn camera_statement(&self, wished: &Wished) -> Option<Range<usize>> {
+        let state = lock(&self.state);
+        let (own, number) = &state.own;
+        let is_current = *number == wished.source.number;
+        let moved = |position| source::moved(position, &wished.wish.scene.edits);
+        let statement = own.statement.clone().filter(|_| is_current)?;
+        Some(moved(statement.start)..moved(statement.end))
+    }
+
     fn changed(&self, state: &mut State) {
         state.number += 1;
         // The loop runs as long as the process.
@@ -198,6 +263,7 @@ impl Wishes {
             wish,
             source,
             own: (own, _),
+            ..
         } = &mut *state;
         match change {
             Change::Move(movement) => {
@@ -227,12 +293,26 @@ impl Wishes {
                     wish.scene.cursor = Some(cursor);
                 }
             }
+            Change::Open(name) => {
+                let scene = self.scenes.named(&name);
+                let next = scene.ok_or("there is no such scene in the folder")?;
+                state.next = Some(next);
+                self.changed(&mut state);
+                return Ok(());
+            }
             Change::Pick(position) => {
                 if position.iter().all(|part| (0.0..1.0).contains(part)) {
                     let number = *number + 1;
                     wish.pick = Some(Pick { number, position });
                 }
             }
+            Change::Overlay(Some(Overlay::PovRay)) if self.povray.is_none() => {
+                return Err(
+                    "POV-Ray is not installed, or `--sandbox` or `--no-write` forbids it"
+                        .to_owned(),
+                );
+            }
+            Change::Overlay(overlay) => wish.overlay = overlay,
             Change::ResetCamera => wish.view = None,
             Change::ResetValues => {
                 wish.scene.edits.clear();
@@ -265,16 +345,23 @@ impl Wishes {
         let Ok(_writing) = self.writing.try_lock() else {
             return Err("the file is being read or written: try it again".to_owned());
         };
-        let (source, (edits, statement)) = {
+        let (path, source, (edits, statement)) = {
             let state = lock(&self.state);
+            let path = match &state.scene {
+                Some(SceneFile {
+                    path,
+                    built_in: None,
+                }) => path.clone(),
+                _ => return Err("this scene has no file: copy its source into one".to_owned()),
+            };
             let text = state.source.text.as_deref();
             let text = text.ok_or("the scene is not a text in UTF-8")?;
-            (Arc::clone(&state.source), edits_of(&state, text)?)
+            (path, Arc::clone(&state.source), edits_of(&state, text)?)
         };
         let text = source.text.as_deref().unwrap_or_default();
         let new = source::edited(text, &edits).ok_or("the numbers are no longer there")?;
         let new = source.file(&new);
-        self.replace_file(&source.file(text), &new)?;
+        replace_file(path, &source.file(text), &new)?;
         let mut state = lock(&self.state);
         let number = source.number + 1;
         state.source = Arc::new(SceneText::new(number, Some(new)));
@@ -286,17 +373,17 @@ impl Wishes {
         self.changed(&mut state);
         Ok(())
     }
+}
 
-    /// Replaces the contents of the file.
-    fn replace_file(&self, old: &[u8], new: &[u8]) -> Result<(), String> {
-        let path = self.path.display();
-        let now = read_limited(&self.path, Named::ByScene, &FileLimits::default())
-            .map_err(|error| format!("cannot read `{path}`: {error}"))?;
-        if now.as_deref() != Some(old) {
-            return Err(format!("`{path}` has changed meanwhile: try it again"));
-        }
-        output::put(new, &Target::File(self.path.clone())).map_err(|error| error.to_string())
+/// Replaces the contents of a file.
+fn replace_file(file: PathBuf, old: &[u8], new: &[u8]) -> Result<(), String> {
+    let path = file.display();
+    let now = read_limited(&file, Named::ByScene, &FileLimits::default())
+        .map_err(|error| format!("cannot read `{path}`: {error}"))?;
+    if now.as_deref() != Some(old) {
+        return Err(format!("`{path}` has changed meanwhile: try it again"));
     }
+    output::put(new, &Target::File(file)).map_err(|error| error.to_string())
 }
 
 /// Edits to write, and the range of the camera's statement in the new text.

@@ -1,11 +1,106 @@
 //! Pictures of a scene that stays compiled, and reports on their pixels.
 
-use crate::app::worker::{CameraReport, Live, Picked, PickedSurface, Report};
-use crate::base::options::{EventHandler, Failure, Input, ReadOptions, RenderOptions};
+use super::Replies;
+use super::mosaic::Mosaic;
+use crate::app::worker::{CameraReport, Live, LiveTask, Picked, PickedSurface, Reply, Report};
+use crate::base::encoding::EncodeOptions;
+use crate::base::film::Film;
+use crate::base::options::{
+    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
+};
 use crate::scene::camera::{Camera, View};
 use crate::{CompiledScene, RenderSession, object_at};
 use std::path::PathBuf;
 use std::time::Instant;
+
+/// The state of live scenes between their pictures.
+#[derive(Debug, Default)]
+pub(super) struct LiveScenes {
+    /// The last scene with its number.
+    compiled: Option<(u64, CompiledScene)>,
+    /// The last coarse picture.
+    coarse: Option<LiveFilm>,
+    /// The last whole picture.
+    whole: Option<LiveFilm>,
+}
+
+/// A picture, with the number and the camera of its scene.
+type LiveFilm = (u64, Option<String>, Film);
+
+/// The product of a task.
+pub(super) enum LiveProduct {
+    /// Files that are complete.
+    Files(Vec<Vec<u8>>),
+    /// A picture to encode.
+    Picture(Box<Picture>),
+}
+
+/// The picture, if it is that of the scene.
+fn film_of<'a>(film: Option<&'a LiveFilm>, live: &Live) -> Option<&'a Film> {
+    let (number, camera, film) = film?;
+    ((*number, camera) == (live.number, &live.camera)).then_some(film)
+}
+
+impl LiveScenes {
+    /// Carries a task out. The picture in progress is encoded by `encode`.
+    pub(super) fn draw(
+        &mut self,
+        painter: &LiveScene<'_>,
+        live: &Live,
+        encode: Option<&EncodeOptions>,
+        replies: &Replies,
+    ) -> Result<LiveProduct, Failure> {
+        let report = |report| {
+            replies.send(&Reply::Report(report));
+        };
+        let scene = painter.compiled(live, &mut self.compiled, &report)?;
+        let start = Instant::now();
+        match live.task {
+            LiveTask::Pixel(column, row) => {
+                let picked = painter.picked(scene, (column, row))?;
+                report(Report::Picked(Box::new(picked)));
+                return Ok(LiveProduct::Files(Vec::new()));
+            }
+            LiveTask::Map(kind) => {
+                let known = film_of(self.whole.as_ref(), live);
+                let (png, scale) = painter.map(scene, kind, known)?;
+                report(Report::Map(scale));
+                return Ok(LiveProduct::Files(vec![png]));
+            }
+            LiveTask::Coarse | LiveTask::Whole => {}
+        }
+        let picture = match (live.task, encode) {
+            (LiveTask::Whole, Some(encode)) => {
+                let coarse = film_of(self.coarse.as_ref(), live);
+                let send = |file: &[u8]| replies.partial(file);
+                let encode = scene.encoding(encode);
+                let mosaic = Mosaic::over(coarse, painter.render, encode, &send);
+                painter.draw(scene, &|event| match event {
+                    Event::Tile { .. } if painter.render.stop.is_cancelled() => {}
+                    Event::Tile {
+                        columns,
+                        rows,
+                        pixels,
+                    } => mosaic.add(columns, rows, pixels),
+                    event => (painter.listen)(event),
+                })?
+            }
+            _ => painter.draw(scene, painter.listen)?,
+        };
+        report(Report::Traced(start.elapsed()));
+        if painter.render.statistics
+            && let Ok(json) = serde_json::to_string(&picture.statistics)
+        {
+            report(Report::Statistics(json));
+        }
+        let film = Some((live.number, live.camera.clone(), picture.film.clone()));
+        match live.task {
+            LiveTask::Coarse => self.coarse = film,
+            _ => self.whole = film,
+        }
+        Ok(LiveProduct::Picture(Box::new(picture)))
+    }
+}
 
 /// A live scene, with the options of its next picture.
 pub(super) struct LiveScene<'a> {
@@ -21,6 +116,10 @@ impl Live {
     pub(super) fn input(&self, path: PathBuf) -> Input {
         match &self.text {
             None => Input::File(path),
+            Some(text) if self.is_built_in => Input::Text {
+                name: path.display().to_string(),
+                text: text.clone().into_bytes(),
+            },
             Some(text) => Input::Edited {
                 path,
                 text: text.clone().into_bytes(),
@@ -31,12 +130,12 @@ impl Live {
 
 impl LiveScene<'_> {
     /// The compiled scene with the camera of the next picture: that of the last picture, if it is of the same text.
-    pub(super) fn compiled<'c>(
-        self,
+    fn compiled<'c>(
+        &self,
         live: &Live,
         compiled: &'c mut Option<(u64, CompiledScene)>,
         report: &dyn Fn(Report),
-    ) -> Result<(&'c CompiledScene, Self), Failure> {
+    ) -> Result<&'c CompiledScene, Failure> {
         let camera = live.camera.as_deref().map(camera_of).transpose()?;
         let mut known = compiled.take().filter(|(number, _)| *number == live.number);
         let is_same = known
@@ -47,7 +146,11 @@ impl LiveScene<'_> {
             None => self.compile(camera, report)?,
         };
         let (_, scene) = compiled.insert((live.number, scene));
-        Ok((scene, self))
+        Ok(scene)
+    }
+
+    fn draw(&self, scene: &CompiledScene, listen: &EventHandler<'_>) -> Result<Picture, Failure> {
+        scene.draw(self.read, self.render, listen, self.session)
     }
 
     /// Compiles the scene for a camera or its own, and reports its own.
@@ -82,11 +185,7 @@ impl LiveScene<'_> {
     ///
     /// # Errors
     /// When the work is cancelled, or has not enough memory.
-    pub(super) fn picked(
-        &self,
-        scene: &CompiledScene,
-        (column, row): (u32, u32),
-    ) -> Result<Picked, Failure> {
+    fn picked(&self, scene: &CompiledScene, (column, row): (u32, u32)) -> Result<Picked, Failure> {
         let size = (self.render.width, self.render.height);
         let hit = scene.hit_at((f64::from(column), f64::from(row)), size);
         let surface = hit.map(|hit| PickedSurface {

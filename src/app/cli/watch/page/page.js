@@ -55,7 +55,56 @@ async function send() {
   if (waiting.size) send();
 }
 
-// The picture.
+// The picture, and the view beside it.
+let base = null, over = null;
+/** Draws both: the picture to the left of the divider, the view to its right. */
+function paint() {
+  const { width, height } = canvas;
+  if (base === null) return;
+  context.clearRect(0, 0, width, height);
+  context.drawImage(base, 0, 0, width, height);
+  if (over === null || chosen !== null) return;
+  const at = Math.round(width * $('divider').valueAsNumber / 100);
+  context.save();
+  context.beginPath();
+  context.rect(at, 0, width - at, height);
+  context.clip();
+  context.drawImage(over, 0, 0, width, height);
+  context.restore();
+  context.fillStyle = '#fff';
+  context.fillRect(at - 1, 0, 2, height);
+}
+async function bitmapOf(path) {
+  const reply = await fetch(path);
+  return reply.ok ? createImageBitmap(await reply.blob()) : null;
+}
+let loadedView = null;
+const UNITS = { rays: 'rays', time: 'µs', error: 'steps of 1/255' };
+const short = number => String(Number(number.toPrecision(3)));
+async function showView(now) {
+  $('view').value = now.overlay ?? '';
+  $('view').querySelector('[value=povray]').disabled = !now.has_povray;
+  const [number, view] = now.overlaid ?? [null, null];
+  for (const part of document.querySelectorAll('.divided')) part.hidden = now.overlay === null;
+  $('legend').hidden = now.overlay === null;
+  $('scale').hidden = !view?.scale;
+  if (view?.scale) {
+    const { brightest, largest, mean } = view.scale;
+    $('legend-text').textContent = `0 to ${short(brightest)} ${UNITS[view.kind]} a pixel, logarithmic; mean ${short(mean)}, largest `
+      + `${short(largest)}; made in ${view.seconds.toFixed(2)} s`;
+  } else {
+    $('legend-text').textContent = view ? `${view.note} (${view.seconds.toFixed(2)} s)` : 'It is made after the whole picture …';
+  }
+  if (number === loadedView) return;
+  loadedView = number;
+  const wanted = number === null ? null : await bitmapOf('overlay.png?' + number);
+  if (loadedView !== number) return;
+  over = wanted;
+  canvas.dataset.view = over === null ? '' : view.kind;
+  paint();
+}
+$('view').addEventListener('change', () => change('overlay', { overlay: $('view').value || null }));
+$('divider').addEventListener('input', paint);
 let isLoading = false, loaded = -1, chosen = null;
 async function load() {
   if (isLoading || !state || state.width === null || loaded === state.picture) return;
@@ -64,17 +113,16 @@ async function load() {
   loaded = wanted.picture;
   try {
     const path = chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen;
-    const reply = await fetch(path);
-    if (reply.ok) {
-      const bitmap = await createImageBitmap(await reply.blob());
+    const bitmap = await bitmapOf(path);
+    if (bitmap !== null) {
       if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
         canvas.width = wanted.width;
         canvas.height = wanted.height;
         canvas.style.setProperty('--ratio', wanted.width / wanted.height);
       }
-      context.clearRect(0, 0, canvas.width, canvas.height);
-      context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
-      bitmap.close();
+      base?.close();
+      base = bitmap;
+      paint();
       pictures++;
       canvas.dataset.pictures = pictures;
       canvas.dataset.final = chosen === null && !wanted.is_preview;
@@ -87,6 +135,7 @@ async function load() {
 }
 
 function status(now) {
+  if (now.scene === null) return 'choose a scene';
   if (now.width === null) return now.errors ? 'not drawn' : 'waiting for the first picture';
   if (now.errors) return 'not drawn: showing the last good picture';
   if (now.is_preview) return 'drawing …';
@@ -101,6 +150,10 @@ function show(now) {
   document.body.classList.toggle('wrong', now.errors !== '');
   document.body.classList.toggle('drawing', now.is_preview && now.errors === '');
   $('state').textContent = status(now);
+  $('title').textContent = now.scene ?? 'povr';
+  document.title = now.scene === null ? 'povr' : `${now.scene} – povr`;
+  document.querySelector('main').classList.toggle('gallery', now.scene === null);
+  showScenes(before, now);
   $('camera').textContent = now.camera ?? 'This camera cannot be moved by hand.';
   $('copy').disabled = now.camera === null;
   $('write-camera').disabled = $('reset-camera').disabled = !now.is_moved;
@@ -108,13 +161,16 @@ function show(now) {
   $('write-values').disabled = !isChanged;
   $('reset-values').disabled = !isChanged && now.clock === null;
   const clock = now.clock ?? now.own_clock ?? 0;
-  $('clock').min = Math.min(0, now.own_clock);
-  $('clock').max = Math.max(1, now.own_clock);
+  const [low, high] = now.clocks;
+  Object.assign($('clock'), { min: Math.min(low, high), max: Math.max(low, high), step: Math.abs(high - low) / 100 || 'any' });
   if (document.activeElement !== $('clock')) $('clock').value = clock;
   $('clock-value').textContent = clock.toFixed(2);
   showControls(now);
   showHistory(now);
   showPixel(now.picked);
+  showPlan(now);
+  showView(now);
+  if (now.scene === null) return;
   if (before === null || before.text !== now.text) loadSource();
   else markNumbers();
   load();
@@ -256,7 +312,73 @@ function showPixel(picked) {
     rows.push(['object', 'none: the background']);
   }
   rows.push(['cost', `${total} rays (${kinds.join(', ')}), ${(picked.seconds * 1000).toFixed(2)} ms`]);
-  $('pixel').replaceChildren(...rows.flatMap(([name, text]) => {
+  fill($('pixel'), rows);
+}
+
+// The scenes of the folder.
+let scenes = [], isListing = false;
+async function showScenes(before, now) {
+  const isNew = before === null || before.thumbnails !== now.thumbnails;
+  if (isNew && !isListing) {
+    isListing = true;
+    const reply = await fetch('scenes.json');
+    if (reply.ok) scenes = await reply.json();
+    isListing = false;
+    const buttons = new Map([...$('scenes').children].map(button => [button.dataset.name, button]));
+    $('scenes').replaceChildren(...scenes.map(scene => {
+      const button = buttons.get(scene.name);
+      return button && button.dataset.thumbnail === String(scene.thumbnail) ? button : sceneButton(scene);
+    }));
+    $('scenes').hidden = state.scene !== null && scenes.length < 2;
+    if (state.thumbnails !== now.thumbnails) showScenes(null, state);
+  }
+  for (const button of $('scenes').children) button.ariaCurrent = String(button.dataset.name === state.scene);
+}
+function sceneButton({ name, thumbnail }) {
+  const button = document.createElement('button');
+  Object.assign(button.dataset, { name, thumbnail });
+  const picture = document.createElement(thumbnail === null ? 'span' : 'img');
+  if (thumbnail === null) {
+    picture.className = 'none';
+  } else {
+    picture.src = 'thumbnail.png?' + thumbnail;
+    picture.alt = '';
+  }
+  button.append(picture, name);
+  button.addEventListener('click', () => change('open', { open: name }));
+  return button;
+}
+
+// The plan.
+let planned = '';
+const count = (number, one, many) => `${number} ${number === 1 ? one : many}`;
+const size = bytes => bytes < 1024 ? `${bytes} bytes` : bytes < 1 << 20 ? `${short(bytes / 1024)} kB` : `${short(bytes / (1 << 20))} MB`;
+function showPlan({ statistics }) {
+  const key = JSON.stringify(statistics);
+  if (statistics === null || key === planned) return;
+  planned = key;
+  const { plan, rays, samples_per_pixel: samples } = statistics;
+  const list = counts => Object.entries(counts).filter(([, n]) => n).map(([name, n]) => `${n} ${name}`).join(', ') || 'none';
+  const rows = [
+    ['objects', list(plan.primitives)],
+    ['CSG', String(plan.combinations)],
+    ['instances', plan.shared ? `${plan.instances} of ${count(plan.shared, 'union', 'unions')}, ${plan.instance_bytes} bytes each` : 'none'],
+    ['in world space', `all but ${plan.behind_matrix}`],
+    ['unbounded', String(plan.unbounded)],
+    ['materials', String(plan.surfaces)],
+    ['lights', String(plan.lights)],
+    ['tree', size(plan.tree_bytes)],
+    ['light buffers', size(plan.view_bytes)],
+    ['left out', plan.left_out.join(', ') || 'nothing'],
+    ['rays', list(rays)],
+    ['samples', `${short(samples)} a pixel`],
+  ];
+  if (statistics.peak_bytes) rows.push(['memory', size(statistics.peak_bytes)]);
+  fill($('plan'), rows);
+}
+/** Fills a list of terms. */
+function fill(box, rows) {
+  box.replaceChildren(...rows.flatMap(([name, text]) => {
     const term = document.createElement('dt'), value = document.createElement('dd');
     term.textContent = name;
     value.textContent = text;
@@ -398,6 +520,22 @@ $('actual').addEventListener('click', () => {
 $('clock').addEventListener('input', () => {
   $('clock-value').textContent = $('clock').valueAsNumber.toFixed(2);
   change('clock', { clock: $('clock').valueAsNumber });
+});
+/** Interval of the pictures of an animation in milliseconds, if they come in time. */
+const FRAME = 40;
+let player = null, played = -1;
+function play() {
+  if (pictures === played || waiting.size || isSending) return;
+  played = pictures;
+  const [first, last] = state.clocks, clock = (state.clock ?? state.own_clock) + (last - first) / 100;
+  change('clock', { clock: (clock - last) * (last - first) > 0 ? first : clock });
+}
+$('play').addEventListener('click', () => {
+  clearInterval(player);
+  player = player === null ? setInterval(play, FRAME) : null;
+  played = -1;
+  $('play').ariaPressed = String(player !== null);
+  $('play').textContent = player === null ? 'Play' : 'Stop';
 });
 
 /** Time after which a lost connection is tried again, in milliseconds. */
