@@ -146,24 +146,32 @@ fn headline(report: &Report) -> String {
         best(&points)
     };
     let (ours, theirs) = (of(Family::Converging), of(Family::PovRay));
-    let same_error = || {
-        let error = ours.last()?.1.max(theirs.last()?.1);
-        Some((cost(error, &ours)?, cost(error, &theirs)?))
-    };
-    match same_error() {
-        Some((our_cost, their_cost)) => format!(
+    beside_pov_ray(&ours, &theirs)
+        .unwrap_or_else(|| format!("Error against run time: {} settings", report.measured.len()))
+}
+
+/// Two lines from fast to accurate: their costs at the smallest error that both reach, or the best of each where the
+/// faster line ends before the other begins.
+fn beside_pov_ray(ours: &[(f64, f64)], theirs: &[(f64, f64)]) -> Option<String> {
+    let ((our_cost, our_error), (their_cost, their_error)) = (*ours.last()?, *theirs.last()?);
+    let error = our_error.max(their_error);
+    Some(match (cost(error, ours), cost(error, theirs)) {
+        (Some(our_cost), Some(their_cost)) => format!(
             "At equal error povr needs {our_cost:.2} s, POV-Ray {their_cost:.2} s ({:.1} ×)",
             their_cost / our_cost.max(f64::MIN_POSITIVE)
         ),
-        None => format!("Error against run time: {} settings", report.measured.len()),
-    }
+        _ => format!(
+            "povr reaches an error of {our_error:.4} in {our_cost:.2} s, POV-Ray one of {their_error:.4} in {their_cost:.2} s"
+        ),
+    })
 }
 
-/// The cost of an error on a line from fast to accurate: logarithmic interpolation between two points.
+/// The cost of an error on a line from fast to accurate, logarithmically interpolated between two points; `None` off the
+/// line.
 fn cost(error: f64, points: &[(f64, f64)]) -> Option<f64> {
     let first = points.first()?;
     if first.1 <= error {
-        return Some(first.0);
+        return (first.1 >= error).then_some(first.0);
     }
     let pair = points.windows(2).find(|pair| pair[1].1 <= error)?;
     let ((c0, e0), (c1, e1)) = (pair[0], pair[1]);
@@ -231,7 +239,21 @@ mod tests {
         let points = [(1.0, 0.1), (4.0, 0.001)];
         let between = cost(0.01, &points).expect("it is reached");
         assert!((between - 2.0).abs() < 1e-9, "{between}");
-        assert_eq!(cost(0.2, &points), Some(1.0));
-        assert_eq!(cost(1e-4, &points), None);
+        assert_eq!(cost(0.1, &points), Some(1.0));
+        assert_eq!((cost(0.2, &points), cost(1e-4, &points)), (None, None));
+    }
+
+    #[test]
+    fn errors_are_called_equal_only_where_both_lines_reach_them() {
+        let (ours, theirs) = ([(1.0, 0.04), (4.0, 0.01)], [(2.0, 0.02)]);
+        assert_eq!(
+            beside_pov_ray(&ours, &theirs).as_deref(),
+            Some("At equal error povr needs 2.00 s, POV-Ray 2.00 s (1.0 ×)")
+        );
+        assert_eq!(
+            beside_pov_ray(&ours[1..], &theirs).as_deref(),
+            Some("povr reaches an error of 0.0100 in 4.00 s, POV-Ray one of 0.0200 in 2.00 s")
+        );
+        assert_eq!(beside_pov_ray(&ours, &[]), None);
     }
 }
