@@ -40,6 +40,8 @@ struct Polynomial {
     order: usize,
     /// By falling power of x, y, z.
     c: Vec<f64>,
+    /// The number of leading zeros in each run of coefficients with the same powers of x and y.
+    leading_zeros: Vec<usize>,
     /// Distance from the origin at which the terms of highest degree become the largest.
     size: f64,
 }
@@ -156,14 +158,25 @@ impl Polynomial {
                 (largest[degree] / largest[top]).powf(1.0 / steps)
             })
             .fold(0.0, f64::max);
+        let mut leading_zeros = Vec::new();
+        let mut rest = &c[..];
+        for i in (0..=order).rev() {
+            for j in (0..=order - i).rev() {
+                let (row, others) = rest.split_at(order - i - j + 1);
+                leading_zeros.push(row.iter().take_while(|c| **c == 0.0).count());
+                rest = others;
+            }
+        }
         Polynomial {
             order,
             c,
+            leading_zeros,
             size: if size.is_finite() { size } else { 1.0 },
         }
     }
 
     /// Evaluates by Horner's rule: sums over powers of z within sums over powers of y within one over powers of x.
+    /// Leading zeros are left out: most polynomials have few terms.
     fn horner<T: Copy>(
         &self,
         zero: T,
@@ -172,14 +185,18 @@ impl Polynomial {
         sum: impl Fn(T, T) -> T,
     ) -> T {
         let [x, y, z] = axes;
-        let mut next = self.c.iter().copied();
+        let mut rest = &self.c[..];
+        let mut leading_zeros = self.leading_zeros.iter();
         let mut whole = zero;
         for i in (0..=self.order).rev() {
             let mut sheet = zero;
             for j in (0..=self.order - i).rev() {
+                let (terms, others) = rest.split_at(self.order - i - j + 1);
+                rest = others;
+                let skipped = leading_zeros.next().copied().unwrap_or(0);
                 let mut row = zero;
-                for _ in 0..=self.order - i - j {
-                    row = add(z(row), next.next().unwrap_or(0.0));
+                for &c in &terms[skipped..] {
+                    row = add(z(row), c);
                 }
                 sheet = sum(y(sheet), row);
             }
