@@ -78,9 +78,9 @@ impl Reader<'_> {
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
             // Without a value the name is undeclared, which need not be said again.
             self.usage.undeclared.insert(symbol);
-            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
             if !error.message.is_empty() && error.hints.is_empty() {
                 *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
             }
