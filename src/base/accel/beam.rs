@@ -45,8 +45,9 @@ impl Beam {
         let (from, to) = (frame.in_frame(point), frame.in_frame(centre));
         let half = half_sides * frame.scale();
         let size = from.abs().max(to.abs() + half).max_element();
-        // NaN is too far as well.
-        if !(size < MAX_DISTANCE && frame.scale().is_normal()) {
+        // The largest element of a vector passes over NaN.
+        let is_known = from.is_finite() && to.is_finite() && half.is_finite();
+        if !(is_known && size < MAX_DISTANCE && frame.scale().is_normal()) {
             return None;
         }
         let error = 8.0 * f64::EPSILON * size;
