@@ -396,6 +396,59 @@ fn only_the_picture_of_the_file_is_stored() {
 }
 
 #[test]
+fn scenes_of_the_folder_are_opened() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let other = SCENE.replace("Size = 1", "Size = 0.7");
+    fs::write(here.join("t.pov"), &other).expect("a file");
+    let live = Live::start(here, &[]);
+    live.whole();
+    live.changes(&json!({ "move": { "zoom": 1.5 } }));
+    live.changes(&json!({ "open": "t.pov" }));
+    let state = live.state(|state| is_whole(state) && state["scene"] == "t.pov");
+    assert_eq!(state["is_moved"], false);
+    assert!(live.answer("GET", "picture.png", "").1 == drawn(&other, &[]));
+    live.changes(&size(&state, "1.5"));
+    live.changes(&json!("write_values"));
+    let written = fs::read_to_string(here.join("t.pov")).expect("a file");
+    assert_eq!(written, SCENE.replace("Size = 1", "Size = 1.5"));
+    assert_eq!(text(here), SCENE);
+    for name in ["../s.pov", "u.pov", ""] {
+        assert_eq!(live.change(&json!({ "open": name })).0, 409, "{name}");
+    }
+}
+
+#[test]
+fn views_stand_beside_the_picture() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, SCENE);
+    let live = Live::start(here, &[]);
+    let whole = live.whole();
+    assert_eq!(whole["statistics"]["plan"]["primitives"]["sphere"], 1);
+    for kind in ["rays", "time", "error"] {
+        live.changes(&json!({ "overlay": kind }));
+        let state = live.state(|state| state["overlaid"][1]["kind"] == kind);
+        assert_eq!(state["picture"], whole["picture"], "only the view is drawn");
+        let scale = &state["overlaid"][1]["scale"];
+        let [brightest, largest] =
+            ["brightest", "largest"].map(|name| scale[name].as_f64().expect("a number"));
+        assert!(0.0 < brightest && brightest <= largest, "{kind}: {scale}");
+        let (_, png) = live.answer("GET", "overlay.png", "");
+        let view = image::load_from_memory(&png).expect("a picture").to_rgb8();
+        assert_eq!(view.dimensions(), (160, 120));
+        // The sphere in the middle costs more than the background in the corner.
+        assert!(kind == "error" || view.get_pixel(80, 60) != view.get_pixel(0, 0));
+    }
+    live.changes(&json!({ "move": { "zoom": 1.5 } }));
+    live.state(|state| state["overlaid"][1]["kind"] == "error" && state["is_moved"] == true);
+    live.changes(&json!({ "overlay": null }));
+    let last = live.state(|state| state["overlay"] == Value::Null);
+    assert_eq!(last["overlaid"], Value::Null);
+}
+
+#[test]
 fn scenes_of_strangers_are_not_written() {
     let here = tempfile::tempdir().expect("a folder");
     let here = here.path();

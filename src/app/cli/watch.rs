@@ -65,7 +65,8 @@ fn live_options() -> clap::Command {
         .about("Shows a scene on a page that moves its camera and changes its numbers")
         .override_usage("povr live [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE")
         .after_help(
-            "All options and switches of drawing count: `povr live scene.pov +W640 +H480 +A0.3`. No browser is opened: \
+            "All options and switches of drawing count: `povr live scene.pov +W640 +H480 +A0.3`. A folder instead of a \
+             scene shows a list of its scenes, and neither of them those that povr brings along. No browser is opened: \
              open the address that is printed. With `-o picture.png` each picture is stored. Ctrl-C ends it.",
         )
 }
