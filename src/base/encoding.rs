@@ -68,6 +68,8 @@ pub struct EncodeOptions {
     pub effort: Effort,
     /// Decimal numbers instead of bytes (PPM).
     pub is_plain: bool,
+    /// The method of dithering; `None` rounds each pixel by itself. Files of linear light have none.
+    pub dither: Option<DitherMethod>,
     /// Overrides for scenes from version 3.8 on.
     pub of_3_8: OptionsOf38,
 }
@@ -81,6 +83,61 @@ pub struct OptionsOf38 {
     pub file_gamma: Option<Gamma>,
     /// Decimal numbers instead of bytes (PPM).
     pub is_plain: bool,
+    /// The method of dithering; `None` for the same.
+    pub dither: Option<DitherMethod>,
+}
+
+/// POV-Ray's methods of dithering. The thresholds and kernels of some depend on the version of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum DitherMethod {
+    /// Bayer's thresholds, 2 by 2.
+    Bayer2,
+    /// Thresholds, 3 by 3.
+    Bayer3,
+    /// Bayer's thresholds, 4 by 4.
+    Bayer4,
+    /// Blue noise, 64 by 64 thresholds.
+    BlueNoise,
+    /// The same, inverted for red and blue.
+    BlueNoiseInverted,
+    /// Error diffusion to the right.
+    Diffusion1D,
+    /// Error diffusion to the right and down.
+    Diffusion2D,
+    /// Error diffusion by Floyd and Steinberg.
+    FloydSteinberg,
+    /// Error diffusion by Atkinson.
+    Atkinson,
+    /// Error diffusion by Burkes.
+    Burkes,
+    /// Error diffusion by Jarvis, Judice and Ninke.
+    JarvisJudiceNinke,
+    /// Error diffusion by Sierra in two rows.
+    Sierra2,
+    /// Error diffusion by Sierra in three rows.
+    Sierra3,
+    /// Error diffusion by Stucki.
+    Stucki,
+}
+
+impl DitherMethod {
+    /// All methods with their names in `Dither_Method`.
+    pub const ALL: [(&'static str, DitherMethod); 14] = [
+        ("AT", DitherMethod::Atkinson),
+        ("B2", DitherMethod::Bayer2),
+        ("B3", DitherMethod::Bayer3),
+        ("B4", DitherMethod::Bayer4),
+        ("BK", DitherMethod::Burkes),
+        ("BN", DitherMethod::BlueNoise),
+        ("BNX", DitherMethod::BlueNoiseInverted),
+        ("D1", DitherMethod::Diffusion1D),
+        ("D2", DitherMethod::Diffusion2D),
+        ("FS", DitherMethod::FloydSteinberg),
+        ("JN", DitherMethod::JarvisJudiceNinke),
+        ("S2", DitherMethod::Sierra2),
+        ("S3", DitherMethod::Sierra3),
+        ("ST", DitherMethod::Stucki),
+    ];
 }
 
 /// The level that a value between two of them is rounded to.
@@ -126,6 +183,7 @@ impl EncodeOptions {
             quality: 0,
             effort: Effort::default(),
             is_plain: false,
+            dither: None,
             of_3_8: OptionsOf38::default(),
         }
     }
@@ -142,6 +200,7 @@ impl EncodeOptions {
             options.bits = self.of_3_8.bits.unwrap_or(self.bits);
             options.file_gamma = self.of_3_8.file_gamma.unwrap_or(self.file_gamma);
             options.is_plain |= self.of_3_8.is_plain;
+            options.dither = self.of_3_8.dither.or(self.dither);
         }
         options
     }

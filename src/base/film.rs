@@ -1,6 +1,7 @@
 //! The film: rendered pixels in the working space of the scene, row-major. A picture that is only written to a file
 //! stores the quantized levels of that file instead, converted as soon as each tile is finished.
 
+mod dither;
 pub(crate) mod quantize;
 
 pub(crate) use quantize::Quantizer;

@@ -17,7 +17,9 @@ mod tga;
 #[cfg(feature = "cli")]
 pub(crate) use jpeg::POVRAY_QUALITY;
 
-pub use crate::base::encoding::{Effort, EncodeOptions, Format, FormatProperties, OptionsOf38};
+pub use crate::base::encoding::{
+    DitherMethod, Effort, EncodeOptions, Format, FormatProperties, OptionsOf38,
+};
 
 use std::fmt;
 use std::io::{self, Write};

@@ -79,7 +79,7 @@ pub fn render(
         Some(_) => tiles_of(&with_all_before(options)),
         None => tiles_of(options),
     };
-    let quantizer = options.target_format.as_ref().and_then(Quantizer::of);
+    let quantizer = options.target_format.as_ref().and_then(Quantizer::of_tiles);
     let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match checkpoint {

@@ -14,7 +14,7 @@ use crate::base::film::{Film, Pixel};
 use crate::base::options::{
     Adaptive, Antialias, Event, Failure, Input, Method, Picture, ReadOptions, Sampling,
 };
-use crate::output::{EncodeOptions, Format, Target};
+use crate::output::{DitherMethod, EncodeOptions, Format, Target};
 
 /// The settings of a command line, without any ini file around it.
 fn settings(arguments: &[&str]) -> Settings {
@@ -335,7 +335,7 @@ fn a_request_for_an_unbuilt_feature_can_be_withdrawn() {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
     settings(&[&scene, "+UF", "+UO", "-UO", "-UF"]);
-    assert!(refusal(&[&scene, "-TH", "Dither=on"]).starts_with("`Dither=on`: dithering"));
+    assert!(refusal(&[&scene, "-UF", "Field_Render=on"]).starts_with("`Field_Render=on`: "));
 }
 
 #[test]
@@ -505,6 +505,28 @@ fn quality_of_files_and_gamma_reach_the_encoder() {
     assert_eq!((options.format, options.bits), (Format::PNG, 8));
     let (_, options) = file_of(&settings(&[&scene, "Bits_Per_Color=16", "File_Gamma=sRGB"]));
     assert_eq!((options.bits, options.file_gamma), (16, Gamma::Srgb));
+}
+
+#[test]
+fn dithering_has_a_default_method_in_each_version() {
+    let here = folder(&[("s.pov", "")]);
+    let scene = here.path().join("s.pov").display().to_string();
+    let of = |arguments: &[&str]| {
+        let (_, options) = file_of(&settings(&[&[scene.as_str()][..], arguments].concat()));
+        [Rounding::Encoded, Rounding::Working]
+            .map(|rounding| options.for_scene(Some(Gamma::LINEAR), rounding).dither)
+    };
+    let both = |method| [Some(method); 2];
+    let defaults = [
+        Some(DitherMethod::FloydSteinberg),
+        Some(DitherMethod::BlueNoise),
+    ];
+    assert_eq!(of(&["+TH"]), defaults);
+    assert_eq!(of(&["Dither=on"]), defaults);
+    assert_eq!(of(&["+THb3"]), both(DitherMethod::Bayer3));
+    assert_eq!(of(&["+TH", "Dither_Method=ST"]), both(DitherMethod::Stucki));
+    assert_eq!(of(&["Dither_Method=ST"]), [None; 2]);
+    assert_eq!(of(&["+THST", "-TH"]), [None; 2]);
 }
 
 /// Measured by the files of POV-Ray 3.8.

@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// The switches that a scene may use.
 const SWITCHES: [&str; 10] = ["A", "AC", "AM", "AG", "FN", "J", "R", "Q", "K", "UA"];
+/// One with a method behind it.
+const DITHER: &str = "TH";
 
 /// A scene to be compared.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,7 +150,7 @@ fn is_allowed(switch: &str) -> bool {
     let body = switch.strip_prefix(['+', '-']).unwrap_or_default();
     let digits = |c: char| c.is_ascii_digit() || c == '.';
     let name = body.trim_end_matches(digits).to_ascii_uppercase();
-    SWITCHES.contains(&name.as_str())
+    SWITCHES.contains(&name.as_str()) || name.starts_with(DITHER)
 }
 
 fn read_size(text: &str) -> Option<(u32, u32)> {

@@ -11,6 +11,7 @@ use std::borrow::Cow;
 
 use rayon::prelude::*;
 
+use super::dither::{Dither, MAX_CHANNELS};
 use super::{Film, Pixel};
 use crate::base::color::{Gamma, Rgb};
 use crate::base::encoding::{EncodeOptions, Rounding};
@@ -43,6 +44,22 @@ impl Channels {
             Channels::GreyAlpha => 2,
             Channels::Rgb => 3,
             Channels::RgbAlpha => 4,
+        }
+    }
+
+    fn has_alpha(self) -> bool {
+        matches!(self, Channels::GreyAlpha | Channels::RgbAlpha)
+    }
+
+    /// The channels of a pixel before quantization, alpha last.
+    fn values(self, pixel: Pixel) -> [f32; MAX_CHANNELS] {
+        let (rgb, alpha) = match self.has_alpha() {
+            true => straight(pixel),
+            false => (pixel.rgb, 1.0),
+        };
+        match self {
+            Channels::Grey | Channels::GreyAlpha => [rgb.grey(), alpha, 0.0, 0.0],
+            Channels::Rgb | Channels::RgbAlpha => [rgb.r, rgb.g, rgb.b, alpha],
         }
     }
 }
@@ -161,6 +178,12 @@ pub(crate) struct Quantizer {
 }
 
 impl Quantizer {
+    /// The quantizer for the tiles of a picture; `None` if the file stores linear light, or if its dithering needs
+    /// the whole picture.
+    pub(crate) fn of_tiles(options: &EncodeOptions) -> Option<Self> {
+        Self::of(options).filter(|_| options.dither.is_none())
+    }
+
     /// The quantizer for a kind of file; `None` if the file stores linear light.
     pub(crate) fn of(options: &EncodeOptions) -> Option<Self> {
         if options.format.is_linear {
@@ -217,6 +240,52 @@ impl Quantizer {
     }
 }
 
+/// The levels of a film with dithering, channels and depth as in [`Quantizer::fill`].
+fn dithered(film: &Film, quantizer: &Quantizer, mut dither: Dither) -> Vec<u8> {
+    let options = &quantizer.options;
+    let (channels, bits) = (Channels::of(options), bits_of(options));
+    let max = f32::from(max_level(bits));
+    let straight_line = Rounded {
+        curve: Curve::Same,
+        spaces: None,
+        ..quantizer.curve
+    };
+    let mut out = Vec::with_capacity(film.pixels.len() * bytes_per_pixel(options));
+    for (y, row) in film.rows_of_pixels().enumerate() {
+        for (x, &pixel) in row.iter().enumerate() {
+            let values = channels.values(pixel);
+            for (channel, &value) in values[..channels.count()].iter().enumerate() {
+                let is_alpha = channels.has_alpha() && channel + 1 == channels.count();
+                let curve = if is_alpha {
+                    straight_line
+                } else {
+                    quantizer.curve
+                };
+                let level = match &mut dither {
+                    Dither::Ordered(thresholds) => {
+                        curve.level_above(value, max, thresholds.at(x, y, channel))
+                    }
+                    Dither::Diffused(diffusion) => {
+                        let (level, error) =
+                            curve.level_and_error(value, diffusion.due(x, channel), max);
+                        diffusion.spread(x, channel, error);
+                        level
+                    }
+                };
+                let stored = spread(level, bits).to_be_bytes();
+                match Depth::of(options) {
+                    Depth::Byte => out.push(stored[0]),
+                    Depth::Word => out.extend(stored),
+                }
+            }
+        }
+        if let Dither::Diffused(diffusion) = &mut dither {
+            diffusion.end_row();
+        }
+    }
+    out
+}
+
 /// Error: the levels are those of another kind of file.
 pub(crate) const WRONG_FILE_KIND: &str = "it was drawn for another kind of file";
 
@@ -236,6 +305,10 @@ pub fn levels_of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, 
         return Err("it holds light itself".to_owned());
     };
     let (width, bytes_per_pixel) = (film.width as usize, bytes_per_pixel(options));
+    if let Some(method) = options.dither {
+        let dither = Dither::new(method, options.rounding, width);
+        return Ok(Cow::Owned(dithered(film, &quantizer, dither)));
+    }
     let mut out = vec![0; film.pixels.len() * bytes_per_pixel];
     out.par_chunks_mut(width * bytes_per_pixel)
         .zip(film.pixels.par_chunks(width))
@@ -342,20 +415,19 @@ impl Curve {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rounded {
     curve: Curve,
-    /// The working space and that of the file, if values are rounded in the former.
+    /// The working space and that of the file, if they differ.
     spaces: Option<(Gamma, Gamma)>,
+    rounding: Rounding,
 }
 
 impl Rounded {
     fn of(options: &EncodeOptions) -> Rounded {
-        let curve = Curve::of(options);
-        let spaces = match (options.rounding, options.working) {
-            (Rounding::Working, Some(working)) if options.file_gamma != working => {
-                Some((working, options.file_gamma))
-            }
-            _ => None,
-        };
-        Rounded { curve, spaces }
+        let spaces = options.working.map(|working| (working, options.file_gamma));
+        Rounded {
+            curve: Curve::of(options),
+            spaces: spaces.filter(|(working, file)| working != file),
+            rounding: options.rounding,
+        }
     }
 
     fn level_8(self, c: f32) -> u8 {
@@ -365,13 +437,51 @@ impl Rounded {
     /// The level of a value among those from 0 to `max`; its fraction does not count.
     fn level(self, c: f32, max: f32) -> f32 {
         let encoded = unit(self.curve.apply(c)) * max;
-        let Some((working, file)) = self.spaces else {
+        if self.spaces.is_none() || self.rounding == Rounding::Encoded {
             return encoded + 0.5;
-        };
+        }
+        let (below, [lower, upper]) = self.around(encoded, max);
+        below + f32::from(u8::from(unit(c) >= 0.5 * (lower + upper)))
+    }
+
+    /// The level below an encoded value, and the values of that and the next one in the working space.
+    fn around(self, encoded: f32, max: f32) -> (f32, [f32; 2]) {
         let below = f32::from(word(encoded)).min(max - 1.0);
-        let value_of = |level: f32| working.encode(file.decode(level / max));
-        let middle = 0.5 * (value_of(below) + value_of(below + 1.0));
-        below + f32::from(u8::from(unit(c) >= middle))
+        let values = [below, below + 1.0].map(|level| self.value_of(level, max));
+        (below, values)
+    }
+
+    /// The value of a level in the working space.
+    fn value_of(self, level: f32, max: f32) -> f32 {
+        match self.spaces {
+            Some((working, file)) => working.encode(file.decode(level / max)),
+            None => level / max,
+        }
+    }
+
+    /// The level of a value that takes the upper of two from this share of their difference on.
+    fn level_above(self, c: f32, max: f32, share: f32) -> u16 {
+        if self.rounding == Rounding::Encoded {
+            return word((self.curve.apply(c) * max + (1.0 - share)).min(max));
+        }
+        let encoded = unit(self.curve.apply(c)) * max;
+        if self.spaces.is_none() {
+            return word((encoded + (1.0 - share)).min(max));
+        }
+        let (below, [lower, upper]) = self.around(encoded, max);
+        // In POV-Ray the thresholds are inverted here.
+        let is_above = unit(c) >= lower + (1.0 - share) * (upper - lower);
+        word(below) + u16::from(is_above)
+    }
+
+    /// The level of a value to which an error of others is added, and the error that is left.
+    fn level_and_error(self, c: f32, due: f32, max: f32) -> (u16, f32) {
+        let (wanted, counted) = match self.rounding {
+            Rounding::Encoded => (c + due, unit(c + due)),
+            Rounding::Working => (unit(c) + due, unit(c) + due),
+        };
+        let level = word(self.level(unit(wanted), max));
+        (level, counted - self.value_of(f32::from(level), max))
     }
 }
 
@@ -471,147 +581,4 @@ impl FloatRange {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn curves() -> Vec<Rounded> {
-        let spaces = [
-            Gamma::LINEAR,
-            Gamma::Srgb,
-            Gamma::power(1.8),
-            Gamma::power(2.2),
-        ];
-        spaces
-            .iter()
-            .flat_map(|&working| {
-                spaces.iter().map(move |&file| {
-                    Rounded::of(&EncodeOptions {
-                        working: Some(working),
-                        file_gamma: file,
-                        ..EncodeOptions::new(crate::output::Format::PNG)
-                    })
-                })
-            })
-            .collect()
-    }
-
-    #[test]
-    fn table_matches_the_curve_on_both_sides_of_every_step() {
-        let linear_to_srgb = Rounded::of(&EncodeOptions::new(crate::output::Format::PNG));
-        assert!(StepTable::new(linear_to_srgb).is_some());
-        for curve in curves() {
-            let Some(table) = StepTable::new(curve) else {
-                continue;
-            };
-            for range in &table.ranges {
-                if range.next_at.is_infinite() {
-                    continue;
-                }
-                // The curves are monotone up to rounding; a failure would occur next to a step.
-                let bits = range.next_at.to_bits();
-                for c in (bits - 300..bits + 300).map(f32::from_bits) {
-                    assert_eq!(table.level(c), curve.level_8(c), "{curve:?} at {c:e}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn table_matches_the_curve_at_a_million_floats() {
-        let end = 1.5f32.to_bits();
-        for curve in curves() {
-            let Some(table) = StepTable::new(curve) else {
-                continue;
-            };
-            for c in (0..=end).step_by(8191).map(f32::from_bits) {
-                assert_eq!(table.level(c), curve.level_8(c), "{curve:?} at {c:e}");
-                assert_eq!(table.level(-c), 0);
-            }
-        }
-    }
-
-    /// The middle between two levels in light lies above that of the encoding.
-    #[test]
-    fn version_3_8_rounds_in_light() {
-        let options = EncodeOptions::new(crate::output::Format::PNG);
-        let encoded = Rounded::of(&options);
-        let light = Rounded::of(&EncodeOptions {
-            rounding: Rounding::Working,
-            ..options
-        });
-        let middle = Gamma::Srgb.decode(107.5 / 255.0);
-        let levels = |c: f32| (encoded.level_8(c), light.level_8(c));
-        assert_eq!(levels(middle * 0.999_99), (107, 107));
-        assert_eq!(levels(middle * 1.000_01), (108, 107));
-        assert_eq!(levels(middle * 1.000_04), (108, 108));
-        assert_eq!(
-            (
-                light.level_8(0.0),
-                light.level_8(1.0),
-                light.level_8(f32::NAN)
-            ),
-            (0, 255, 0)
-        );
-    }
-
-    /// `rgb <0.2, 0.4, 0.7>` of POV-Ray 3.8 for each `assumed_gamma`.
-    #[test]
-    fn version_3_8_rounds_in_the_working_space() {
-        let levels = |working: Gamma| {
-            let rounded = Rounded::of(&EncodeOptions {
-                rounding: Rounding::Working,
-                working: Some(working),
-                ..EncodeOptions::new(crate::output::Format::PNG)
-            });
-            [0.2, 0.4, 0.7].map(|c| rounded.level_8(c))
-        };
-        assert_eq!(levels(Gamma::power(2.2)), [48, 102, 180]);
-        assert_eq!(levels(Gamma::Srgb), [51, 102, 179]);
-    }
-
-    /// Levels in files of POV-Ray 3.8 with `+FN1` to `+FN10`.
-    #[test]
-    fn a_level_is_repeated_to_fill_its_bytes() {
-        let high = |level, bits| spread(level, bits) >> 8;
-        assert_eq!([high(1, 1), high(2, 2), high(9, 4)], [0xff, 0xaa, 0x99]);
-        assert_eq!(high(0b11110, 5), 0xf7);
-        assert_eq!(spread(0x3e2, 10), 0xf8be);
-        assert_eq!(spread(0x1234, 16), 0x1234);
-        let bits = |bits, rounding| {
-            bits_of(&EncodeOptions {
-                bits,
-                rounding,
-                ..EncodeOptions::new(crate::output::Format::PNG)
-            })
-        };
-        assert_eq!(bits(4, Rounding::Encoded), 5);
-        assert_eq!(bits(4, Rounding::Working), 4);
-        assert_eq!(bits(20, Rounding::Working), 16);
-    }
-
-    #[test]
-    fn nan_is_black_and_infinity_white() {
-        for curve in curves() {
-            assert_eq!(curve.level_8(f32::NAN), 0);
-            assert_eq!(word(curve.level(f32::INFINITY, 65535.0)), 65535);
-            assert_eq!(word(curve.level(f32::NEG_INFINITY, 65535.0)), 0);
-        }
-    }
-
-    #[test]
-    fn a_pixel_brighter_than_its_coverage_gets_a_larger_coverage() {
-        // POV-Ray: rgbt <1,.8,.6,.5> with ambient 1.2 and +FN16 +UA File_Gamma=1 is 65535 62668 47001 32896.
-        let pixel = Pixel {
-            rgb: Rgb::new(0.6, 0.48, 0.36),
-            transmit: 0.5,
-        };
-        let (rgb, alpha) = straight(pixel);
-        let same = Rounded {
-            curve: Curve::Same,
-            spaces: None,
-        };
-        let levels = [rgb.r, rgb.g, rgb.b].map(|c| word(same.level(c, 65535.0)));
-        assert_eq!(levels, [65535, 62668, 47001]);
-        assert_eq!(word(same.level(alpha, 65535.0)), 32896);
-    }
-}
+mod tests;

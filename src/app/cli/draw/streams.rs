@@ -10,7 +10,7 @@ use crate::app::cli::options::output_kinds::Stream;
 use crate::app::cli::options::settings::{Scene, Settings};
 use crate::base::options::{Method, Sampling};
 use crate::base::source::{Message, Severity};
-use crate::output::{EncodeOptions, Format, POVRAY_QUALITY, Target};
+use crate::output::{DitherMethod, EncodeOptions, Format, POVRAY_QUALITY, Target};
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
@@ -157,11 +157,33 @@ pub(crate) fn drawn_what(settings: &Settings, picture: Option<&Target>) -> Strin
         _ => "  Output file: Disabled\n".to_owned(),
     };
     let continued = if settings.continues { "On " } else { "Off" };
+    let dithering = options.and_then(|options| options.dither);
+    let dithering = dithering.map_or("Off", dithering_name);
     text += &format!(
-        "  Dithering............Off\n  Graphic display......Off\n  Mosaic preview.......Off\n  Continued \
+        "  Dithering............{dithering}\n  Graphic display......Off\n  Mosaic preview.......Off\n  Continued \
          trace......{continued}\n"
     );
     text
+}
+
+/// POV-Ray's name of a method of dithering.
+fn dithering_name(method: DitherMethod) -> &'static str {
+    match method {
+        DitherMethod::Bayer2 => "2x2 Bayer pattern",
+        DitherMethod::Bayer3 => "3x3 Bayer pattern",
+        DitherMethod::Bayer4 => "4x4 Bayer pattern",
+        DitherMethod::BlueNoise => "Blue noise pattern",
+        DitherMethod::BlueNoiseInverted => "Blue noise pattern (inverted for Red/Blue)",
+        DitherMethod::Diffusion1D => "simple 1-D error diffusion",
+        DitherMethod::Diffusion2D => "simple 2-D error diffusion",
+        DitherMethod::FloydSteinberg => "Floyd-Steinberg error diffusion",
+        DitherMethod::Atkinson => "Atkinson error diffusion",
+        DitherMethod::Burkes => "Burkes error diffusion",
+        DitherMethod::JarvisJudiceNinke => "Jarvis-Judice-Ninke error diffusion",
+        DitherMethod::Sierra2 => "Two-row Sierra error diffusion",
+        DitherMethod::Sierra3 => "Sierra error diffusion",
+        DitherMethod::Stucki => "Stucki error diffusion",
+    }
 }
 
 /// The clock of a still picture that has none, otherwise the options about frames, as given.

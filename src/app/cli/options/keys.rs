@@ -12,6 +12,7 @@ use super::values::{
 use crate::app::cli::options::output_kinds::Stream;
 use crate::base::nearest::nearest;
 use crate::base::options::Method;
+use crate::output::DitherMethod;
 
 /// The effect of an option with its value. The third text is the word as typed, for messages.
 pub(crate) type Set = fn(&mut RawArgs, &str, &str) -> Result<(), CliError>;
@@ -93,7 +94,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Declare", declare),
     ("Display", SCREEN),
     ("Display_Gamma", |_, v, s| file_gamma(v, s).map(drop)),
-    ("Dither", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::Dither, on, s); Ok(()) }),
+    ("Dither", |t, v, s| { t.is_dithered = flag(t, v, s); Ok(()) }),
     ("Dither_Method", dither_method),
     ("Draw_Vistas", IDLE),
     ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
@@ -252,13 +253,13 @@ fn frame(value: &str, word: &str) -> Result<i64, CliError> {
     number(value, word).map(|frame| frame as i64)
 }
 
-/// The methods that POV-Ray accepts.
 fn dither_method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
-    const METHODS: [&str; 6] = ["B2", "B3", "B4", "D1", "D2", "FS"];
-    if METHODS.iter().any(|name| name.eq_ignore_ascii_case(value)) {
-        return IDLE(raw_args, value, word);
+    let mut methods = DitherMethod::ALL.iter();
+    if let Some((_, method)) = methods.find(|(name, _)| name.eq_ignore_ascii_case(value)) {
+        raw_args.dither = Some(*method);
+        return Ok(());
     }
-    let methods = METHODS.join(", ");
+    let methods = DitherMethod::ALL.map(|(name, _)| name).join(", ");
     Err(CliError::new(format!(
         "`{word}`: there is no method `{value}` of dithering; there are {methods}"
     )))

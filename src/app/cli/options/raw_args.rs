@@ -9,7 +9,7 @@ use crate::app::cli::draw::frames::Wanted;
 use crate::app::cli::options::output_kinds::MessageFormat;
 use crate::app::cli::options::output_kinds::Stream;
 use crate::base::color::Gamma;
-use crate::output::Format;
+use crate::output::{DitherMethod, Format};
 
 /// The last value of every option that has a meaning here.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +79,9 @@ pub(crate) struct RawArgs {
     pub(crate) limits: LimitOptions,
     /// Requested features that are not built, with the words that requested them. Removed by the opposite option.
     pub(crate) unbuilt: Vec<(Unbuilt, String)>,
+    pub(crate) is_dithered: bool,
+    /// The method of dithering, if it is named.
+    pub(crate) dither: Option<DitherMethod>,
     /// True for a program that is called by the name of POV-Ray: what POV-Ray accepts is no error then.
     pub(crate) is_povray: bool,
     /// True while words of the command line are read, false for those of ini files.
@@ -120,7 +123,6 @@ pub(crate) enum Output {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unbuilt {
     Clockless,
-    Dither,
     Fields,
     OddField,
     SavedRadiosity,
@@ -179,6 +181,8 @@ impl Default for RawArgs {
             safety: SafetyOptions::default(),
             limits: LimitOptions::default(),
             unbuilt: Vec::new(),
+            is_dithered: false,
+            dither: None,
             is_povray: false,
             is_command_line: false,
             create_ini: None,
@@ -230,10 +234,6 @@ impl Unbuilt {
             Unbuilt::Clockless => (
                 "animation by several cameras is not supported yet",
                 "Leave `Clockless_Animation` out and move one camera with `clock`.",
-            ),
-            Unbuilt::Dither => (
-                "dithering is not supported yet",
-                "Use `-TH` (or `Dither=off`).",
             ),
             Unbuilt::Fields => (
                 "rendering of fields is not supported yet",

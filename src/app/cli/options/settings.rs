@@ -17,7 +17,7 @@ use crate::base::color::Gamma;
 use crate::base::options::{
     Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling,
 };
-use crate::output::{Effort, EncodeOptions, Format, OptionsOf38, Target};
+use crate::output::{DitherMethod, Effort, EncodeOptions, Format, OptionsOf38, Target};
 
 /// Upper limit of the pixels of a picture: a film of 8 GiB.
 const MAX_PIXELS: u64 = 1 << 29;
@@ -377,6 +377,10 @@ fn output(
     let default = EncodeOptions::new(format);
     let bits = raw_args.bits.unwrap_or(default.bits);
     let is_ppm = format == Format::PPM;
+    let dither = |default| {
+        let method = raw_args.dither.unwrap_or(default);
+        raw_args.is_dithered.then_some(method)
+    };
     let of_3_8 = OptionsOf38 {
         bits: raw_args.grayscale.then_some(bits),
         file_gamma: match raw_args.file_gamma {
@@ -386,6 +390,7 @@ fn output(
             _ => None,
         },
         is_plain: is_ppm && raw_args.compression == Some(0),
+        dither: dither(DitherMethod::BlueNoise),
     };
     let options = EncodeOptions {
         // The grey files of POV-Ray 3.7 have 16 bits, regardless of other options.
@@ -394,6 +399,7 @@ fn output(
         alpha: raw_args.alpha,
         file_gamma: raw_args.file_gamma.unwrap_or(Gamma::Srgb),
         quality: raw_args.compression.unwrap_or(0),
+        dither: dither(DitherMethod::FloydSteinberg),
         of_3_8,
         effort: match raw_args.is_povray {
             true => Effort::Balanced,
