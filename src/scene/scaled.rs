@@ -47,7 +47,7 @@ impl Scene {
             fog.distance *= factor;
             fog.alt *= factor;
             fog.offset *= factor;
-            fog.turbulence /= factor;
+            fog.turbulence = fog.turbulence.map(|turbulence| turbulence / factor);
         }
         for rainbow in &mut self.atmosphere.rainbows {
             rainbow.distance *= factor;

@@ -9,6 +9,7 @@ use crate::base::color::Color;
 use crate::base::math::Ray;
 use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use glam::DVec3;
 
 /// Heights closer than this, in units of `fog_alt`, count as equal; POV-Ray's value.
@@ -31,8 +32,9 @@ pub struct Fog {
     pub alt: f64,
     /// `fog_offset`: ground fog has full density up to this height.
     pub offset: f64,
-    /// Factors on the midpoint of the ray, where the turbulence is sampled; zero for none.
-    pub turbulence: DVec3,
+    /// Factors on the midpoint of the ray, where the turbulence is sampled; with zero it is that of the origin for
+    /// every ray.
+    pub turbulence: Option<DVec3>,
     /// `turb_depth`: a factor on the turbulence, which limits the share of the path length it removes.
     pub turb_depth: f64,
     /// The octaves of the turbulence.
@@ -48,7 +50,7 @@ impl Default for Fog {
             up: DVec3::Y,
             alt: 0.0,
             offset: 0.0,
-            turbulence: DVec3::ZERO,
+            turbulence: None,
             turb_depth: 0.5,
             octaves: Octaves::default(),
         }
@@ -63,7 +65,13 @@ impl Fog {
     pub fn read(args: &mut dyn Args) -> Parse<Fog> {
         args.open()?;
         let mut fog = match declared::<Fog>(args)? {
-            Some(known) => Fog::clone(&known),
+            Some(known) => {
+                let mut fog = Fog::clone(&known);
+                if has_syntax_of_3_8(args.version()) {
+                    fog.turbulence.get_or_insert(DVec3::ZERO);
+                }
+                fog
+            }
             None => Fog::default(),
         };
         let at = args.last_span();
@@ -117,7 +125,7 @@ impl Fog {
                 if word == Word::Up {
                     self.up = vector;
                 } else {
-                    self.turbulence = vector;
+                    self.turbulence = Some(vector);
                 }
                 return Ok(());
             }
@@ -135,6 +143,7 @@ impl Fog {
     )]
     fn read_octaves(&mut self, word: Word, args: &mut dyn Args) -> Parse<()> {
         args.accept(word)?;
+        self.turbulence.get_or_insert(DVec3::ZERO);
         let value = args.float()?;
         match word {
             Word::Octaves => self.octaves.count = Octaves::clamped_count(value),
@@ -154,8 +163,8 @@ impl Fog {
     #[must_use]
     pub fn tint(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Tint {
         let mut path_length = length;
-        if self.turbulence != DVec3::ZERO {
-            let middle = ray.at(0.5 * length) * self.turbulence;
+        if let Some(turbulence) = self.turbulence {
+            let middle = ray.at(0.5 * length) * turbulence;
             let depth = self.turb_depth * noise.turbulence(middle, &self.octaves);
             path_length *= 1.0 - (-length / self.distance).exp() * depth.min(1.0);
         }
