@@ -1,6 +1,7 @@
 //! `slope`: the angle between the surface normal and a direction, optionally blended with the altitude of the point.
 
 use crate::base::args::{Args, Parse, Word};
+use crate::base::version::has_syntax_of_3_8;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -18,27 +19,41 @@ struct Range {
 
 #[derive(Clone, Copy, Debug)]
 struct Slope {
-    /// The direction, or for `point_at` the target point.
+    /// The direction, or the target point.
     slope: Range,
-    is_towards_point: bool,
+    target: Target,
     altitude: Option<Range>,
+}
+
+/// The meaning of the vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Target {
+    Direction,
+    /// `point_at`: the direction to a point.
+    Point,
+    /// The same in version 3.8, which subtracts a unit vector, that to the hit point, and normalizes nothing else.
+    PointOf38,
 }
 
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     let has_block = args.accept_mark('{')?;
-    let is_towards_point = args.accept(Word::PointAt)?;
+    let target = match args.accept(Word::PointAt)? {
+        true if has_syntax_of_3_8(args.version()) => Target::PointOf38,
+        true => Target::Point,
+        false => Target::Direction,
+    };
     let mut slope = Slope {
         slope: Range {
             dir: args.vector()?,
             from: 0.0,
             to: 1.0,
         },
-        is_towards_point,
+        target,
         altitude: None,
     };
     if has_block {
         slope.slope.read(args)?;
-        if !is_towards_point && args.accept(Word::Altitude)? {
+        if target == Target::Direction && args.accept(Word::Altitude)? {
             let mut altitude = Range {
                 dir: args.vector()?,
                 from: 0.0,
@@ -81,15 +96,16 @@ impl Pattern for Slope {
 
 impl PatternEval for Slope {
     fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
-        let towards = if self.is_towards_point {
-            self.slope.dir - spot.point
-        } else {
-            self.slope.dir
+        let towards = match self.target {
+            Target::Direction => self.slope.dir,
+            Target::Point => self.slope.dir - spot.point,
+            Target::PointOf38 => self.slope.dir - spot.point.normalize_or_zero(),
         };
-        let cosine = spot
-            .normal
-            .dot(towards.normalize_or_zero())
-            .clamp(-1.0, 1.0);
+        let direction = match self.target {
+            Target::PointOf38 => towards,
+            Target::Direction | Target::Point => towards.normalize_or_zero(),
+        };
+        let cosine = spot.normal.dot(direction).clamp(-1.0, 1.0);
         let mut value = self.slope.relative((cosine.asin() / PI * 2.0 + 1.0) * 0.5);
         if let Some(altitude) = &self.altitude {
             let (slope_size, size) = (towards.length(), altitude.dir.length());
