@@ -21,9 +21,10 @@ use crate::base::bitmap;
 use crate::base::color::Gamma;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
+use crate::base::version::has_syntax_of_3_8;
 use crate::scene::shape::{Geometry, Root, Start, read};
 use glam::{DAffine3, DVec3, Vec3};
-use image::{Decoder, Kind};
+use image::{Decoder, Kind, Samples};
 use std::sync::{Arc, OnceLock};
 
 /// Height steps per unit.
@@ -176,8 +177,11 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     let unreadable = |why| error(format!("cannot read the image `{name}`: {why}"));
     let needed = image::bytes_to_read(kind.decoder, &bytes).map_err(unreadable)?;
     args.reserve_memory("this image", needed, at)?;
-    let gamma = read_gamma(args)?;
-    let heights = image::heights(kind.decoder, &bytes, gamma).map_err(unreadable)?;
+    let samples = Samples {
+        gamma: read_gamma(args)?,
+        keeps_grey: has_syntax_of_3_8(args.version()),
+    };
+    let heights = image::heights(kind.decoder, &bytes, samples).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {
         let max = MAX_CELLS;
         return Err(error(format!("a height field has at most {max} pixels")));

@@ -133,9 +133,8 @@ pub(super) fn bytes_to_read(decoder: Decoder, bytes: &[u8]) -> Result<u64, Strin
         .map_or(Ok(0), |format| bitmap::bytes_to_decode(bytes, format))
 }
 
-/// Reads the heights of an image whose samples have this gamma.
-pub(super) fn heights(decoder: Decoder, bytes: &[u8], gamma: Gamma) -> Result<Heights, String> {
-    let samples = Samples { gamma };
+/// Reads the heights of an image.
+pub(super) fn heights(decoder: Decoder, bytes: &[u8], samples: Samples) -> Result<Heights, String> {
     let read = match decoder {
         Decoder::Png => png(bytes, samples),
         Decoder::Gif => gif(bytes),
@@ -162,9 +161,11 @@ fn from_bytes(high: u8, low: u8) -> u16 {
 
 /// The conversion of samples to heights.
 #[derive(Clone, Copy)]
-struct Samples {
+pub(super) struct Samples {
     /// The gamma of the samples.
-    gamma: Gamma,
+    pub(super) gamma: Gamma,
+    /// True if grey values of 8 bits that no gamma changes stay as they are, as in version 3.8.
+    pub(super) keeps_grey: bool,
 }
 
 #[allow(
@@ -225,6 +226,9 @@ impl Samples {
 
     /// The height of an 8-bit grey value of a PNG, after POV-Ray's conversion to a colour and back.
     fn degraded_grey(self, grey: u8) -> u16 {
+        if self.keeps_grey && self.is_linear() {
+            return self.grey(grey);
+        }
         let g = self.decoded(grey);
         u16::from((255.0 * (0.297 * g + 0.589 * g + 0.114 * g)) as u8) * 257
     }
@@ -425,6 +429,7 @@ mod tests {
         // Measured with POV-Ray 3.7.
         let linear = Samples {
             gamma: Gamma::LINEAR,
+            keeps_grey: false,
         };
         assert_eq!(
             [202, 221, 129, 121, 255].map(|byte| linear.degraded_grey(byte)),
@@ -437,6 +442,7 @@ mod tests {
         // Measured with POV-Ray 3.7.
         let samples = Samples {
             gamma: Gamma::power(2.2),
+            keeps_grey: false,
         };
         assert_eq!([50, 100].map(|byte| samples.grey(byte)), [1818, 8357]);
         assert_eq!(samples.degraded_grey(50), 1799);
@@ -448,7 +454,11 @@ mod tests {
     fn a_pot_file_has_a_byte_from_each_half_of_a_row() {
         let bytes = include_bytes!("../../../../../pov_scenes/shape/heights/potential.pot");
         let (gif_width, rows) = indices(bytes).expect("it is a GIF");
-        let result = heights(Decoder::Pot, bytes, Gamma::LINEAR).expect("it has heights");
+        let samples = Samples {
+            gamma: Gamma::LINEAR,
+            keeps_grey: false,
+        };
+        let result = heights(Decoder::Pot, bytes, samples).expect("it has heights");
         assert_eq!((gif_width, result.width), (48, 24));
         let (high, low) = (u16::from(rows[5]), u16::from(rows[5 + 24]));
         assert_eq!(result.rows[5], 256 * high + low);
