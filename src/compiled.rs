@@ -195,7 +195,8 @@ impl CompiledScene {
 #[must_use]
 pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option<Message> {
     let locate = || {
-        let mut sources = Sources::new(options.library_paths.clone());
+        let mut sources = Sources::new(options.library_paths.clone())
+            .with_paths_of_3_8(options.library_paths_of_3_8.clone());
         sources.limit_reads(options.readable.clone());
         sources.limit_bytes(options.memory.unwrap_or(u64::MAX));
         let file = load(input, &mut sources).map_err(|_| Failure { errors: Vec::new() })?;

@@ -548,7 +548,8 @@ fn read_scene(
 ) -> Result<SceneReading, Failure> {
     let earlier = cache.and_then(|cache| lock(cache).clone());
     let mut token_cache = cache.map(|_| TokenCache::default());
-    let mut sources = Sources::new(options.library_paths.clone());
+    let mut sources = Sources::new(options.library_paths.clone())
+        .with_paths_of_3_8(options.library_paths_of_3_8.clone());
     if let Some(earlier) = &earlier {
         sources = earlier.sources.clone();
         token_cache = Some(earlier.token_cache.clone());

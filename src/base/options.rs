@@ -81,6 +81,8 @@ pub enum Input {
 pub struct ReadOptions {
     /// Folders searched for included and other files after the current folder, in this order.
     pub library_paths: Vec<PathBuf>,
+    /// The same while `#version` is 3.8; empty if they are no others.
+    pub library_paths_of_3_8: Vec<PathBuf>,
     /// Folders in which a scene may read files.
     pub readable: Folders,
     /// Folders in which a scene may write files.
@@ -480,6 +482,7 @@ impl Default for ReadOptions {
     fn default() -> Self {
         ReadOptions {
             library_paths: Vec::new(),
+            library_paths_of_3_8: Vec::new(),
             readable: Folders::All,
             writable: Folders::Only(Vec::new()),
             writes: Writes::default(),

@@ -141,6 +141,7 @@ impl<'a> Reader<'a> {
             ]);
         }
         sources.limit_bytes(budget.memory.headroom());
+        sources.follow_version(options.version.unwrap_or(0.0));
         let (mut names, known) = match &token_cache {
             Some(token_cache) => (token_cache.names.clone(), token_cache.tokens(scene)),
             None => (Names::new(), None),

@@ -41,7 +41,9 @@ fn refusal(arguments: &[&str]) -> String {
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, text) in files {
-        fs::write(folder.path().join(name), text).expect("a file in it");
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().expect("the folder")).expect("folders in it");
+        fs::write(path, text).expect("a file in it");
     }
     folder
 }
@@ -436,6 +438,31 @@ fn the_system_gives_folders_and_the_user_settings() {
     assert_eq!(
         settings.read.library_paths,
         ["/mine", "a", "/lib"].map(PathBuf::from)
+    );
+    assert_eq!(settings.read.library_paths_of_3_8, Vec::<PathBuf>::new());
+}
+
+#[test]
+fn scenes_of_3_8_have_the_folders_of_3_8_before_the_standard_ones() {
+    let here = folder(&[
+        ("etc/3.7/povray.ini", "Library_Path=/lib37\n"),
+        ("etc/3.8/povray.ini", "Library_Path=/lib38\n"),
+        ("s.pov", ""),
+    ]);
+    let environment = Environment {
+        system_ini: Some(here.path().join("etc/3.7/povray.ini")),
+        ..Environment::default()
+    };
+    let scene = here.path().join("s.pov").display().to_string();
+    let arguments = [scene, "+La".to_owned(), "Library_Path_38=/own".to_owned()];
+    let Ok(Request::Draw(settings)) = request(&arguments, &environment) else {
+        panic!("a scene is named");
+    };
+    let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
+    assert_eq!(settings.read.library_paths, paths(&["a", "/lib37"]));
+    assert_eq!(
+        settings.read.library_paths_of_3_8,
+        paths(&["a", "/own", "/lib38", "/lib37"])
     );
 }
 

@@ -12,6 +12,7 @@ use super::{Diagnostic, FileId, Span};
 use crate::base::file::{
     FileLimits, Folders, MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited,
 };
+use crate::base::version::has_syntax_of_3_8;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,6 +25,10 @@ const SMALL_FILE_BYTES: u64 = 1 << 20;
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     library_paths: Vec<PathBuf>,
+    /// Those for scenes of version 3.8; empty if they are the same.
+    library_paths_of_3_8: Vec<PathBuf>,
+    /// True while the language is that of 3.8.
+    is_of_3_8: bool,
     texts: Vec<Source>,
     pub(super) by_path: FxHashMap<PathBuf, FileId>,
     /// Canonical paths of files that the scene wrote itself.
@@ -57,6 +62,26 @@ impl Sources {
         Sources {
             library_paths,
             ..Sources::default()
+        }
+    }
+
+    /// Searches other folders while the version is 3.8 or later; none for the same ones.
+    #[must_use]
+    pub fn with_paths_of_3_8(mut self, library_paths: Vec<PathBuf>) -> Self {
+        self.library_paths_of_3_8 = library_paths;
+        self
+    }
+
+    /// Searches the folders for this version of the language from now on.
+    pub(crate) fn follow_version(&mut self, version: f64) {
+        self.is_of_3_8 = has_syntax_of_3_8(version);
+    }
+
+    /// The folders of the version that is in force.
+    fn library_paths(&self) -> &[PathBuf] {
+        match self.is_of_3_8 && !self.library_paths_of_3_8.is_empty() {
+            true => &self.library_paths_of_3_8,
+            false => &self.library_paths,
         }
     }
 
@@ -209,7 +234,7 @@ impl Sources {
     #[must_use]
     pub fn library_file_that_declares(&self, name: &str, limit: usize) -> Option<Declared> {
         let entries = self
-            .library_paths
+            .library_paths()
             .iter()
             .filter_map(|folder| fs::read_dir(folder).ok());
         let mut files: Vec<PathBuf> = entries
@@ -240,7 +265,7 @@ impl Sources {
         let including = self.path(including_file).and_then(Path::parent);
         let near = including.into_iter().chain([Path::new("")]);
         let mut folders: Vec<PathBuf> = Vec::new();
-        for folder in near.chain(self.library_paths.iter().map(PathBuf::as_path)) {
+        for folder in near.chain(self.library_paths().iter().map(PathBuf::as_path)) {
             if !folders.iter().any(|known| known == folder) {
                 folders.push(folder.to_owned());
             }

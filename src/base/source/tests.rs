@@ -121,6 +121,24 @@ fn include_files_are_searched_near_first_then_in_the_library_in_order() {
 }
 
 #[test]
+fn each_version_has_its_library() {
+    let old = folder_with(&[("colors.inc", "3.7"), ("old.inc", "3.7")]);
+    let new = folder_with(&[("colors.inc", "3.8")]);
+    let [old, new] = [&old, &new].map(|folder| folder.path().to_owned());
+    let mut sources = Sources::new(vec![old.clone()]).with_paths_of_3_8(vec![new, old]);
+    let scene = sources.add_text("stdin", "");
+    let mut find = |version: f64, name: &str| {
+        sources.follow_version(version);
+        let file = sources.find_include(name, scene).unwrap();
+        sources.text(file).to_string()
+    };
+    assert_eq!(find(3.7, "colors.inc"), "3.7");
+    assert_eq!(find(3.8, "colors.inc"), "3.8");
+    assert_eq!(find(3.8, "old.inc"), "3.7");
+    assert_eq!(find(3.7, "colors.inc"), "3.7");
+}
+
+#[test]
 fn a_missing_include_file_is_reported_with_folders_and_other_cases() {
     let scenes = folder_with(&[("a.pov", "")]);
     let library = folder_with(&[("Colors.inc", ""), ("sub/colors.INC", "")]);

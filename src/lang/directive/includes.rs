@@ -110,6 +110,7 @@ impl Reader<'_> {
         {
             self.replays.clear();
         }
+        self.sources.follow_version(version);
         if self.dialect.set_version(version) {
             self.replays.clear();
         }

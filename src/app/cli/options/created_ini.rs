@@ -7,7 +7,7 @@ use super::raw_args::RawArgs;
 use std::fmt::Write;
 
 /// Options that may be set several times.
-const REPEATED: [&str; 2] = ["Declare", "Library_Path"];
+const REPEATED: [&str; 3] = ["Declare", "Library_Path", "Library_Path_38"];
 
 /// The text of the file.
 pub(crate) fn text(system: &RawArgs, own: &RawArgs) -> String {

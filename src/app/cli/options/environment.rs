@@ -65,6 +65,20 @@ impl Environment {
         self.system_args().map(|system| system.library_paths)
     }
 
+    /// The folders of POV-Ray 3.8 where its ini file is installed beside that of 3.7: searched before the standard ones
+    /// for scenes of version 3.8.
+    fn standard_folders_of_3_8(&self) -> Result<Vec<PathBuf>, CliError> {
+        let folder = self.system_ini.as_deref().and_then(Path::parent);
+        let of_3_8 = folder
+            .and_then(Path::parent)
+            .map(|all| all.join("3.8/povray.ini"));
+        let mut raw_args = RawArgs::default();
+        if let Some(file) = of_3_8.filter(|file| file.is_file()) {
+            Reader::new(&mut raw_args, &[]).read_file(&file, None)?;
+        }
+        Ok(raw_args.library_paths)
+    }
+
     /// The options of the system's ini file.
     pub(crate) fn system_args(&self) -> Result<RawArgs, CliError> {
         let mut system = RawArgs::default();
@@ -87,6 +101,7 @@ impl Environment {
     pub(crate) fn raw_args(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
         let mut raw_args = RawArgs {
             is_povray: self.is_povray,
+            standard_folders_of_3_8: self.standard_folders_of_3_8()?,
             ..RawArgs::default()
         };
         raw_args.doubts.extend(self.warning.clone());

@@ -119,6 +119,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Jitter", |t, v, s| { t.is_jittered = flag(t, v, s); Ok(()) }),
     ("Jitter_Amount", |t, v, s| { t.antialias.jitter = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
     ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
+    ("Library_Path_38", |t, v, s| { t.library_paths_of_3_8.push(path(v, s)?); Ok(()) }),
     ("Light_Buffer", IDLE),
     ("Max_Image_Buffer_Memory", IDLE),
     ("Odd_Field", |t, v, s| { let on = flag(t, v, s); t.request(Unbuilt::OddField, on, s); Ok(()) }),

@@ -33,6 +33,9 @@ pub(crate) struct RawArgs {
     pub(crate) quality: u8,
     pub(crate) threads: Option<usize>,
     pub(crate) library_paths: Vec<PathBuf>,
+    /// Include folders for scenes of version 3.8 alone: those named, and those of the system.
+    pub(crate) library_paths_of_3_8: Vec<PathBuf>,
+    pub(crate) standard_folders_of_3_8: Vec<PathBuf>,
     pub(crate) declares: Vec<(String, f64)>,
     pub(crate) version: Option<f64>,
     pub(crate) include_header: Option<PathBuf>,
@@ -149,6 +152,8 @@ impl Default for RawArgs {
             quality: 9,
             threads: None,
             library_paths: Vec::new(),
+            library_paths_of_3_8: Vec::new(),
+            standard_folders_of_3_8: Vec::new(),
             declares: Vec::new(),
             version: None,
             include_header: None,

@@ -215,8 +215,15 @@ pub(crate) fn read_options(
     environment: &Environment,
 ) -> ReadOptions {
     let (safety, header) = (&raw_args.safety, raw_args.include_header.as_ref());
+    let of_3_8 = paths_of_3_8(raw_args, &library_paths);
+    let readable = if of_3_8.is_empty() {
+        &library_paths
+    } else {
+        &of_3_8
+    };
     ReadOptions {
-        readable: safety.readable(file, &library_paths, header),
+        readable: safety.readable(file, readable, header),
+        library_paths_of_3_8: of_3_8,
         writable: safety.writable(environment.conf.writable()),
         memory: LimitOptions::of(raw_args).max_memory,
         library_paths,
@@ -230,6 +237,21 @@ pub(crate) fn read_options(
         clock_on: raw_args.clock.is_some(),
         ..ReadOptions::default()
     }
+}
+
+/// The folders for scenes of version 3.8: those of 3.8 stand between the named ones and the standard ones. Empty if there
+/// are none of 3.8.
+fn paths_of_3_8(raw_args: &RawArgs, library_paths: &[PathBuf]) -> Vec<PathBuf> {
+    let own = [
+        raw_args.library_paths_of_3_8.as_slice(),
+        &raw_args.standard_folders_of_3_8,
+    ]
+    .concat();
+    if own.is_empty() {
+        return own;
+    }
+    let (named, standard) = library_paths.split_at(raw_args.library_paths.len());
+    [named, &own, standard].concat()
 }
 
 fn render_options(raw_args: &RawArgs) -> Result<RenderOptions, CliError> {
