@@ -4,7 +4,7 @@ use super::{Path, Sample, Tracer};
 use crate::base::math::Ray;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::{MISS_DISTANCE, Tint, combined_tint, mean_tint};
-use crate::world::{InteriorId, LightList};
+use crate::world::{InteriorId, LightList, SpawnSurface};
 
 /// Attenuation and in-scattered light along a ray, in the order in which they apply.
 #[derive(Clone, Copy, Debug)]
@@ -17,11 +17,20 @@ pub(super) struct AtmosphereTint {
     fog: Option<Tint>,
 }
 
+/// The surface where a ray's segment ends.
+#[derive(Clone, Copy)]
+pub(super) struct SegmentEnd {
+    /// The distance from the origin of the ray.
+    pub(super) length: f64,
+    pub(super) surface: SpawnSurface,
+    /// The lights that media scatter before it.
+    pub(super) lights: LightList,
+}
+
 /// The end of a ray's segment through the atmosphere.
 #[derive(Clone, Copy)]
 pub(super) enum End {
-    /// A surface at this distance, with the lights that media scatter before it.
-    Surface(f64, LightList),
+    Surface(SegmentEnd),
     /// No hit.
     Nothing,
 }
@@ -48,10 +57,14 @@ impl Tracer<'_> {
         {
             return None;
         }
+        let surface = match &end {
+            End::Surface(end) => Some(end.surface),
+            End::Nothing => None,
+        };
         let (inside, length, lights) = match end {
-            End::Surface(length, lights) => {
-                let inside = self.media_inside(path, length, lights, scratch);
-                (inside, length, lights)
+            End::Surface(end) => {
+                let inside = self.media_inside(path, &end, scratch);
+                (inside, end.length, end.lights)
             }
             End::Nothing => {
                 let length = self.world.globals.unit * MISS_DISTANCE;
@@ -65,7 +78,7 @@ impl Tracer<'_> {
         Some(AtmosphereTint {
             inside,
             rainbow: mean_tint(arcs),
-            media: self.atmospheric_media(path, length, lights, scratch),
+            media: self.atmospheric_media(path, length, lights, surface, scratch),
             fog: self.fog(&path.ray, length),
         })
     }

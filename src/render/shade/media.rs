@@ -6,6 +6,7 @@
 mod intervals;
 mod scattering;
 
+use super::atmosphere::SegmentEnd;
 use super::{InteriorStack, Path, Tracer};
 use crate::base::accel::MAX_STREAM_RAYS;
 use crate::base::color::Rgb;
@@ -14,7 +15,7 @@ use crate::base::math::sampling::chi_square::chi_square;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::Tint;
 use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
-use crate::world::{InteriorId, LightList};
+use crate::world::{InteriorId, LightList, SpawnSurface};
 use glam::DVec3;
 pub(super) use intervals::{LightBeam, MediaInterval, common_sampling, parts_of, subdivided};
 use scattering::MediaPoints;
@@ -28,8 +29,26 @@ struct MediaSegment<'a> {
     media: &'a [&'a PreparedMedia],
     ray: Ray,
     path: &'a Path,
+    length: f64,
+    /// The surface that ends it.
+    end: Option<SpawnSurface>,
     beams: &'a [LightBeam],
     sampling: Sampling,
+}
+
+impl MediaSegment<'_> {
+    /// The surface that a sample at a distance lies in: the one that the ray has left, or the one that it hits, which is
+    /// sampled from version 3.8 on.
+    fn surface_at(&self, distance: f64) -> Option<&SpawnSurface> {
+        // The end of the last step is rounded.
+        if distance == 0.0 {
+            self.path.from.as_ref()
+        } else if distance >= self.length * (1.0 - 4.0 * f64::EPSILON) {
+            self.end.as_ref()
+        } else {
+            None
+        }
+    }
 }
 
 /// Emitted and in-scattered light and optical depth of an interval, as sums over samples.
@@ -57,8 +76,7 @@ impl Tracer<'_> {
     pub(super) fn media_inside(
         &self,
         path: &Path,
-        length: f64,
-        lights: LightList,
+        end: &SegmentEnd,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
         if !self.features.has_media
@@ -68,7 +86,13 @@ impl Tracer<'_> {
             return None;
         }
         let media = self.media_of(&path.inside);
-        self.segment_tint(&media, path, length, lights, scratch)
+        self.segment_tint(
+            &media,
+            path,
+            (end.length, Some(end.surface)),
+            end.lights,
+            scratch,
+        )
     }
 
     /// The effect of the media of the atmosphere over `length` of a ray in the atmosphere.
@@ -77,13 +101,14 @@ impl Tracer<'_> {
         path: &Path,
         length: f64,
         lights: LightList,
+        end: Option<SpawnSurface>,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
         if !self.features.has_media {
             return None;
         }
         let media: Mixture = self.world.media.iter().collect();
-        self.segment_tint(&media, path, length, lights, scratch)
+        self.segment_tint(&media, path, (length, end), lights, scratch)
     }
 
     /// The transmittance of the interiors around a shadow ray over `length`.
@@ -124,7 +149,7 @@ impl Tracer<'_> {
         &self,
         media: &[&PreparedMedia],
         path: &Path,
-        length: f64,
+        (length, end): (f64, Option<SpawnSurface>),
         lights: LightList,
         scratch: &mut Scratch,
     ) -> Option<Tint> {
@@ -134,6 +159,8 @@ impl Tracer<'_> {
             media,
             ray: path.ray,
             path,
+            length,
+            end,
             beams: &beams,
             sampling,
         };

@@ -32,7 +32,7 @@ use crate::base::options::CancelToken;
 use crate::render::photons::PhotonMaps;
 use crate::render::radiosity::{Mode, Radiosity, Session};
 use crate::world::{Hit, InteriorId, Query, RayKind, SpawnSurface, World};
-use atmosphere::{AtmosphereTint, End};
+use atmosphere::{AtmosphereTint, End, SegmentEnd};
 pub use block::{BLOCK, BlockScratch, FirstHit};
 use features::{FastPaths, Features};
 use glam::DVec3;
@@ -292,7 +292,11 @@ impl<'w> Tracer<'w> {
                     .behind_atmosphere(atmosphere);
             };
             let lights = self.world.surfaces[hit.surface as usize].lights;
-            let end = End::Surface(hit.t, lights);
+            let end = End::Surface(SegmentEnd {
+                length: hit.t,
+                surface: hit.spawn_surface,
+                lights,
+            });
             if let Some(sample) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
                 break sample.behind_atmosphere(self.atmosphere(&path, end, scratch));
             }

@@ -3,7 +3,7 @@
 //! surfaces with several textures or reflections, and scenes with sequential random numbers are left to the scalar
 //! path.
 
-use super::atmosphere::{AtmosphereTint, End};
+use super::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use super::bsdf::{ViewPoint, facing_normal};
 use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, ShadeBuffers, viewed};
@@ -565,7 +565,11 @@ impl Tracer<'_> {
             return Some(self.trace(path, Some((hit, known)), scratch));
         };
         let surface = &self.world.surfaces[hit.surface as usize];
-        let end = End::Surface(hit.t, surface.lights);
+        let end = End::Surface(SegmentEnd {
+            length: hit.t,
+            surface: hit.spawn_surface,
+            lights: surface.lights,
+        });
         if let Some(plain) = self.shade_plain(&hit, path.ray.dir, known, scratch) {
             return Some(plain.behind_atmosphere(self.atmosphere(&path, end, scratch)));
         }

@@ -6,7 +6,7 @@ use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::render::shade::Scratch;
-use crate::render::shade::atmosphere::{AtmosphereTint, End};
+use crate::render::shade::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use crate::render::shade::bsdf::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
 use crate::render::shade::shade_cache::{PlainMaterial, ShadeCache};
 use crate::render::shade::{Path, Sample, Tracer};
@@ -324,7 +324,11 @@ impl<'w> Tracer<'w> {
         let end = match hits.is_hit(lane) {
             true => {
                 let surface = &self.world.surfaces[hits.surface[lane] as usize];
-                End::Surface(hits.t[lane], surface.lights)
+                End::Surface(SegmentEnd {
+                    length: hits.t[lane],
+                    surface: hits.spawn_surface(lane),
+                    lights: surface.lights,
+                })
             }
             false => End::Nothing,
         };

@@ -119,7 +119,7 @@ impl Tracer<'_> {
         let mut queries: SmallVec<[Query; MAX_STREAM_RAYS]> = SmallVec::new();
         let mut indices: SmallVec<[usize; MAX_STREAM_RAYS]> = SmallVec::new();
         for (i, light) in unoccluded.iter().enumerate() {
-            let is_in_surface = segment.path.from.is_some() && at.distances[i] == 0.0;
+            let is_in_surface = segment.surface_at(at.distances[i]).is_some();
             if let Some(UnoccludedLight { arrival, .. }) = light.filter(|_| !is_in_surface) {
                 let ray = Ray::new(at.points[i], arrival.to_light);
                 queries.push(shadow_query(self.world, None, ray, arrival.distance));
@@ -146,8 +146,7 @@ impl Tracer<'_> {
         if !self.quality.has_shadows {
             return light.arriving;
         }
-        // The first sample lies in the surface that the ray has left.
-        let spawn_surface = segment.path.from.as_ref().filter(|_| distance == 0.0);
+        let spawn_surface = segment.surface_at(distance);
         let shading_point = ShadingPoint {
             at: ViewPoint {
                 point,
