@@ -97,6 +97,11 @@ pub trait Geometry {
         false
     }
 
+    /// True if a ray is exiting ([`Geometry::is_exiting`]) wherever it lies between rays from the same point that are.
+    fn exits_in_cones(&self) -> bool {
+        true
+    }
+
     /// The outward normal, not normalised, at a point of surface piece `face`.
     fn normal(&self, point: DVec3, face: u32) -> DVec3;
 

@@ -149,6 +149,10 @@ macro_rules! shapes {
             fn is_exiting(&self, ray: &Ray) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_exiting(ray)),+ }
             }
+
+            fn exits_in_cones(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.exits_in_cones()),+ }
+            }
             fn normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
             }

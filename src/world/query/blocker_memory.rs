@@ -90,21 +90,8 @@ impl World {
         result: Option<Occlusion>,
         scratch: &mut QueryScratch,
     ) -> Occlusion {
-        let remembered = scratch.memory.as_deref();
-        if let Some(item) = remembered.and_then(|memory| memory.of(light)) {
-            let unit = self.globals.unit;
-            let query = Query {
-                t_max: query.t_max + POV_RAY_SHADOW * unit,
-                ..*query
-            };
-            let search = Search {
-                t_min: POV_RAY_T_MIN * unit,
-                ..self.search_for(&query)
-            };
-            let mut occlusion = Occlusion::Clear;
-            if self.occludes(item, &query, &search, &mut occlusion, scratch) {
-                return Occlusion::Opaque;
-            }
+        if self.is_blocked_by_memory(query, light, scratch) {
+            return Occlusion::Opaque;
         }
         let occlusion = result.unwrap_or_else(|| self.find_occlusion(lanes, query, light, scratch));
         if occlusion == Occlusion::Opaque
@@ -116,6 +103,31 @@ impl World {
             memory.remember(light, item);
         }
         occlusion
+    }
+
+    /// Returns true if the object that last blocked this light blocks a ray to it.
+    #[must_use]
+    pub fn is_blocked_by_memory(
+        &self,
+        query: &Query,
+        light: u32,
+        scratch: &mut QueryScratch,
+    ) -> bool {
+        let remembered = scratch.memory.as_deref();
+        let Some(item) = remembered.and_then(|memory| memory.of(light)) else {
+            return false;
+        };
+        let unit = self.globals.unit;
+        let query = Query {
+            t_max: query.t_max + POV_RAY_SHADOW * unit,
+            ..*query
+        };
+        let search = Search {
+            t_min: POV_RAY_T_MIN * unit,
+            ..self.search_for(&query)
+        };
+        let mut occlusion = Occlusion::Clear;
+        self.occludes(item, &query, &search, &mut occlusion, scratch)
     }
 
     /// The nearest item on a shadow ray, and its hit.

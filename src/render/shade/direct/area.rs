@@ -166,13 +166,20 @@ impl Tracer<'_> {
             .resize(columns as usize * rows as usize, None);
         area_light.hits = self.packet_for(area_light);
         area_light.is_in_order = scratch.random.continues;
+        let first = area_light.area.initial_grid_lights();
         if area_light.hits.is_some() {
-            let first = area_light.area.initial_grid_lights();
             area_light.blockers = self.area_blockers(area_light, scratch);
             if self.is_clear(area_light) {
                 area_light.skip(first.len(), scratch);
                 return area_light.arriving;
             }
+            let blockers = area_light.blockers.as_ref();
+            if !self.world.can_bundle_from_point(blockers) || self.is_in_umbra(area_light, scratch)
+            {
+                area_light.hits = None;
+            }
+        }
+        if area_light.hits.is_some() {
             let random = scratch.random.lights;
             let memory = scratch.query.memory.as_deref().cloned();
             self.sample_grid(area_light, first, scratch);
@@ -209,6 +216,16 @@ impl Tracer<'_> {
         };
         self.world
             .area_blockers(hits, &light_area, &mut scratch.query)
+    }
+
+    /// True if the object that blocked the light last probably blocks all of it: it is tested before anything else.
+    fn is_in_umbra(&self, area_light: &AreaLight, scratch: &mut Scratch) -> bool {
+        let arrival = area_light.arrival(DVec3::ZERO);
+        let ray = Ray::new(area_light.lit.at.point, arrival.to_light);
+        let spawn_surface = area_light.lit.spawn_surface.copied();
+        let query = shadow_query(self.world, spawn_surface, ray, arrival.distance);
+        let (light, scratch) = (area_light.light_index, &mut scratch.query);
+        self.world.is_blocked_by_memory(&query, light, scratch)
     }
 
     /// True if all of the light arrives.

@@ -397,6 +397,11 @@ impl Geometry for Blob {
         self.departure(ray) == Some(f64::INFINITY)
     }
 
+    /// Rays may pass a component on all sides.
+    fn exits_in_cones(&self) -> bool {
+        false
+    }
+
     fn moves_face_textures(&self) -> bool {
         true
     }

@@ -381,6 +381,10 @@ impl Geometry for Superellipsoid {
         false
     }
 
+    fn exits_in_cones(&self) -> bool {
+        self.is_convex()
+    }
+
     /// A convex norm that grows at the start of the ray does not fall again.
     fn is_exiting(&self, ray: &Ray) -> bool {
         if ray.origin.abs().max_element() > REACH || self.has_negative_power() {

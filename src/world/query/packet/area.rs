@@ -31,9 +31,9 @@ pub struct LightArea {
 #[derive(Clone, Debug)]
 pub struct AreaBlockers {
     /// Positions in the list of bounded items.
-    pub(super) bounded: ArrayVec<u32, MAX_BEAM_ITEMS>,
+    bounded: ArrayVec<u32, MAX_BEAM_ITEMS>,
     /// True if unbounded items are among them.
-    pub(super) has_unbounded: bool,
+    has_unbounded: bool,
 }
 
 impl AreaBlockers {
@@ -59,10 +59,11 @@ impl World {
             .map(|offset| light.centre + offset - point);
         let leaf = &self.model.leaves[own.leaf as usize];
         // A convex shape lies on the other side of its tangent plane: if the corners do not, nothing between them does.
-        let leaves_own = corners.iter().all(|&to_corner| {
-            own.normal.dot(to_corner) > MIN_COSINE * to_corner.length()
-                && leaf.is_exiting(&Ray::new(point, to_corner))
-        });
+        let leaves_own = leaf.shape.exits_in_cones()
+            && corners.iter().all(|&to_corner| {
+                own.normal.dot(to_corner) > MIN_COSINE * to_corner.length()
+                    && leaf.is_exiting(&Ray::new(point, to_corner))
+            });
         let is_left_out = |item: IndexedItem| {
             let is_own = matches!(item.item, Item::Leaf(leaf) if leaf == own.leaf);
             leaves_own && is_own || self.is_hidden(item.item, RayKind::Shadow)
@@ -104,6 +105,14 @@ impl World {
             bounded,
             has_unbounded,
         })
+    }
+
+    /// Returns true if [`World::occlusion_from_point`] pays off: rays through large meshes are faster one by one.
+    #[must_use]
+    pub fn can_bundle_from_point(&self, blockers: Option<&AreaBlockers>) -> bool {
+        let is_large = |position: &u32| self.is_large_mesh(self.bvh().bounded[*position as usize]);
+        self.meshes.is_empty()
+            || blockers.is_some_and(|blockers| !blockers.bounded.iter().any(is_large))
     }
 
     /// Records the occlusion of the first `count` shadow rays from one hit to samples of a light. All lanes of `hits`
@@ -159,25 +168,22 @@ impl World {
                     return;
                 }
                 self.occlude_by_unbounded(lanes, &query, &mut stream, &mut occlusions, scratch);
-                // Meshes have bundles of their own.
-                let is_bundled = self.meshes.is_empty()
-                    && bundle.fill(
-                        &self.bvh().tree,
-                        hits.point(0),
-                        count,
-                        #[inline(always)]
-                        |packet| {
-                            let mut end = [f64::NEG_INFINITY; 4];
-                            for (lane, occlusion) in
-                                occlusions[4 * packet..].iter().take(4).enumerate()
-                            {
-                                if *occlusion != Occlusion::Opaque {
-                                    end[lane] = shadow_rays[packet].distance[lane];
-                                }
+                let is_bundled = bundle.fill(
+                    &self.bvh().tree,
+                    hits.point(0),
+                    count,
+                    #[inline(always)]
+                    |packet| {
+                        let mut end = [f64::NEG_INFINITY; 4];
+                        for (lane, occlusion) in occlusions[4 * packet..].iter().take(4).enumerate()
+                        {
+                            if *occlusion != Occlusion::Opaque {
+                                end[lane] = shadow_rays[packet].distance[lane];
                             }
-                            (*stream.dirs(packet), end)
-                        },
-                    );
+                        }
+                        (*stream.dirs(packet), end)
+                    },
+                );
                 let is_done = is_bundled
                     && self.occlude_by_bounded(
                         lanes,
