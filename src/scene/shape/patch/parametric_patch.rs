@@ -1,16 +1,17 @@
 //! Subdivision of the parameter rectangle of a parametric surface, and the surface points over the corners.
 //!
-//! The subdivision does not depend on the ray. So the points over the corners of the larger rectangles are computed
-//! once, for the first ray; below them each point is computed once for both halves.
+//! The subdivision does not depend on the ray. So the points over the corners of the larger rectangles, and the ranges
+//! of the coordinates over them, are computed once, for the first ray; below them each point is computed once for both
+//! halves.
 
 use glam::{DVec2, DVec3};
 
 /// Maximum depth of subdivision: more than the face numbers distinguish.
 const MAX_HALVINGS: u32 = 40;
-/// Depth of subdivision with precomputed corners: 33,000 corners, 1 MB.
+/// Depth of subdivision with precomputed corners: 33,000 corners, 1 MB, and 65,000 ranges, 3 MB.
 const PRECOMPUTED_HALVINGS: u32 = 15;
 
-/// Surface points over the corners of the larger rectangles.
+/// Surface points over the corners of the larger rectangles, and the ranges over these.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
     /// Their parameters.
@@ -18,30 +19,39 @@ pub(crate) struct Grid {
     v: Vec<f64>,
     /// Row-major: for each u the points of all v.
     points: Vec<DVec3>,
+    /// By the number of the rectangle.
+    ranges: Vec<Ranges>,
+}
+
+/// Where the coordinates of the surface over a rectangle may lie. NaN where they are not known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ranges {
+    pub(crate) least: [f64; 3],
+    pub(crate) most: [f64; 3],
 }
 
 /// A parameter rectangle and the surface over it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) low: DVec2,
     pub(crate) high: DVec2,
     /// Surface points over the corners: (low u, low v), (low u, high v), (high u, low v), (high u, high v).
     pub(crate) corners: [DVec3; 4],
-    /// Its cells in the grid, if all its corners are precomputed.
-    cells: Option<Cells>,
-    /// Remaining depth of subdivision.
-    pub(crate) left: u32,
+    /// The number of the rectangle: 1 for the whole; the halves of `n` are `2n` and `2n + 1`.
+    pub(crate) number: u64,
 }
 
 /// A rectangle of a grid: the first and the last index in u and in v.
-#[derive(Clone, Copy)]
-struct Cells {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cells {
     u: (u32, u32),
     v: (u32, u32),
+    number: u32,
 }
 
 impl Grid {
-    /// Grid of the surface `point`, whose rectangles are halved until they are smaller than `accuracy`.
+    /// Grid of the surface `point`, whose rectangles are halved until they are smaller than `accuracy`. It has no
+    /// ranges yet.
     pub(crate) fn new(
         low: DVec2,
         high: DVec2,
@@ -67,36 +77,142 @@ impl Grid {
         let v = halved(low.y, high.y, along_v);
         let params = u.iter().flat_map(|u| v.iter().map(|v| DVec2::new(*u, *v)));
         let points = params.map(point).collect();
-        Grid { u, v, points }
+        let ranges = Vec::new();
+        Grid {
+            u,
+            v,
+            points,
+            ranges,
+        }
+    }
+
+    /// Stores the ranges of all its rectangles, and of all of up to `halvings`. `ranges` takes a rectangle, and the
+    /// ranges of its halves where they are stored too.
+    pub(crate) fn store_ranges(
+        &mut self,
+        halvings: u32,
+        point: impl Fn(DVec2) -> DVec3,
+        ranges: impl Fn(&Patch, Option<[&Ranges; 2]>) -> Ranges,
+    ) {
+        let cells = (self.u.len() - 1) * (self.v.len() - 1);
+        let count = 2 * cells.max(1 << halvings);
+        let unknown = Ranges {
+            least: [f64::NAN; 3],
+            most: [f64::NAN; 3],
+        };
+        let mut stored = vec![unknown; count];
+        self.fill(
+            &mut stored,
+            self.patch(self.whole()),
+            Some(self.whole()),
+            &point,
+            &ranges,
+        );
+        self.ranges = stored;
+    }
+
+    fn fill(
+        &self,
+        stored: &mut [Ranges],
+        patch: Patch,
+        cells: Option<Cells>,
+        point: &impl Fn(DVec2) -> DVec3,
+        ranges: &impl Fn(&Patch, Option<[&Ranges; 2]>) -> Ranges,
+    ) {
+        let index = |number: u64| usize::try_from(number).expect("fewer than are stored");
+        let lower = index(2 * patch.number);
+        let has_halves = lower < stored.len();
+        if has_halves {
+            let halves = cells.and_then(|cells| self.halves(cells));
+            if let Some(halves) = halves {
+                for half in halves {
+                    self.fill(stored, self.patch(half), Some(half), point, ranges);
+                }
+            } else {
+                for half in patch.halves(point) {
+                    self.fill(stored, half, None, point, ranges);
+                }
+            }
+        }
+        let halves = has_halves.then(|| [&stored[lower], &stored[lower + 1]]);
+        stored[index(patch.number)] = ranges(&patch, halves);
+    }
+
+    /// The ranges over a rectangle, if they are stored.
+    #[inline]
+    pub(crate) fn ranges_of(&self, number: u64) -> Option<&Ranges> {
+        self.ranges.get(usize::try_from(number).ok()?)
+    }
+
+    /// The ranges over some cells.
+    #[inline]
+    pub(crate) fn ranges(&self, cells: Cells) -> &Ranges {
+        &self.ranges[cells.number as usize]
     }
 
     /// Patch over some cells.
-    fn patch(&self, cells: Cells, left: u32) -> Patch {
-        let Cells { u, v } = cells;
+    pub(crate) fn patch(&self, cells: Cells) -> Patch {
+        let Cells { u, v, number } = cells;
         let point = |u: u32, v: u32| self.points[u as usize * self.v.len() + v as usize];
-        let at = |u: u32, v: u32| DVec2::new(self.u[u as usize], self.v[v as usize]);
+        let [low, high] = self.limits(cells);
         Patch {
-            low: at(u.0, v.0),
-            high: at(u.1, v.1),
+            low,
+            high,
             corners: [
                 point(u.0, v.0),
                 point(u.0, v.1),
                 point(u.1, v.0),
                 point(u.1, v.1),
             ],
-            cells: Some(cells),
-            left,
+            number: u64::from(number),
         }
     }
 
-    /// Patch over all parameters.
-    pub(crate) fn whole(&self) -> Patch {
+    /// The least and the largest parameters of some cells.
+    #[inline]
+    pub(crate) fn limits(&self, cells: Cells) -> [DVec2; 2] {
+        let at = |u: u32, v: u32| DVec2::new(self.u[u as usize], self.v[v as usize]);
+        [at(cells.u.0, cells.v.0), at(cells.u.1, cells.v.1)]
+    }
+
+    /// All cells.
+    pub(crate) fn whole(&self) -> Cells {
         let last = |list: &[f64]| u32::try_from(list.len() - 1).expect("at most 2^15 cells");
-        let cells = Cells {
+        Cells {
             u: (0, last(&self.u)),
             v: (0, last(&self.v)),
+            number: 1,
+        }
+    }
+
+    /// Splits cells along the longer side, the lower half first; `None` where there is only one on that side.
+    #[inline]
+    pub(crate) fn halves(&self, cells: Cells) -> Option<[Cells; 2]> {
+        let [low, high] = self.limits(cells);
+        let size = high - low;
+        let is_along_v = size.y > size.x;
+        let (first, last) = if is_along_v { cells.v } else { cells.u };
+        if last - first <= 1 {
+            return None;
+        }
+        let middle = first.midpoint(last);
+        let number = 2 * cells.number;
+        let half = |range, number| match is_along_v {
+            true => Cells {
+                v: range,
+                number,
+                ..cells
+            },
+            false => Cells {
+                u: range,
+                number,
+                ..cells
+            },
         };
-        self.patch(cells, MAX_HALVINGS)
+        Some([
+            half((first, middle), number),
+            half((middle, last), number + 1),
+        ])
     }
 }
 
@@ -115,47 +231,44 @@ fn halved(low: f64, high: f64, parts: usize) -> Vec<f64> {
 }
 
 impl Patch {
+    /// Number of halvings of the whole that lead to it.
+    pub(crate) fn depth(&self) -> u32 {
+        self.number.ilog2()
+    }
+
+    /// True if it is not to be halved any more.
+    pub(crate) fn is_last(&self) -> bool {
+        self.depth() >= MAX_HALVINGS
+    }
+
     /// Splits along the longer side, the lower half first.
-    pub(crate) fn halves(&self, grid: &Grid, point: impl Fn(DVec2) -> DVec3) -> [Patch; 2] {
+    pub(crate) fn halves(&self, point: impl Fn(DVec2) -> DVec3) -> [Patch; 2] {
         let &Patch {
-            low, high, corners, ..
+            low,
+            high,
+            corners: [a, b, c, d],
+            number,
         } = self;
         let size = high - low;
-        let is_along_v = size.y > size.x;
-        let left = self.left - 1;
-        if let Some(cells) = self.cells {
-            let (first, last) = if is_along_v { cells.v } else { cells.u };
-            if last - first > 1 {
-                let middle = first.midpoint(last);
-                return [(first, middle), (middle, last)].map(|range| {
-                    let cells = match is_along_v {
-                        true => Cells { v: range, ..cells },
-                        false => Cells { u: range, ..cells },
-                    };
-                    grid.patch(cells, left)
-                });
-            }
-        }
         let middle = 0.5 * (low + high);
-        let [a, b, c, d] = corners;
-        let half = |low, high, corners| Patch {
+        let half = |low, high, corners, number| Patch {
             low,
             high,
             corners,
-            cells: None,
-            left,
+            number,
         };
-        if is_along_v {
+        let numbers = [2 * number, 2 * number + 1];
+        if size.y > size.x {
             let (e, f) = (point(low.with_y(middle.y)), point(high.with_y(middle.y)));
             [
-                half(low, high.with_y(middle.y), [a, e, c, f]),
-                half(low.with_y(middle.y), high, [e, b, f, d]),
+                half(low, high.with_y(middle.y), [a, e, c, f], numbers[0]),
+                half(low.with_y(middle.y), high, [e, b, f, d], numbers[1]),
             ]
         } else {
             let (e, f) = (point(low.with_x(middle.x)), point(high.with_x(middle.x)));
             [
-                half(low, high.with_x(middle.x), [a, b, e, f]),
-                half(low.with_x(middle.x), high, [e, f, c, d]),
+                half(low, high.with_x(middle.x), [a, b, e, f], numbers[0]),
+                half(low.with_x(middle.x), high, [e, f, c, d], numbers[1]),
             ]
         }
     }
@@ -170,21 +283,18 @@ mod tests {
         let point = |at: DVec2| DVec3::new(at.x.sin(), at.y.cos(), at.x * at.y);
         let (low, high) = (DVec2::new(-1.0, 0.3), DVec2::new(2.0, 7.1));
         let grid = Grid::new(low, high, 1e-3, point);
-        let mut with_grid = grid.whole();
-        let mut without_grid = Patch {
-            cells: None,
-            ..with_grid
-        };
-        for round in 0..24 {
-            let [a, b] = with_grid.halves(&grid, point);
-            let [c, d] = without_grid.halves(&grid, point);
-            for (a, b) in [(a, c), (b, d)] {
+        let mut cells = grid.whole();
+        let mut without_grid = grid.patch(cells);
+        for round in 0..PRECOMPUTED_HALVINGS {
+            let [a, b] = grid.halves(cells).unwrap();
+            let [c, d] = without_grid.halves(point);
+            for (a, b) in [(grid.patch(a), c), (grid.patch(b), d)] {
                 assert_eq!((a.low, a.high, a.corners), (b.low, b.high, b.corners));
-                assert_eq!(a.left, b.left);
-                assert_eq!(a.cells.is_some(), round < PRECOMPUTED_HALVINGS);
+                assert_eq!(a.number, b.number);
             }
-            (with_grid, without_grid) = if round % 3 == 0 { (a, c) } else { (b, d) };
+            (cells, without_grid) = if round % 3 == 0 { (a, c) } else { (b, d) };
         }
+        assert!(grid.halves(cells).is_none());
     }
 
     #[test]
@@ -197,7 +307,8 @@ mod tests {
             (DVec2::new(9e-4, 6.0), 1e-3),
             (DVec2::ZERO, 1e-3),
         ] {
-            let whole = Grid::new(DVec2::ZERO, high, accuracy, point).whole();
+            let grid = Grid::new(DVec2::ZERO, high, accuracy, point);
+            let whole = grid.patch(grid.whole());
             assert_eq!((whole.low, whole.high), (DVec2::ZERO, high));
             assert_eq!(whole.corners[3], point(high));
         }
@@ -207,5 +318,22 @@ mod tests {
     fn a_coarse_surface_has_a_small_grid() {
         let grid = Grid::new(DVec2::ZERO, DVec2::ONE, 0.3, |_| DVec3::ZERO);
         assert_eq!((grid.u.len(), grid.v.len(), grid.points.len()), (5, 5, 25));
+    }
+
+    #[test]
+    fn ranges_are_stored_deeper_than_the_grid() {
+        let point = |at: DVec2| at.extend(0.0);
+        let mut grid = Grid::new(DVec2::ZERO, DVec2::ONE, 0.3, point);
+        let corners_alone = |patch: &Patch, halves: Option<[&Ranges; 2]>| {
+            assert_eq!(halves.is_some(), patch.depth() < 6);
+            Ranges {
+                least: patch.corners[0].to_array(),
+                most: patch.corners[3].to_array(),
+            }
+        };
+        grid.store_ranges(6, point, corners_alone);
+        let last = grid.ranges_of(127).unwrap();
+        assert_eq!((last.least[0], last.most[1]), (0.875, 1.0));
+        assert!(grid.ranges_of(128).is_none());
     }
 }
