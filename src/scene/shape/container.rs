@@ -17,6 +17,8 @@ pub(super) enum Container {
 const SPHERE_FACE: u32 = 6;
 /// Distance from a face up to which a point is on it.
 const FACE_TOLERANCE: f64 = 1e-10;
+/// Rounding of the length of a unit vector.
+const UNIT_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 impl Container {
     /// Number of faces of both kinds of container.
@@ -108,16 +110,19 @@ impl Container {
         match *self {
             Container::Box { low, high } => box_chord(ray, low, high),
             Container::Sphere { centre, radius } => {
-                let dir_sq = ray.dir.length_squared();
-                let offset = ray.origin - centre;
-                let middle = -offset.dot(ray.dir) / dir_sq;
-                let away_sq = (offset + middle * ray.dir).length_squared();
-                let half_sq = (radius * radius - away_sq) / dir_sq;
+                // In this form, for a unit direction as it is, the ends have POV-Ray's last digits.
+                let (dir, length) = match ray.dir.length() {
+                    length if (length - 1.0).abs() < UNIT_TOLERANCE => (ray.dir, 1.0),
+                    length => (ray.dir / length, length),
+                };
+                let to_centre = centre - ray.origin;
+                let middle = to_centre.dot(dir);
+                let half_sq = radius * radius - to_centre.length_squared() + middle * middle;
                 (half_sq > 0.0).then(|| {
                     let half = half_sq.sqrt();
                     [
-                        SpanEnd::new(middle - half, SPHERE_FACE),
-                        SpanEnd::new(middle + half, SPHERE_FACE),
+                        SpanEnd::new((middle - half) / length, SPHERE_FACE),
+                        SpanEnd::new((middle + half) / length, SPHERE_FACE),
                     ]
                 })
             }

@@ -324,11 +324,12 @@ impl Search<'_> {
     /// The first point between `from` and `to` at which the search finds a negative value.
     fn root(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
         let (before, after) = (self.sample(from, sign), self.sample(to, sign));
-        self.bisect(before, after, sign, MAX_DEPTH)
+        self.bisect([before, after], to - from, sign, MAX_DEPTH)
     }
 
-    fn bisect(&mut self, from: Sample, to: Sample, sign: f64, depth_left: u32) -> Option<f64> {
-        let step = to.t - from.t;
+    /// `step` is the length of the interval: halved, not computed from its ends, so that roots have POV-Ray's last digits.
+    fn bisect(&mut self, ends: [Sample; 2], step: f64, sign: f64, depth_left: u32) -> Option<f64> {
+        let [from, to] = ends;
         self.intervals += 1;
         if step < self.solid.ray_accuracy() || depth_left == 0 || self.intervals > MAX_INTERVALS {
             return (to.value < 0.0).then_some(to.t);
@@ -343,9 +344,10 @@ impl Search<'_> {
         if !may_fall {
             return None;
         }
-        let middle = self.sample(0.5 * (from.t + to.t), sign);
-        self.bisect(from, middle, sign, depth_left - 1)
-            .or_else(|| self.bisect(middle, to, sign, depth_left - 1))
+        let half = 0.5 * step;
+        let middle = self.sample(from.t + half, sign);
+        self.bisect([from, middle], half, sign, depth_left - 1)
+            .or_else(|| self.bisect([middle, to], half, sign, depth_left - 1))
     }
 }
 
@@ -388,11 +390,8 @@ impl Geometry for Isosurface {
         let here = solid.value(point);
         let along = |axis: DVec3| solid.value(point + solid.accuracy * axis) - here;
         let normal = DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z));
-        if normal.is_finite() && normal != DVec3::ZERO {
-            normal
-        } else {
-            DVec3::X
-        }
+        // Made a unit vector here and once more by the caller, as in POV-Ray: that changes last digits.
+        normal.normalize_or(DVec3::X)
     }
 
     fn contains(&self, point: DVec3) -> bool {
