@@ -95,7 +95,7 @@ impl Thresholds {
                 (rank + offset) / f32::from(u16::try_from(ranks.len()).unwrap_or(u16::MAX))
             }
             Thresholds::BlueNoise => blue_noise(x, y),
-            Thresholds::BlueNoiseInverted if channel % 2 == 0 => 1.0 - blue_noise(x, y),
+            Thresholds::BlueNoiseInverted if channel.is_multiple_of(2) => 1.0 - blue_noise(x, y),
             Thresholds::BlueNoiseInverted => blue_noise(x, y),
         }
     }

@@ -82,10 +82,13 @@ pub(super) struct Scenes {
     wanted: Condvar,
 }
 
+/// A PNG file with its number; `None` where there is no picture.
+type Thumbnail = Option<(u64, Bytes)>;
+
 #[derive(Debug, Default)]
 struct Thumbnails {
-    /// By scene: its time and its thumbnail, a PNG file with its number; `None` where there is no picture.
-    drawn: BTreeMap<PathBuf, (Option<SystemTime>, Option<(u64, Bytes)>)>,
+    /// By scene, with its time.
+    drawn: BTreeMap<PathBuf, (Option<SystemTime>, Thumbnail)>,
     /// Incremented by each thumbnail.
     number: u64,
     is_wanted: bool,
