@@ -75,18 +75,25 @@ impl Reader<'_> {
                         return Ok(token);
                     };
                     let called = Rc::clone(called);
+                    self.warn_if_sealed(token);
                     self.call_macro(Symbol(token.value), &called)?;
+                    self.statement.directive_end = self.taken;
                 }
                 Kind::Directive if self.ends_value(token) => return Ok(token),
                 Kind::Directive => {
                     if !(self.here.tokens.is_end(token) && self.is_in_noted_call()) {
                         self.discard_recording();
                     }
+                    self.warn_if_sealed(token);
+                    let leaves_macro = self.is_end_of_macro();
                     let is_run = match self.replay_directive(token) {
                         Ok(false) => self.run_directive(token),
                         Ok(true) => Ok(()),
                         Err(error) => Err(error),
                     };
+                    if !leaves_macro {
+                        self.statement.directive_end = self.taken;
+                    }
                     if let Err(error) = is_run {
                         self.statement.has_faulty_directive = true;
                         return Err(error);

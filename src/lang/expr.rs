@@ -408,6 +408,7 @@ impl Reader<'_> {
                 self.pass();
                 if self.scopes.is_qualified(symbol) {
                     self.discard_recording();
+                    self.warn_of_qualified(symbol);
                 }
                 self.note_name(symbol, number.len);
                 Ok(number)
@@ -464,6 +465,7 @@ impl Reader<'_> {
             .cloned()
             .unwrap_or(Value::Poison(None));
         self.pass();
+        self.warn_of_qualified(symbol);
         while let Value::Array(array) = &value {
             let array = Rc::clone(array);
             let start = self.here_span();

@@ -1,5 +1,6 @@
 //! State of the statement being read, and of the names used in it.
 
+use super::directive::sealed::Sealed;
 use super::frame::{Declaring, Position, Start};
 use super::syntax::Symbol;
 use crate::base::source::Span;
@@ -26,6 +27,10 @@ pub(super) struct StatementState {
     pub(super) depth: usize,
     /// Number of nested directives, conditions, strings and macro arguments being read.
     pub(super) nesting: usize,
+    /// The slot being read where POV-Ray runs no directive behind a value.
+    pub(super) sealed: Option<Sealed>,
+    /// Number of tokens taken when the last directive ended or the last macro was entered.
+    pub(super) directive_end: u64,
 }
 
 impl StatementState {
@@ -40,6 +45,8 @@ impl StatementState {
             has_operators: false,
             depth: 0,
             nesting: 0,
+            sealed: None,
+            directive_end: 0,
         }
     }
 }

@@ -139,9 +139,14 @@ fn pov_ray(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let failed = ended.status.is_none_or(|status| !status.success());
     let unfolded = unfolded(&ended.stderr);
     let word = |wanted: &str| {
-        let is_it = |line: &&&String| {
-            line.contains(wanted) && !line.contains("assumed_gamma") && !line.contains("#version ")
+        // Warnings of these appear with any scene that lacks them.
+        let is_of_every_scene = |line: &str| {
+            !failed
+                && ["assumed_gamma", "#version "]
+                    .iter()
+                    .any(|word| line.contains(word))
         };
+        let is_it = |line: &&&String| line.contains(wanted) && !is_of_every_scene(line);
         unfolded
             .iter()
             .collect::<Vec<_>>()

@@ -169,6 +169,13 @@ pub trait Args {
     fn expected(&mut self, what: &str) -> Box<Diagnostic>;
     /// Records a warning.
     fn warn(&mut self, warning: Diagnostic);
+    /// Warns of text that POV-Ray 3.7 refuses, except in scenes of later versions. The reason is POV-Ray's objection, the
+    /// remedy a text that both read.
+    fn refused_by_povray(&mut self, at: Span, reason: &str, remedy: &str) {
+        if !has_syntax_of_3_8(self.version()) {
+            self.warn(Diagnostic::refused_by_povray(at, reason, remedy));
+        }
+    }
     /// The version whose rules for pictures and light apply: without `#version`, that of scenes from before 3.7.
     fn effective_version(&self) -> f64 {
         self.version()

@@ -194,8 +194,13 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
                 args.accept(word)?;
                 alpha = Alpha::Used;
             }
-            Word::UseIndex => uses_index = args.accept(word)?,
-            Word::UseColor | Word::UseColour => uses_index = !args.accept(word)?,
+            Word::UseIndex | Word::UseColor | Word::UseColour => {
+                uses_index = args.accept(word)? && word == Word::UseIndex;
+                if purpose == Purpose::Textures {
+                    let reason = format!("`{word}` has no effect in `material_map`");
+                    args.refused_by_povray(args.last_span(), &reason, "Remove it.");
+                }
+            }
             _ if mapping.read(word, purpose, args)? => {}
             _ => return Err(args.expected("a parameter of the image or `}`")),
         }

@@ -67,11 +67,13 @@ pub enum Code {
     LightInside,
     /// Lint: the whole picture has one colour.
     OneColor,
+    /// Lint: POV-Ray 3.7 refuses what povr reads.
+    RefusedByPovray,
 }
 
 impl Code {
     /// The lints, with the names that switch them off.
-    pub const LINTS: [(Code, &'static str); 13] = [
+    pub const LINTS: [(Code, &'static str); 14] = [
         (Code::NoObjects, "no-objects"),
         (Code::NoCamera, "no-camera"),
         (Code::NoLight, "no-light"),
@@ -85,6 +87,7 @@ impl Code {
         (Code::CoincidentSurfaces, "coincident-surfaces"),
         (Code::LightInside, "light-inside"),
         (Code::OneColor, "one-color"),
+        (Code::RefusedByPovray, "refused-by-povray"),
     ];
 
     /// The name of a lint; `None` for other codes.
@@ -145,6 +148,17 @@ impl Diagnostic {
     #[must_use]
     pub fn warning(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
         Diagnostic::new(Severity::Warning, span.into(), message.into())
+    }
+
+    /// A warning of text that povr reads and POV-Ray 3.7 refuses; `reason` is its objection. The remedy is a text that both
+    /// read. [`Args::refused_by_povray`] records it.
+    ///
+    /// [`Args::refused_by_povray`]: crate::base::args::Args::refused_by_povray
+    #[must_use]
+    pub(crate) fn refused_by_povray(span: Span, reason: &str, remedy: impl Into<String>) -> Self {
+        Diagnostic::warning(span, format!("POV-Ray 3.7 refuses this: {reason}"))
+            .with_code(Code::RefusedByPovray)
+            .with_hint(remedy)
     }
 
     fn new(severity: Severity, span: Option<Span>, message: String) -> Self {

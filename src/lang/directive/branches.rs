@@ -1,6 +1,6 @@
 //! Choices: `#if` with its branches, `#switch` with its cases.
 
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::frame::Entered;
 use crate::lang::limits::EQUAL;
@@ -117,8 +117,8 @@ impl Reader<'_> {
             !matches!(word, Some(Word::Else | Word::End))
         };
         if !begins_part {
-            let message = "`#switch` without `#case` or `#range` after it; POV-Ray rejects it";
-            self.warning(Diagnostic::warning(self.taken_span(), message));
+            let reason = "`#case` or `#range` must follow `#switch`";
+            self.refused_by_povray(self.taken_span(), reason, "Write `#case (...)` first.");
         }
         self.enter(index, Entered::Switch { value, is_chosen });
         Ok(())

@@ -1,6 +1,6 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::expr::callee::{FUNCTION, is_callable};
 use crate::lang::expr::value::Value;
@@ -76,7 +76,13 @@ impl Reader<'_> {
         if self.begins_item(symbol) {
             return self.declare_item(symbol, is_local);
         }
-        if !self.take_mark('=')? {
+        let steps = self.steps;
+        let has_equals = self.take_mark('=')?;
+        if has_equals && self.steps != steps {
+            let reason = "no directive may stand between a name and its `=`";
+            self.refused_by_povray(self.taken_span(), reason, "Write it before `#declare`.");
+        }
+        if !has_equals {
             let spelling = self.names.spelling(symbol).to_owned();
             let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
             // Without a value the name is undeclared, which need not be said again.
@@ -363,6 +369,15 @@ impl Reader<'_> {
         self.warning(Diagnostic::warning(self.here_span(), message));
     }
 
+    /// Warns of `global.Name` and `local.Name`, taken last, which are of version 3.8.
+    pub(crate) fn warn_of_qualified(&mut self, symbol: Symbol) {
+        if self.scopes.is_qualified(symbol) {
+            let reason = "`global.` and `local.` before a name are of version 3.8";
+            let remedy = "Write the name alone, or begin the scene with `#version 3.8;`.";
+            self.refused_by_povray(self.taken_span(), reason, remedy);
+        }
+    }
+
     /// A declaration whose value begins at the cursor.
     pub(crate) fn declaring_here(&self, symbol: Symbol, is_local: bool) -> Declaring {
         Declaring {
@@ -462,20 +477,25 @@ impl Reader<'_> {
     /// The name in the parentheses of `#ifdef`, perhaps an item of an array.
     pub(crate) fn is_defined(&mut self) -> Parse<bool> {
         self.expect_mark('(', "`(` after `#ifdef`")?;
-        self.pass_hash();
-        // A reserved word is no identifier.
-        let is_word = self.raw().kind == Kind::Word;
-        if is_word {
-            self.pass();
-        }
-        let is_defined = !is_word && self.names_a_value()?;
+        let is_defined = self.names_a_value()?;
         self.expect_mark(')', "`)` after the name")?;
         Ok(is_defined)
     }
 
-    /// True if the next identifier, with its indices, has a value.
+    /// True if the next identifier, with its indices, has a value. POV-Ray takes any other token as well: a string
+    /// has a value, a reserved word, a number or a mark has none.
     pub(crate) fn names_a_value(&mut self) -> Parse<bool> {
         self.pass_hash();
+        let token = self.raw();
+        let is_empty = token.is_mark(')') && !self.raw_ahead(1).is_mark(')');
+        if matches!(
+            token.kind,
+            Kind::Word | Kind::Number | Kind::String | Kind::Mark
+        ) && !is_empty
+        {
+            self.pass();
+            return Ok(token.kind == Kind::String);
+        }
         let symbol = self.identifier("a name")?;
         let path = if self.begins_item(symbol) {
             self.item_path(symbol)?

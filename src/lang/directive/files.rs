@@ -8,18 +8,19 @@
 
 use super::data_file::DataFile;
 use super::open_file::{OpenFile, Output};
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
 use crate::base::version::is_3_8;
 use crate::lang::expr::strings::general;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::Symbol;
+use crate::lang::syntax::{Kind, Symbol};
 
 impl Reader<'_> {
     /// `#fopen Name "file" read`, or `write`, or `append`.
     pub(crate) fn run_fopen(&mut self) -> Parse<()> {
+        self.peek()?;
         let symbol = self.identifier("a name for the file after `#fopen`")?;
         if let Some(held) = self.scopes.get(symbol) {
             let hint = match held {
@@ -56,7 +57,7 @@ impl Reader<'_> {
     /// The name of a file, in which `\` is no escape before version 3.8.
     pub(crate) fn file_name(&mut self) -> Parse<String> {
         let token = self.peek()?;
-        if token.kind != crate::lang::syntax::Kind::String || is_3_8(self.draft.version) {
+        if token.kind != Kind::String || is_3_8(self.draft.version) {
             return self.string();
         }
         self.pass();
@@ -113,7 +114,15 @@ impl Reader<'_> {
 
     /// `#fclose Name`.
     pub(crate) fn run_fclose(&mut self) -> Parse<()> {
+        let token = self.peek()?;
+        if matches!(token.kind, Kind::Number | Kind::Word) {
+            self.pass();
+            return self.closes_nothing();
+        }
         let symbol = self.identifier("the name of an open file after `#fclose`")?;
+        if self.begins_item(symbol) {
+            self.item_path(symbol)?;
+        }
         match self.scopes.get(symbol) {
             // POV-Ray says nothing: `#read` has closed it at its end.
             None => Ok(()),
@@ -123,11 +132,15 @@ impl Reader<'_> {
                 self.close_file(handle, span)
             }
             Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
-            Some(other) => {
-                let found = other.kind();
-                Err(self.error_taken(format!("expected an open file, found {found}")))
-            }
+            Some(_) => self.closes_nothing(),
         }
+    }
+
+    /// Warns of `#fclose` before anything but a file, as POV-Ray accepts it.
+    fn closes_nothing(&mut self) -> Parse<()> {
+        let message = "this is not an open file; nothing is closed";
+        self.warning(Diagnostic::warning(self.taken_span(), message).with_hint("Remove it."));
+        Ok(())
     }
 
     /// Closes a file whose name is undefined.
@@ -141,6 +154,7 @@ impl Reader<'_> {
     fn file_in_parentheses(&mut self, word: Word) -> Parse<(Symbol, usize)> {
         self.expect_mark('(', &format!("`(` after `#{word}`"))?;
         let what = format!("the name of an open file in `#{word}`");
+        self.peek()?;
         let symbol = self.identifier(&what)?;
         match self.scopes.get(symbol) {
             Some(&Value::File(handle)) => Ok((symbol, handle)),
@@ -169,6 +183,11 @@ impl Reader<'_> {
             let text = if self.at_string()? {
                 self.string()?
             } else if self.begins_number()? {
+                if self.is_at_color_name()? || self.raw().word() == Some(Word::T) {
+                    let reason = "`#write` takes no colours and vectors of four";
+                    let remedy = "Write its components: `A.red, \",\", A.green`.";
+                    self.refused_by_povray(self.here_span(), reason, remedy);
+                }
                 written(&self.sum()?)
             } else {
                 return Err(self.expected_here("a string, a number, a vector or `)` in `#write`"));
@@ -238,7 +257,11 @@ impl Reader<'_> {
                 return Ok(());
             }
             let symbol = self.identifier("a name to read into, or `)`")?;
-            match self.scopes.get(symbol) {
+            let path = match self.begins_item(symbol) {
+                true => self.item_path(symbol)?,
+                false => Vec::new(),
+            };
+            match self.scopes.get(symbol).and_then(|held| held.item(&path)) {
                 None | Some(Value::Number(_) | Value::Text(_) | Value::Poison(_)) => {}
                 Some(other) => {
                     let message = format!("cannot read into this name: it is {}", other.kind());
@@ -247,7 +270,13 @@ impl Reader<'_> {
                 }
             }
             match data.next(&mut |warning| self.warning(warning)) {
-                Ok(Some(value)) => self.scopes.declare(symbol, value),
+                Ok(Some(value)) if path.is_empty() => self.scopes.declare(symbol, value),
+                Ok(Some(value)) => {
+                    let array = self.scopes.get_mut(symbol);
+                    if let Some(item) = array.and_then(|array| array.item_mut(&path)) {
+                        *item = Some(value);
+                    }
+                }
                 Ok(None) => {}
                 Err(error) => return Err(self.with_trace(*error)),
             }

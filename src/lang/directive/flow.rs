@@ -2,6 +2,7 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Code, Diagnostic, Span};
+use crate::lang::directive::sealed::Slot;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::frame::{Entered, Frame, Position};
 use crate::lang::limits;
@@ -24,8 +25,10 @@ impl Reader<'_> {
         let home = Rc::clone(&self.here.tokens);
         // The text of a directive is not part of the value being declared around it.
         let declaring = self.statement.declaring.take();
+        let sealed = self.statement.sealed.take();
         let result = self.nested(|reader| reader.dispatch_directive(word, index, span));
         self.statement.declaring = declaring;
+        self.statement.sealed = sealed;
         match result {
             Err(error) if crate::lang::diagnose::hints::opens_group(word) && !self.is_over => self
                 .resume_in_group(
@@ -337,16 +340,16 @@ impl Reader<'_> {
         }
         self.expect_mark('(', "`(` and a condition or number")?;
         let open = self.start_taken();
-        let value = self.condition_value()?;
+        let value = self.sealed(Slot::Condition, Self::condition_value)?;
         self.expect_end(')', "an operator or `)`", open)?;
         Ok(value)
     }
 
     pub(crate) fn pair_in_parentheses(&mut self) -> Parse<(f64, f64)> {
         self.expect_mark('(', "`(`")?;
-        let low = self.condition_value()?;
+        let low = self.sealed(Slot::Condition, Self::condition_value)?;
         self.take_mark(',')?;
-        let high = self.condition_value()?;
+        let high = self.sealed(Slot::Condition, Self::condition_value)?;
         self.expect_mark(')', "`)`")?;
         Ok((low, high))
     }

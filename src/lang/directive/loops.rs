@@ -50,6 +50,7 @@ impl Reader<'_> {
     pub(crate) fn run_for(&mut self, index: usize, span: Span) -> Parse<()> {
         self.expect_mark('(', "`(` after `#for`")?;
         self.pass_hash_of_new_name();
+        self.peek()?;
         let variable = self.identifier("a variable after `#for (`")?;
         self.take_mark(',')?;
         if !self.begins_number()? {
@@ -58,11 +59,8 @@ impl Reader<'_> {
         let start = self.float()?;
         self.take_mark(',')?;
         let end = self.float()?;
-        let step = if self.take_mark(',')? {
-            self.float()?
-        } else {
-            1.0
-        };
+        self.take_mark(',')?;
+        let step = self.float_or(1.0)?;
         self.expect_mark(')', "`)` at the end of `#for`")?;
         if step.abs() < EQUAL {
             return Err(self.with_trace(Diagnostic::error(span, "the step of `#for` is zero")));

@@ -1,7 +1,8 @@
 //! Macros: text substituted for its call.
 
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::directive::sealed::Slot;
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::replay::recording::Source;
 use crate::lang::frame::{Entered, Macro, Position, Start};
@@ -12,8 +13,10 @@ use crate::lang::syntax::{Kind, Symbol};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
-/// First version whose scenes may call macros.
+/// First version whose scenes may have macros.
 const FIRST_WITH_MACROS: f64 = 3.1;
+const MACRO_IN_OLD_VERSION: &str = "macros need version 3.1 or later";
+const NEWER_VERSION: &str = "Write `#version 3.1;` before it.";
 
 /// The argument of a call for one parameter.
 pub(crate) enum Argument {
@@ -35,6 +38,9 @@ impl Reader<'_> {
     pub(crate) fn define_macro(&mut self, index: usize, span: Span) -> Parse<()> {
         let token = self.here.tokens.tokens[index];
         let end = self.here.tokens.directives[token.value as usize].end;
+        if self.draft.version < FIRST_WITH_MACROS {
+            self.refused_by_povray(span, MACRO_IN_OLD_VERSION, NEWER_VERSION);
+        }
         if end == u32::MAX {
             // The macro takes the rest of the file.
             self.here.at = self.here.tokens.tokens.len() - 1;
@@ -106,15 +112,16 @@ impl Reader<'_> {
         self.pass();
         let call = self.start_taken();
         if self.draft.version < FIRST_WITH_MACROS {
-            let message = "a macro before `#version 3.1`; POV-Ray rejects it";
-            self.warning(Diagnostic::warning(self.taken_span(), message));
+            self.refused_by_povray(self.taken_span(), MACRO_IN_OLD_VERSION, NEWER_VERSION);
         }
         let mut arguments = Arguments::default();
         if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
             // The arguments are not part of the value being declared around the call, or before it without a `;`.
             let declaring = self.statement.declaring.take();
+            let sealed = self.statement.sealed.take();
             let read = self.nested(|reader| reader.macro_arguments(name, called, call));
             self.statement.declaring = declaring;
+            self.statement.sealed = sealed;
             arguments = read?;
         }
         if self.scopes.depth() as usize >= limits::CALLS {
@@ -249,7 +256,7 @@ impl Reader<'_> {
             return Ok(());
         }
         let what = "an argument of the macro";
-        match self.value(what)? {
+        match self.sealed(Slot::Argument, |reader| reader.value(what))? {
             Some(value) => {
                 arguments.sources.push(self.note_argument(&value));
                 arguments.values.push(Argument::Value(value));

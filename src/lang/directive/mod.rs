@@ -11,4 +11,5 @@ pub(super) mod loops;
 pub(super) mod macros;
 pub(crate) mod open_file;
 pub(super) mod output_file;
+pub(super) mod sealed;
 pub(super) mod semicolon;

@@ -4,7 +4,7 @@
 //! have one. Each may stand after the end of the macro or file in which the value ends, as in
 //! `#macro M() #declare A = 1 #end  M();`, but no directive may stand before it.
 
-use crate::base::args::Parse;
+use crate::base::args::{Args, Parse};
 use crate::base::source::{Diagnostic, Fix, Span};
 use crate::lang::expr::value::Value;
 use crate::lang::frame::{Declaring, Entered, Frame};
@@ -123,6 +123,10 @@ impl Reader<'_> {
         if self.take_semicolon() || !has_ended && self.take_mark(';')? {
             if is_number {
                 self.take_semicolon();
+            } else if self.statement.directive_end + 1 == self.taken {
+                let reason = "no directive may stand between a value and its `;`";
+                let remedy = "Remove the `;`: only numbers, vectors and colours need one.";
+                self.refused_by_povray(self.taken_span(), reason, remedy);
             }
             if let Some((last, ..)) = self.statement.without_semicolon.take() {
                 self.report_missing_semicolon(last);

@@ -2,8 +2,13 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::lang::reader::Reader;
-use crate::scene::{Attached, Object};
+use crate::scene::shape::{Geometry, Shape};
+use crate::scene::{Attached, Kind, Object};
 use std::sync::Arc;
+
+/// Levels of CSG that [`objection`] examines, and the parts of each.
+const PARTS_DEPTH: usize = 4;
+const MOST_PARTS: usize = 8;
 
 impl Reader<'_> {
     /// `clipped_by { objects transforms }`, `bounded_by { objects transforms }`, and `{ the other }` in either. The
@@ -36,6 +41,9 @@ impl Reader<'_> {
         if objects.is_empty() {
             return Err(self.expected_here(&format!("an object in `{word}`")));
         }
+        if let Some(reason) = objects.iter().find_map(|next| objection(next, PARTS_DEPTH)) {
+            self.refused_by_povray(start, reason, "Take a copy of the shape without it.");
+        }
         self.move_all(&mut objects)?;
         for next in objects {
             let next = object.attach(next);
@@ -52,6 +60,27 @@ impl Reader<'_> {
         } else {
             error
         })
+    }
+}
+
+/// The reason why POV-Ray 3.7 refuses an object that clips or bounds, if it does. Of CSG with many parts or many levels
+/// only some are examined.
+fn objection(object: &Object, depth: usize) -> Option<&'static str> {
+    if object.texture.is_some() {
+        return Some("what clips or bounds an object has no texture");
+    }
+    match &object.kind {
+        Kind::Shape(shape) if !shape.is_solid() && !matches!(**shape, Shape::Polygon(_)) => {
+            Some("a patch neither clips nor bounds an object")
+        }
+        Kind::Csg { children, .. } if depth > 0 => {
+            let mut parts = children.iter().take(MOST_PARTS);
+            parts.find_map(|part| objection(part, depth - 1))
+        }
+        Kind::Light { .. } if depth == PARTS_DEPTH => {
+            Some("a light neither clips nor bounds an object")
+        }
+        _ => None,
     }
 }
 

@@ -84,6 +84,7 @@ impl Reader<'_> {
             Some(value @ Value::Object(_)) => {
                 let value = value.clone();
                 self.pass();
+                self.warn_of_qualified(Symbol(token.value));
                 value
             }
             _ => return Ok(None),
@@ -154,6 +155,10 @@ impl Reader<'_> {
         let start = self.start_taken();
         self.open_block()?;
         let depth = self.blocks.len();
+        if self.raw().is_mark(',') {
+            let reason = "no comma stands before the first value";
+            self.refused_by_povray(self.here_span(), reason, "Remove it.");
+        }
         let mut object = match self.object_in_shape()? {
             Some(object) => (*object).clone(),
             None => match Shape::read(word, self) {
@@ -342,8 +347,8 @@ impl Reader<'_> {
             _ => true,
         };
         if !is_suited {
-            let text = format!("`{word}` has no effect on this object; POV-Ray rejects it here");
-            self.warning(Diagnostic::warning(self.taken_span(), text).with_hint("Remove it."));
+            let reason = format!("`{word}` has no effect on this object");
+            self.refused_by_povray(self.taken_span(), &reason, "Remove it.");
         }
     }
 

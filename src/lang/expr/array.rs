@@ -1,10 +1,12 @@
 //! Arrays: their values, items and indices.
 
 use super::builtins::whole_index;
+use super::callee::FUNCTION;
 use super::streams::Streams;
 use super::value::{Array, Extent, Value};
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
+use crate::lang::directive::sealed::Slot;
 use crate::lang::frame::{Declaring, Position};
 use crate::lang::limits;
 use crate::lang::limits::EQUAL;
@@ -31,6 +33,12 @@ impl Reader<'_> {
             return Err(self.expected_here("a value"));
         };
         let is_number = self.is_like_number(&value);
+        let held = self.scopes.get(symbol).and_then(|held| held.item(&item));
+        if is_function(&value) && held.is_some_and(is_function) {
+            let reason = "this item holds a function already";
+            let remedy = "Write `#undef` and the item above.";
+            self.refused_by_povray(start, reason, remedy);
+        }
         if is_local && !self.scopes.is_local(symbol) {
             let message = "`#local` does not reach this array, which is not local; nothing changes";
             let warning = Diagnostic::warning(start, message);
@@ -415,6 +423,18 @@ impl Reader<'_> {
         is_optional: bool,
     ) -> Parse<()> {
         self.open_block()?;
+        self.sealed(Slot::List, |reader| {
+            reader.items_to_close(array, dimension, from, is_optional)
+        })
+    }
+
+    fn items_to_close(
+        &mut self,
+        array: &mut Array,
+        dimension: usize,
+        from: usize,
+        is_optional: bool,
+    ) -> Parse<()> {
         let inner: usize = array.sizes[dimension + 1..].iter().product();
         let mut index = 0;
         while !self.take_close()? {
@@ -444,9 +464,9 @@ impl Reader<'_> {
             index += 1;
         }
         let size = array.sizes[dimension];
-        if index < size && !is_optional && !self.dialect.has_words_of_3_8() {
-            let message = format!("{index} of {size} items of this array; POV-Ray wants all");
-            self.warning(Diagnostic::warning(self.taken_span(), message));
+        if index < size && !is_optional {
+            let reason = format!("this list has {index} items, the array {size}");
+            self.refused_by_povray(self.taken_span(), &reason, "Give the array as many items.");
         }
         Ok(())
     }
@@ -512,6 +532,10 @@ impl ItemAhead {
             && self.start.at == reader.here.at
             && Rc::ptr_eq(&self.start.tokens, &reader.here.tokens)
     }
+}
+
+fn is_function(value: &Value) -> bool {
+    matches!(value, Value::Element(element) if element.name == FUNCTION)
 }
 
 /// Memory of the items of an array, in bytes.

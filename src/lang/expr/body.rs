@@ -5,7 +5,7 @@
 
 use super::callee::Callee;
 use super::value::{Number, Value};
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
@@ -209,6 +209,12 @@ impl Reader<'_> {
                 }
                 Some(word) if word.class() == Class::Value && word != Word::T => {
                     self.pass();
+                    if NOT_IN_FUNCTIONS.contains(&word) {
+                        let reason = format!("`{word}` is no number in a function");
+                        let remedy =
+                            format!("Write its value, or declare it: `#declare A = {word};`.");
+                        self.refused_by_povray(self.taken_span(), &reason, &remedy);
+                    }
                     let value = self.value_word(word).v[0];
                     Ok(Operand::literal(&mut body.graph, value))
                 }
@@ -291,6 +297,18 @@ impl Reader<'_> {
         error
     }
 }
+
+/// Words for numbers that POV-Ray 3.7 does not know in functions.
+const NOT_IN_FUNCTIONS: [Word; 8] = [
+    Word::On,
+    Word::Off,
+    Word::Yes,
+    Word::No,
+    Word::True,
+    Word::False,
+    Word::Now,
+    Word::ClockOn,
+];
 
 /// Operands of a formula, for messages.
 const OPERAND: &str = "a number, a parameter or a function";

@@ -2,7 +2,7 @@
 
 use super::callee::is_callable;
 use super::value::Value;
-use crate::base::args::{Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::source::Diagnostic;
 use crate::lang::frame::Start;
@@ -154,7 +154,12 @@ impl Reader<'_> {
     fn decode_srgb(&mut self, parts: &mut [f64; 5], at: Start) -> Parse<()> {
         let working = match self.draft.globals.assumed_gamma {
             Some(gamma) => gamma,
-            None if self.draft.version >= 3.7 - EQUAL => Gamma::LINEAR,
+            None if self.draft.version >= 3.7 - EQUAL => {
+                let reason = "sRGB colours need an `assumed_gamma` above them";
+                let remedy = "Write `global_settings { assumed_gamma 1 }` at the start.";
+                self.refused_by_povray(self.span_of(at), reason, remedy);
+                Gamma::LINEAR
+            }
             None => {
                 return Err(self.with_trace(
                     Diagnostic::error(self.span_of(at), "sRGB colours need a working gamma")

@@ -3,9 +3,8 @@
 use super::callee::is_callable;
 use super::color::is_component;
 use super::value::{Element, Number, Value};
-use crate::base::args::{Parse, Word, transform_step};
+use crate::base::args::{Args, Parse, Word, transform_step};
 use crate::base::color::Color;
-use crate::base::source::Diagnostic;
 use crate::lang::fast_path::replay::cache::Level;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Symbol};
@@ -215,9 +214,9 @@ impl Reader<'_> {
             }
             Word::Transform | Word::Translate | Word::Rotate | Word::Scale | Word::Matrix => {
                 if word != Word::Transform {
-                    let message = format!("`{word}` as a declared value; POV-Ray rejects it here");
-                    let hint = format!("Write `transform {{ {word} ... }}`.");
-                    self.warning(Diagnostic::warning(self.here_span(), message).with_hint(hint));
+                    let reason = format!("`{word}` is no value");
+                    let remedy = format!("Write `transform {{ {word} ... }}`.");
+                    self.refused_by_povray(self.here_span(), &reason, &remedy);
                 }
                 let step = transform_step(self)?;
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
@@ -262,7 +261,13 @@ impl Reader<'_> {
     /// All layers of `texture { } texture { }`, or the texture of an identifier and further layers.
     pub(crate) fn texture_layers(&mut self) -> Parse<Texture> {
         let mut sum: Option<Texture> = None;
+        let level = (self.statement.depth, self.blocks.len());
+        let declaring = self.statement.declaring;
+        let is_declared = declaring.is_some_and(|open| (open.depth, open.blocks) == level);
         loop {
+            let is_behind_directive = self.statement.directive_end == self.taken;
+            let at = self.here_span();
+            let is_named = self.raw().kind == Kind::Name;
             let next = if self.take_word(Word::Texture)? {
                 let default = self.draft.default_layer.clone();
                 Texture::read(self, &default)?.as_lowest(self.draft.version)
@@ -274,6 +279,11 @@ impl Reader<'_> {
             match &mut sum {
                 None => sum = Some(next),
                 Some(sum) => {
+                    if is_declared && (is_behind_directive || is_named) {
+                        let reason = "each layer of a declared texture follows the last one as `texture { }`";
+                        let remedy = "Write `texture { A } texture { B }`, with any directive above the declaration.";
+                        self.refused_by_povray(at, reason, remedy);
+                    }
                     self.check_layers(sum, &next)?;
                     sum.lay_over(next, self.draft.version);
                 }

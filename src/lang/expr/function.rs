@@ -177,7 +177,11 @@ impl Reader<'_> {
     pub(crate) fn function_block(&mut self) -> Parse<Arc<Function>> {
         let start = self.taken_span();
         let named = if self.take_mark('(')? {
-            Some((self.parameters()?, self.taken_span()))
+            // A directive between the parameters does not end the declaration around the function.
+            let declaring = self.statement.declaring.take();
+            let names = self.parameters();
+            self.statement.declaring = declaring;
+            Some((names?, self.taken_span()))
         } else {
             None
         };

@@ -27,14 +27,7 @@ impl Reader<'_> {
         self.expect_call(word)?;
         let open = self.start_taken();
         let value = match word {
-            Word::Defined => {
-                // A reserved word is no identifier; before version 3.8 it is an error.
-                let is_word = self.dialect.has_words_of_3_8() && self.raw().kind == Kind::Word;
-                if is_word {
-                    self.pass();
-                }
-                Number::truth(!is_word && self.names_a_value()?)
-            }
+            Word::Defined => Number::truth(self.names_a_value()?),
             Word::Strlen => Number::float(self.string()?.chars().count() as f64),
             Word::Asc => {
                 let text = self.string()?;

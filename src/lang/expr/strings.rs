@@ -37,6 +37,7 @@ impl Reader<'_> {
                 Some(Value::Text(text)) => {
                     let text = text.clone();
                     self.pass();
+                    self.warn_of_qualified(Symbol(token.value));
                     Ok(text)
                 }
                 Some(Value::Array(_)) => match self.array_or_item()? {
@@ -49,7 +50,12 @@ impl Reader<'_> {
                 _ => Err(self.expected_here("a string")),
             },
             _ => match token.word().filter(|&word| self.begins_string(word)) {
-                Some(word) => self.nested(|reader| reader.string_function(word)),
+                Some(word) => self.nested(|reader| {
+                    reader.statement.depth += 1;
+                    let text = reader.string_function(word);
+                    reader.statement.depth = reader.statement.depth.saturating_sub(1);
+                    text
+                }),
                 None => Err(self.expected_here("a string")),
             },
         }

@@ -49,9 +49,9 @@ impl PhotonSettings {
         args.open()?;
         while !args.accept_close()? {
             if args.accept(Word::Refraction)? {
-                self.refraction = Some(is_on(args)?);
+                self.refraction = Some(is_on_or_off(args)?);
             } else if args.accept(Word::Reflection)? {
-                self.reflection = Some(is_on(args)?);
+                self.reflection = Some(is_on_or_off(args)?);
             } else if args.accept(Word::AreaLight)? {
                 self.from_area = true;
             } else {
@@ -127,9 +127,9 @@ impl ObjectPhotons {
                 let spacing = args.float_or(1.0)?;
                 self.target = (spacing != 0.0).then_some(spacing);
             } else if args.accept(Word::Refraction)? {
-                self.refraction = Some(is_on(args)?);
+                self.refraction = Some(is_on_or_off(args)?);
             } else if args.accept(Word::Reflection)? {
-                self.reflection = Some(is_on(args)?);
+                self.reflection = Some(is_on_or_off(args)?);
             } else if args.accept(Word::Collect)? {
                 self.collect = is_on(args)?;
             } else if args.accept(Word::PassThrough)? {
@@ -142,6 +142,15 @@ impl ObjectPhotons {
         }
         Ok(())
     }
+}
+
+/// Reads the value after `reflection` or `refraction`, which POV-Ray demands.
+fn is_on_or_off(args: &mut dyn Args) -> Parse<bool> {
+    let word = args.last_span();
+    if !args.at_expression()? {
+        args.refused_by_povray(word, "`on` or `off` must follow", "Write `on` after it.");
+    }
+    is_on(args)
 }
 
 fn is_on(args: &mut dyn Args) -> Parse<bool> {

@@ -263,8 +263,8 @@ impl<T> Map<T> {
         args.open()?;
         if let Some(known) = declared::<Map<T>>(args)? {
             if what == "density_map" {
-                let message = "a `density_map` by its name; POV-Ray rejects it";
-                args.warn(Diagnostic::warning(args.last_span(), message));
+                let reason = "a declared `density_map` cannot stand for its entries";
+                args.refused_by_povray(args.last_span(), reason, "Write the entries here.");
             }
             args.close()?;
             return Ok(Map::clone(&known));
@@ -377,20 +377,45 @@ impl Map<Color> {
         Map::read_entries("color_map", blend, args, &mut |args, entries| {
             let from = args.single()?;
             args.comma()?;
+            let is_vector = args.at_mark('<')?;
             let to = match args.color_or_single()? {
                 ColorOrSingle::Color(color) => {
+                    if is_vector {
+                        let reason = "a vector is no colour here";
+                        let remedy = "Write `rgbft` before it.";
+                        args.refused_by_povray(args.last_span(), reason, remedy);
+                    }
                     entries.push((from, color));
                     return Ok(());
                 }
                 ColorOrSingle::Single(to) => to,
             };
-            for at in [from, to] {
-                args.comma()?;
-                entries.push((at, args.color()?));
+            comma_in_old_entry(args)?;
+            entries.push((from, args.color()?));
+            let has_comma = comma_in_old_entry(args)?;
+            if !has_comma && !matches!(args.word()?, Some(Word::Color | Word::Colour)) {
+                let at = args.span();
+                let reason = "the second colour of an entry begins with `color`";
+                args.refused_by_povray(at, reason, OLD_ENTRY);
             }
+            entries.push((to, args.color()?));
             Ok(())
         })
     }
+}
+
+/// A remedy for entries with two positions.
+const OLD_ENTRY: &str =
+    "Write `[0 0.5 color rgb 0 color rgb 1]`, or `[0 color rgb 0][0.5 color rgb 1]`.";
+
+/// Skips a comma before a colour of an entry with two positions; returns true if there was one.
+fn comma_in_old_entry(args: &mut dyn Args) -> Parse<bool> {
+    let has_comma = args.comma()?;
+    if has_comma {
+        let reason = "there is no comma before a colour of an entry with two positions";
+        args.refused_by_povray(args.last_span(), reason, OLD_ENTRY);
+    }
+    Ok(has_comma)
 }
 
 #[cfg(test)]

@@ -1,0 +1,5 @@
+// doubt in line 2: a `;` behind a directive
+#declare Ball = sphere { 0, 1 pigment { rgb 1 } } #debug "a" ;
+object { Ball }
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
