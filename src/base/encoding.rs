@@ -138,6 +138,16 @@ impl DitherMethod {
         ("S3", DitherMethod::Sierra3),
         ("ST", DitherMethod::Stucki),
     ];
+
+    /// Returns true if POV-Ray 3.7 has the method.
+    #[must_use]
+    pub fn is_of_3_7(self) -> bool {
+        use DitherMethod::{Bayer2, Bayer3, Bayer4, Diffusion1D, Diffusion2D, FloydSteinberg};
+        matches!(
+            self,
+            Bayer2 | Bayer3 | Bayer4 | Diffusion1D | Diffusion2D | FloydSteinberg
+        )
+    }
 }
 
 /// The level that a value between two of them is rounded to.

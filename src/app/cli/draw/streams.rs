@@ -157,11 +157,12 @@ pub(crate) fn drawn_what(settings: &Settings, picture: Option<&Target>) -> Strin
         _ => "  Output file: Disabled\n".to_owned(),
     };
     let continued = if settings.continues { "On " } else { "Off" };
-    let dithering = options.and_then(|options| options.dither);
-    let dithering = dithering.map_or("Off", dithering_name);
+    if let (Some(_), Some(options)) = (picture, options) {
+        let dithering = options.dither.map_or("Off", dithering_name);
+        text += &format!("  Dithering............{dithering}\n");
+    }
     text += &format!(
-        "  Dithering............{dithering}\n  Graphic display......Off\n  Mosaic preview.......Off\n  Continued \
-         trace......{continued}\n"
+        "  Graphic display......Off\n  Mosaic preview.......Off\n  Continued trace......{continued}\n"
     );
     text
 }

@@ -255,12 +255,18 @@ fn frame(value: &str, word: &str) -> Result<i64, CliError> {
 }
 
 fn dither_method(raw_args: &mut RawArgs, value: &str, word: &str) -> Result<(), CliError> {
-    let mut methods = DitherMethod::ALL.iter();
-    if let Some((_, method)) = methods.find(|(name, _)| name.eq_ignore_ascii_case(value)) {
+    let is_known = |method: DitherMethod| !raw_args.is_povray || method.is_of_3_7();
+    let methods = || {
+        DitherMethod::ALL
+            .iter()
+            .filter(|(_, method)| is_known(*method))
+    };
+    if let Some((_, method)) = methods().find(|(name, _)| name.eq_ignore_ascii_case(value)) {
         raw_args.dither = Some(*method);
         return Ok(());
     }
-    let methods = DitherMethod::ALL.map(|(name, _)| name).join(", ");
+    let names: Vec<&str> = methods().map(|(name, _)| *name).collect();
+    let methods = names.join(", ");
     Err(CliError::new(format!(
         "`{word}`: there is no method `{value}` of dithering; there are {methods}"
     )))
