@@ -2,6 +2,7 @@
 // switches: +FN +UA +THB4
 // switches: +FN5 +UA +THFS
 // switches: +FN5 +UA +THD2
+// size: 80x60
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -5*z right 4*x up 3*y }

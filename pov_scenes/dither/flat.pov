@@ -2,6 +2,7 @@
 // switches: +FN +THB2
 // switches: +FN +THD1
 // switches: +FN +THFS
+// size: 80x60
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -5*z right 4*x up 3*y }

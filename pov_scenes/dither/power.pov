@@ -1,6 +1,7 @@
 // Dithering with a working space of gamma 2.2.
 // switches: +FN5 +THB3
 // switches: +FN5 +THFS
+// size: 80x60
 #version 3.7;
 global_settings { assumed_gamma 2.2 }
 camera { orthographic location -5*z right 4*x up 3*y }

@@ -5,6 +5,7 @@
 // switches: +FN5 +THD1
 // switches: +FN5 +THD2
 // switches: +FN5 +THFS
+// size: 80x60
 #version 3.7;
 global_settings { assumed_gamma srgb }
 camera { orthographic location -5*z right 4*x up 3*y }

@@ -1,5 +1,6 @@
 // Ranges of parametric surfaces put together by `precompute`: of a function with a pole, and with the gradient and accuracy that
 // stand before the word.
+// size: 80x60
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1, 1.5, -6> look_at 0 angle 45 }

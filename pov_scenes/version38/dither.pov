@@ -28,6 +28,7 @@
 // switches: +FN3 +THS2
 // switches: +FN3 +THS3
 // switches: +FN3 +THST
+// size: 80x60
 #version 3.8;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -5*z right 4*x up 3*y }

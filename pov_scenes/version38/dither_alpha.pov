@@ -4,6 +4,7 @@
 // switches: +FN4 +UA +THBNX
 // switches: +FN4 +UA +THFS
 // switches: +FN4 +UA +THS3
+// size: 80x60
 #version 3.8;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -5*z right 4*x up 3*y }

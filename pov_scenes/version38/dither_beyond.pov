@@ -5,6 +5,7 @@
 // switches: +FN1 +THFS
 // switches: +FN1 +THAT
 // switches: +FN1 +THJN
+// size: 80x60
 #version 3.8;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -5*z right 4*x up 3*y }

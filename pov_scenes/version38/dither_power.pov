@@ -2,6 +2,7 @@
 // switches: +FN4 +THB3
 // switches: +FN4 +THS2
 // switches: +FN4 +THBN
+// size: 80x60
 #version 3.8;
 global_settings { assumed_gamma 2.2 }
 camera { orthographic location -5*z right 4*x up 3*y }

@@ -13,6 +13,7 @@
 // switches: +FN2 +THS2
 // switches: +FN2 +THS3
 // switches: +FN2 +THST
+// size: 80x60
 #version 3.8;
 global_settings { assumed_gamma srgb }
 camera { orthographic location -5*z right 4*x up 3*y }
