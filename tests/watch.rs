@@ -199,7 +199,7 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
     watching.drawn(here);
     let (head, page) = fetched(&address, &path(""), &address);
     assert!(head.starts_with("HTTP/1.1 200 OK"), "{head}");
-    assert!(String::from_utf8_lossy(&page).contains("<title>s.pov</title>"));
+    assert!(String::from_utf8_lossy(&page).contains("<title>povr</title>"));
     let (_, png) = fetched(&address, &path("picture.png?1"), &address);
     let picture = image::load_from_memory(&png).expect("a picture");
     assert_eq!(

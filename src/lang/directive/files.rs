@@ -262,6 +262,12 @@ impl Reader<'_> {
                 false => Vec::new(),
             };
             match self.scopes.get(symbol).and_then(|held| held.item(&path)) {
+                None if !path.is_empty() => {
+                    let message = "cannot read into an item of an array that has no value yet";
+                    let error = Diagnostic::error(self.taken_span(), message);
+                    let hint = "Give it one first: `#declare A[0] = 0;`.";
+                    return Err(self.with_trace(error.with_hint(hint)));
+                }
                 None | Some(Value::Number(_) | Value::Text(_) | Value::Poison(_)) => {}
                 Some(other) => {
                     let message = format!("cannot read into this name: it is {}", other.kind());
