@@ -180,9 +180,9 @@ const STUCKI: &[Part] = &[
 /// The treatment of errors at the sides of the picture.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Edge {
-    /// What leaves the picture is lost.
+    /// Errors beyond the sides of the picture are lost.
     Loses,
-    /// What leaves a row to the right goes to the start of the next one.
+    /// Errors beyond the right end of a row go to the start of the next one.
     Wraps,
     /// As `Loses`, and the first pixel of a row gets the errors that are due in the row before it.
     IsLate,
@@ -209,7 +209,7 @@ impl Diffusion {
         }
     }
 
-    /// What a channel of the pixel in column `x` of the current row gets.
+    /// The error that a channel of the pixel in column `x` of the current row receives.
     pub(super) fn due(&self, x: usize, channel: usize) -> f32 {
         let row = usize::from(x > 0 || self.edge != Edge::IsLate);
         self.rows[row][MARGIN + x][channel]
