@@ -212,6 +212,11 @@ impl Reader<'_> {
     fn value_after_sign(&self) -> Option<Remedy> {
         let word = self.word_back(1)?;
         let at = self.here.at;
+        if BLOCKS.contains(&word) && !self.raw_ahead(1).is_mark('{') {
+            return Some(
+                format!("A block follows its word without a sign: `{word} {{ ... }}`.").into(),
+            );
+        }
         let [last, next] = [at - 1, at + 1].map(|at| self.here.tokens.span(at));
         let between = Span::new(last.file, last.end, next.start);
         Some(Remedy::fix(
@@ -543,13 +548,22 @@ fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
                 "The operands of a CSG object come before its modifiers: move `{name}` up, or after the `}}`."
             )
         }
-        _ if wanted.contains("statement") => {
+        "texture" | "pigment" | "finish" | "normal" if wanted.contains("statement") => {
             format!("A {element} belongs in an object: `{element} {{ {name} }}`.")
         }
         _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
         _ => return None,
     })
 }
+
+/// Words of blocks that people write with a sign.
+const BLOCKS: [Word; 5] = [
+    Word::Texture,
+    Word::Pigment,
+    Word::Normal,
+    Word::Finish,
+    Word::Interior,
+];
 
 /// True if a word of a block or a statement is expected.
 fn wants_word(wanted: &str) -> bool {

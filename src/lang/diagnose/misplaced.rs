@@ -176,7 +176,12 @@ impl Reader<'_> {
         }
         let is_whole = |end: usize| {
             let behind = self.token(end).filter(|token| {
-                token.is_mark('}') || token.word().is_some_and(|word| !word.is_value())
+                // Modifiers behind a pattern belong to it.
+                let is_apart = |word: Word| {
+                    let is_modifier = home_of(word) == Some(Home::Pattern);
+                    !word.is_value() && !is_modifier && word.class() != Class::Transform
+                };
+                token.is_mark('}') || token.word().is_some_and(is_apart)
             });
             behind.is_some()
         };
@@ -187,7 +192,10 @@ impl Reader<'_> {
         let text = self.source_text(span);
         let is_short = text.len() <= limits::QUOTED && !text.contains(['\n', '\r']);
         // A map needs a pattern before it.
-        let is_map = matches!(word, Word::ColorMap | Word::ColourMap | Word::PigmentMap);
+        let is_map = matches!(
+            word,
+            Word::ColorMap | Word::ColourMap | Word::NormalMap | Word::PigmentMap | Word::SlopeMap
+        );
         match is_short && !is_map {
             true => Remedy::fix(hint, span, format!("{name} {{ {text} }}")),
             false => hint.into(),

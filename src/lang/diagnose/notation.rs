@@ -7,6 +7,7 @@ use crate::lang::expr::value::Value;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token};
+use std::ops::Range;
 
 /// Most tokens of a condition, an equation or a name in parts.
 const SHORT: usize = 64;
@@ -184,14 +185,33 @@ impl Reader<'_> {
             Some(is_value && is_near)
         };
         let end = (at..at + SHORT).find(|&at| is_part(at) != Some(true))?;
-        if end == at {
-            return None;
+        if end == at || self.goes_on(at..end, line) {
+            return Some("A condition stands in parentheses: `#if (A > 1)`.".into());
         }
         let condition = self.tokens_span(at..end);
         let text = format!("({})", self.source_text(condition));
         let has_colon = self.token(end)?.is_mark(':');
         let span = self.tokens_span(at..end + usize::from(has_colon));
         Some(Remedy::fix(format!("Write `{text}`."), span, text))
+    }
+
+    /// True if the tokens of a condition are not all of it, or hold operators of other languages.
+    fn goes_on(&self, condition: Range<usize>, line: usize) -> bool {
+        let mark = |at: usize| {
+            let token = self.token(at).filter(|token| token.kind == Kind::Mark)?;
+            char::from_u32(token.value)
+        };
+        let end = condition.end;
+        let next = self.token(end);
+        let is_near = self.sources.line_column(self.here.tokens.span(end)).0 == line;
+        let is_function = next
+            .and_then(|token| token.word())
+            .is_some_and(|word| word.class() == Class::Function);
+        let goes_on = is_function || mark(end).is_some_and(|mark| mark != ':');
+        let is_doubled = |at: usize| {
+            mark(at).is_some_and(|first| "=&|".contains(first)) && mark(at) == mark(at + 1)
+        };
+        is_near && goes_on || mark(end - 1).is_some() || condition.clone().any(is_doubled)
     }
 
     /// `isosurface { x*x - 1 ...`.
@@ -212,7 +232,7 @@ impl Reader<'_> {
         let text = format!("function {{ {equation} }}");
         let hint = "The equation stands in `function { }`.";
         Some(
-            match end > at && equation.len() <= limits::QUOTED && !equation.contains('\n') {
+            match end > at + 1 && equation.len() <= limits::QUOTED && !equation.contains('\n') {
                 true => Remedy::fix(hint, span, text),
                 false => hint.into(),
             },
@@ -231,6 +251,19 @@ impl Reader<'_> {
         }
         let end = (start..start + SHORT)
             .find(|&at| self.token(at).is_none_or(|token| token.is_mark('=')))?;
+        let first = self.token(start)?;
+        let is_vector = first.symbol().and_then(|name| self.scopes.get(name));
+        if matches!(is_vector, Some(Value::Number(number)) if number.len > 1)
+            && self.token(start + 1)?.is_mark('.')
+        {
+            return Some("Components are not assigned: `#declare V = <3, V.y, V.z>;`.".into());
+        }
+        let next = self.here.tokens.span(start + 1);
+        let type_span = self.here.tokens.span(start);
+        if TYPES.contains(&self.source_text(type_span)) && end == start + 2 {
+            let span = Span::new(type_span.file, type_span.start, next.start);
+            return Some(Remedy::fix("Declarations have no types.", span, ""));
+        }
         let span = self.tokens_span(start..end.max(start + 1));
         let written = self.source_text(span);
         let mut name = String::new();
@@ -306,8 +339,19 @@ impl Reader<'_> {
         let sign = ['=', ':']
             .iter()
             .any(|&mark| self.raw_ahead(1).is_mark(mark));
-        let value = self.here.tokens.span(self.here.at + 1 + usize::from(sign));
-        is_name.then(|| {
+        let at = self.here.at + 1 + usize::from(sign);
+        let is_free = token
+            .symbol()
+            .is_none_or(|name| self.scopes.get(name).is_none());
+        let has_value = self.token(at).is_some_and(|value| match value.kind {
+            Kind::Number | Kind::Name => true,
+            Kind::Mark => value.is_mark('<') || value.is_mark('-'),
+            _ => value
+                .word()
+                .is_some_and(|word| word.class() == Class::Value),
+        });
+        let value = self.here.tokens.span(at);
+        (is_name && is_free && has_value).then(|| {
             let hint = format!("The parameters of `{block}` have no names: remove `{name}`.");
             Remedy::fix(hint, Span::new(span.file, span.start, value.start), "")
         })
@@ -332,6 +376,9 @@ impl Reader<'_> {
                     | "float3"
             );
         let end = is_vector.then(|| self.end_of_brackets(self.here.at + 1, '(', ')'))??;
+        if end == self.here.at + 3 {
+            return Some("A vector is written `<x, y, z>`.".into());
+        }
         let arguments = self.source_text(self.tokens_span(self.here.at + 2..end - 1));
         let vector = format!("<{arguments}>");
         let span = self.tokens_span(self.here.at..end);
@@ -458,6 +505,26 @@ impl Reader<'_> {
         Some(Remedy::fix(hint, span, "#end"))
     }
 
+    /// The text of a string, or of a number as a string; `None` for anything else.
+    fn string_of(&self, tokens: Range<usize>) -> Option<String> {
+        let first = self.token(tokens.start).filter(|_| !tokens.is_empty())?;
+        let text = self.source_text(self.tokens_span(tokens.clone()));
+        let value = first.symbol().and_then(|name| self.scopes.get(name));
+        let is_string = first.kind == Kind::String || matches!(value, Some(Value::Text(_)));
+        let is_number = first.kind == Kind::Number || matches!(value, Some(Value::Number(_)));
+        match (is_string, is_number) {
+            _ if STRING_FUNCTIONS
+                .iter()
+                .any(|&word| first.word() == Some(word)) =>
+            {
+                Some(text.to_owned())
+            }
+            (true, _) if tokens.len() == 1 => Some(text.to_owned()),
+            (_, true) if tokens.len() == 1 => Some(format!("str({text}, 0, -1)")),
+            _ => None,
+        }
+    }
+
     /// Strings with `+` between them, at the first `+`.
     pub(super) fn sum_of_strings(&self) -> Option<Remedy> {
         let start = self.here.at.checked_sub(1)?;
@@ -472,15 +539,15 @@ impl Reader<'_> {
             ) || token
                 .word()
                 .is_some_and(|word| matches!(word.class(), Class::Function | Class::Value));
-            let ends = !is_here || !is_part || token.is_mark(';') || at > start + SHORT;
-            depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
+            let is_end = [';', ',', '}', ']', ')']
+                .iter()
+                .any(|&mark| token.is_mark(mark));
+            let ends = !is_here || !is_part || at > start + SHORT || depth == 0 && is_end;
             if ends || depth == 0 && token.is_mark('+') {
-                if first == at {
-                    return None;
-                }
-                parts.push(self.source_text(self.tokens_span(first..at)));
+                parts.push(self.string_of(first..at)?);
                 first = at + 1;
             }
+            depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
             if ends {
                 break;
             }
@@ -492,6 +559,22 @@ impl Reader<'_> {
             .then(|| Remedy::fix("Strings are joined by `concat(a, b)`.", span, text))
     }
 }
+
+/// Functions whose value is a string.
+const STRING_FUNCTIONS: &[Word] = &[
+    Word::Chr,
+    Word::Concat,
+    Word::Str,
+    Word::Strlwr,
+    Word::Strupr,
+    Word::Substr,
+    Word::Vstr,
+];
+
+/// Types of other languages.
+const TYPES: &[&str] = &[
+    "bool", "const", "double", "float", "int", "let", "string", "var",
+];
 
 /// Names that people give to the parameters of shapes and lights.
 const NAMES_OF_PARAMETERS: &[&str] = &[

@@ -80,7 +80,9 @@ impl Reader<'_> {
             (Some('='), '=') => single("One `=` compares two values.", "="),
             (Some('&'), '&') => single("One `&` means \"and\".", "&"),
             (Some('|'), '|') => single("One `|` means \"or\".", "|"),
-            (Some('<'), '>') => single("\"Not equal\" is `!=`.", "!="),
+            (Some('<'), '>') if self.ends_operand(at.checked_sub(2)?) => {
+                single("\"Not equal\" is `!=`.", "!=")
+            }
             (Some('='), '<') => single("\"Less or equal\" is `<=`.", "<="),
             (Some('='), '>') => single("\"Greater or equal\" is `>=`.", ">="),
             (Some('*'), '*') => {
@@ -92,7 +94,9 @@ impl Reader<'_> {
                 "mod",
                 "The remainder of a division is `mod(a, b)`.",
             ),
-            (_, '|') => Some("An absolute value is `abs(a)`, a length `vlength(v)`.".into()),
+            (_, '|') if !self.ends_operand(at - 1) => {
+                Some("An absolute value is `abs(a)`, a length `vlength(v)`.".into())
+            }
             _ => None,
         }
     }
@@ -125,7 +129,8 @@ impl Reader<'_> {
         let is_alone = self.is_operand(left)
             && self.is_operand(right)
             && !is_sign(left.checked_sub(1), &['*', '/', '.', '^', '%'])
-            && !is_sign(Some(right + 1), &['(', '[', '.', '^', '%']);
+            && !is_sign(Some(right + 1), &['(', '[', '.', '^', '%'])
+            && !(operator.len() == 2 && is_sign(Some(right + 1), &['*']));
         if !is_alone {
             return Some(hint.into());
         }
@@ -154,8 +159,14 @@ impl Reader<'_> {
         })
     }
 
+    /// True if a value ends with a token.
+    fn ends_operand(&self, at: usize) -> bool {
+        let closes = |token: Token| token.is_mark(')') || token.is_mark(']');
+        self.is_operand(at) || self.token(at).is_some_and(closes)
+    }
+
     /// True if a token alone is a value.
-    fn is_operand(&self, at: usize) -> bool {
+    pub(super) fn is_operand(&self, at: usize) -> bool {
         self.token(at).is_some_and(|token| match token.kind {
             Kind::Number | Kind::Name => true,
             _ => token.word().is_some_and(Word::is_value),

@@ -4,7 +4,10 @@
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::Token;
+use crate::lang::syntax::{self, Token};
+
+/// Tokens among which the beginning of a call is searched for.
+const CALL_TOKENS: usize = 32;
 
 /// A character or entity, and the ASCII text that is meant by it.
 struct Sign {
@@ -26,7 +29,7 @@ enum Kind {
 impl Reader<'_> {
     /// The ASCII text for the next token, and for all such signs behind it in the line.
     pub(super) fn typography(&self, token: Token) -> Option<Remedy> {
-        let letter = (token.kind == crate::lang::syntax::Kind::Mark)
+        let letter = (token.kind == syntax::Kind::Mark)
             .then(|| char::from_u32(token.value))
             .flatten()
             .filter(|&letter| !letter.is_ascii() || letter == '&')?;
@@ -34,8 +37,13 @@ impl Reader<'_> {
         let line = self.rest_of_line(at);
         match letter {
             '°' => {
-                let hint = "Angles are in degrees already: remove `°`.";
-                return Some(Remedy::fix(hint, self.here_span(), ""));
+                return Some(match self.is_in_call() {
+                    true => "Functions take angles in radians: write `radians(45)`.".into(),
+                    false => {
+                        let hint = "Angles are in degrees already: remove `°`.";
+                        Remedy::fix(hint, self.here_span(), "")
+                    }
+                });
             }
             '²' | '³' => return Some(self.raised(if letter == '²' { 2 } else { 3 })),
             '…' => return Some("`…` stands for text that was left out: write that text.".into()),
@@ -44,7 +52,10 @@ impl Reader<'_> {
         let Some(first) = sign(line) else {
             return self.letter_of_name(letter);
         };
-        let (len, text) = line_in_ascii(line);
+        let start = self.here_span().start as usize;
+        let before = self.sources.text(self.here.tokens.file).get(..start);
+        let last = before.and_then(|before| before.chars().next_back());
+        let (len, text) = line_in_ascii(last, line);
         let written = &line[..first.len];
         let hint = match first.kind {
             Kind::Visible => format!(
@@ -68,7 +79,21 @@ impl Reader<'_> {
     /// `r²` for `pow(r, 2)`.
     fn raised(&self, power: u32) -> Remedy {
         let before = self.here.at.checked_sub(1);
-        let base = before.map(|at| self.here.tokens.span(at));
+        let is_base = |at: usize| {
+            let earlier = at.checked_sub(1).and_then(|at| self.token(at));
+            let is_part =
+                |token: Token| token.is_mark('.') || token.kind == syntax::Kind::Directive;
+            self.is_operand(at) && !earlier.is_some_and(is_part)
+        };
+        let is_declared = |at: usize| {
+            let earlier = at.checked_sub(1).and_then(|at| self.token(at));
+            earlier.is_some_and(|token| token.kind == syntax::Kind::Directive)
+        };
+        if before.is_some_and(is_declared) {
+            return "Names consist of letters, digits and `_`: write the digit as such.".into();
+        }
+        let base = before.filter(|&at| is_base(at));
+        let base = base.map(|at| self.here.tokens.span(at));
         match base.filter(|base| base.end == self.here_span().start) {
             Some(base) => {
                 let text = format!("pow({}, {power})", self.source_text(base));
@@ -76,6 +101,19 @@ impl Reader<'_> {
             }
             None => "A power is `pow(a, b)`.".into(),
         }
+    }
+
+    /// True between the parentheses of a function.
+    fn is_in_call(&self) -> bool {
+        let mut depth = 0;
+        let start = self.here.at.saturating_sub(CALL_TOKENS);
+        let open = (start..self.here.at).rev().find(|&at| {
+            let is = |mark: char| self.token(at).is_some_and(|token| token.is_mark(mark));
+            depth += i32::from(is('(')) - i32::from(is(')'));
+            depth == 1
+        });
+        let name = open.and_then(|at| self.token(at.checked_sub(1)?)?.word());
+        name.is_some_and(|word| word.class() == syntax::Class::Function)
     }
 
     /// A letter of another alphabet, as part of a name.
@@ -86,8 +124,9 @@ impl Reader<'_> {
     }
 }
 
-/// A text up to the last foreign sign in it, before any string or comment, in ASCII; and its length before.
-fn line_in_ascii(line: &str) -> (usize, String) {
+/// A text up to the last foreign sign in it, before any string or comment, in ASCII; and its length before. `last` is the
+/// character in front of it.
+fn line_in_ascii(last: Option<char>, line: &str) -> (usize, String) {
     let (mut at, mut text) = (0, String::new());
     let mut known = (0, 0);
     while let Some(next) = line[at..].chars().next() {
@@ -97,7 +136,15 @@ fn line_in_ascii(line: &str) -> (usize, String) {
         }
         if let Some(sign) = sign(rest) {
             at += sign.len;
+            let is_factor = |c: char| c.is_ascii_alphanumeric() || "_)".contains(c);
+            let is_pi = sign.meant == "pi";
+            if is_pi && text.chars().next_back().or(last).is_some_and(is_factor) {
+                text.push('*');
+            }
             text.push_str(&sign.meant);
+            if is_pi && line[at..].starts_with(|c: char| c.is_ascii_alphanumeric()) {
+                text.push('*');
+            }
             known = (at, text.len());
         } else {
             at += next.len_utf8();
@@ -143,7 +190,7 @@ fn sign(text: &str) -> Option<Sign> {
     })
 }
 
-/// Signs, and what is meant by them. Those from U+0085 to U+0097 are of Windows' character set.
+/// Signs with the text that is meant. Those from U+0091 to U+0097 are of Windows' character set.
 const SIGNS: &[(&str, &str)] = &[
     ("‐‑‒–—―−﹣\u{96}\u{97}", "-"),
     ("“”„‟«»″‘’‚‛′´\u{91}\u{92}\u{93}\u{94}", "\""),
@@ -177,11 +224,13 @@ mod tests {
 
     #[test]
     fn signs_become_ascii_up_to_a_string_or_comment() {
-        assert_eq!(line_in_ascii("–1, −2>"), (9, "-1, -".to_owned()));
+        assert_eq!(line_in_ascii(None, "–1, −2>"), (9, "-1, -".to_owned()));
         assert_eq!(
-            line_in_ascii("“a.inc”  // – b"),
+            line_in_ascii(None, "“a.inc”  // – b"),
             (11, "\"a.inc\"".to_owned())
         );
-        assert_eq!(line_in_ascii("&lt;0&gt;, 1"), (9, "<0>".to_owned()));
+        assert_eq!(line_in_ascii(None, "&lt;0&gt;, 1"), (9, "<0>".to_owned()));
+        assert_eq!(line_in_ascii(Some('2'), "π/2"), (2, "*pi".to_owned()));
+        assert_eq!(line_in_ascii(Some('('), "π"), (2, "pi".to_owned()));
     }
 }

@@ -1,0 +1,2 @@
+// mistake in line 2: a raised digit in a name
+#declare R² = 4;

@@ -1,0 +1,2 @@
+// mistake in line 2: a string and a number with a plus
+#declare N = 3; #debug "N = " + N

@@ -1,0 +1,2 @@
+// mistake in line 2: a type before the name of a declaration
+#declare float Size = 3;
