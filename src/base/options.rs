@@ -523,6 +523,19 @@ impl RenderOptions {
         }
     }
 
+    /// The same options for a whole picture of another size without antialiasing.
+    #[must_use]
+    pub fn coarse(&self, width: u32, height: u32) -> Self {
+        RenderOptions {
+            width,
+            height,
+            columns: 0..width,
+            rows: 0..height,
+            sampling: Sampling::Centres,
+            ..self.clone()
+        }
+    }
+
     /// Returns true if pixels draw random numbers in sequence.
     #[must_use]
     pub fn uses_sequential_random(&self) -> bool {

@@ -469,14 +469,7 @@ impl Painter {
     fn smaller(&self, side: u32) -> RenderOptions {
         let whole = &self.settings.render;
         let (width, height) = ((whole.width / side).max(1), (whole.height / side).max(1));
-        RenderOptions {
-            width,
-            height,
-            columns: 0..width,
-            rows: 0..height,
-            sampling: Sampling::Centres,
-            ..whole.clone()
-        }
+        whole.coarse(width, height)
     }
 
     fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {

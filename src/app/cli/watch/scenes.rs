@@ -2,7 +2,7 @@
 //! their own draws.
 
 use crate::app::worker::{Draw, Live, LiveTask, Worker};
-use crate::base::options::{RenderOptions, Sampling, Writes};
+use crate::base::options::Writes;
 use crate::base::sync::lock;
 use crate::output::{EncodeOptions, Format};
 use hyper::body::Bytes;
@@ -246,14 +246,7 @@ fn thumbnail(
         scene: scene.path.clone(),
         series: None,
         read,
-        render: RenderOptions {
-            width,
-            height,
-            columns: 0..width,
-            rows: 0..height,
-            sampling: Sampling::Centres,
-            ..whole.clone()
-        },
+        render: whole.coarse(width, height),
         threads: None,
         files: vec![EncodeOptions::new(Format::PNG)],
         tells_output: false,
