@@ -180,8 +180,12 @@ impl Tracer<'_> {
             }
         }
         if area_light.hits.is_some() {
-            let random = scratch.random.lights;
-            let memory = scratch.query.memory.as_deref().cloned();
+            // POV-Ray divides a part before it samples the next one.
+            let may_return = area_light.is_in_order && first.len() < scratch.area.light.len();
+            let before = may_return.then(|| {
+                let memory = scratch.query.memory.as_deref().cloned();
+                (scratch.random.lights, memory)
+            });
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
@@ -192,8 +196,7 @@ impl Tracer<'_> {
             {
                 return light;
             }
-            // POV-Ray divides a part before it samples the next one.
-            if area_light.is_in_order && first.len() < scratch.area.light.len() {
+            if let Some((random, memory)) = before {
                 scratch.random.lights = random;
                 if let (Some(now), Some(before)) = (scratch.query.memory.as_deref_mut(), memory) {
                     *now = before;
