@@ -143,6 +143,8 @@ fn each_lint_has_its_scene() {
     }
     let clear = SPHERE.replace("<1, 0.5, 0>", "1 transmit 0.9");
     assert!(lints(&scene(&format!("light_source {{ 0, rgb 1 }}\n{clear}"))).is_empty());
+    let open = "cylinder { -y, y, 2 open pigment { rgb 1 } }\n";
+    assert!(lints(&scene(&format!("light_source {{ 0, rgb 1 }}\n{open}"))).is_empty());
 }
 
 /// This many small spheres on a square behind the scenes here, in statements of their own.

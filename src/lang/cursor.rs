@@ -346,12 +346,18 @@ impl Reader<'_> {
     pub(super) fn describe(&self, token: Token) -> String {
         let text = || {
             let text = self.source_text(self.here_span());
-            text.chars().take(limits::QUOTED).collect::<String>()
+            let line = text.lines().next().unwrap_or_default();
+            let short: String = line.chars().take(limits::QUOTED).collect();
+            match (short.len() < text.len(), token.kind) {
+                (false, _) => short,
+                (true, Kind::String) => format!("{short}...\""),
+                (true, _) => format!("{short}..."),
+            }
         };
         match token.kind {
             Kind::End => "the end of the file".to_owned(),
             Kind::Number => format!("the number `{}`", text()),
-            Kind::String => format!("the string {}", text().lines().next().unwrap_or("\"\"")),
+            Kind::String => format!("the string {}", text()),
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 None => format!("the undeclared identifier `{}`", text()),
                 Some(value) => format!("`{}`, which is {}", text(), value.kind()),

@@ -364,6 +364,11 @@ impl Reader<'_> {
     fn vector_literal(&mut self) -> Parse<Number> {
         self.pass();
         let opened = self.start_taken();
+        if self.is_raw_mark('>') {
+            let error = self.expected_here("a component of the vector");
+            let hint = "A vector has two to five components: `<0, 0, 0>`.";
+            return Err(Box::new(error.with_hint(hint)));
+        }
         let mut number = Number {
             v: [0.0; 5],
             len: 0,
@@ -383,10 +388,13 @@ impl Reader<'_> {
             }
             if number.len == 5 {
                 let mut error = self.expected_here("`>` after five components");
-                if !error.message.is_empty() {
+                error.hints.clear();
+                error.fix = None;
+                let mut error = self.with_opened(error, '>', opened);
+                if error.fix.is_none() && !error.message.is_empty() {
                     error.hints = vec!["A vector has two to five components.".to_owned()];
                 }
-                return Err(self.with_opened(error, '>', opened));
+                return Err(error);
             }
         }
         if number.len == 1 {

@@ -2,6 +2,7 @@
 
 use super::ReadEvent;
 use super::budget::Budget;
+use super::diagnose::trial::Trials;
 use super::dialect::Dialect;
 use super::directive::open_file::Files;
 use super::draft::SceneDraft;
@@ -36,7 +37,7 @@ pub(super) struct Reader<'a> {
     pub(super) names: Names,
     pub(super) dialect: Dialect,
     token_cache: Option<&'a mut TokenCache>,
-    scene: FileId,
+    pub(super) scene: FileId,
     /// The tokens of all files read so far, the scene itself among them.
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// The position where reading goes on.
@@ -75,6 +76,8 @@ pub(super) struct Reader<'a> {
     pub(super) memory: Memory,
     /// The findings so far.
     pub(super) report: Report<'a>,
+    /// Trials of the changes that errors propose.
+    pub(super) trials: Trials,
     /// As [`Reading::object_spans`].
     pub(super) object_spans: Vec<ObjectSpan>,
 }
@@ -188,6 +191,7 @@ impl<'a> Reader<'a> {
             draft: SceneDraft::new(options),
             memory: Memory::default(),
             report: Report::new(listener),
+            trials: Trials::default(),
             object_spans: Vec::new(),
         };
         reader.scopes.qualify(reader.names.qualified());
@@ -255,6 +259,14 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The tokens of a file that has been read.
+    pub(super) fn tokens_read(&self, file: FileId) -> Option<&Rc<Tokens>> {
+        let current = [&self.here.tokens, &self.last.tokens];
+        let is_it = |tokens: &&Rc<Tokens>| tokens.file == file;
+        let current = current.into_iter().find(is_it);
+        current.or_else(|| self.tokenized.get(&file))
+    }
+
     /// The silent error of using something whose error was reported before.
     pub(super) fn consequence(&self) -> Box<Diagnostic> {
         Box::new(Diagnostic::error(None, ""))
@@ -267,6 +279,7 @@ impl<'a> Reader<'a> {
 
     /// Records a finding; consequences of earlier ones are dropped.
     pub(super) fn record(&mut self, finding: Diagnostic) {
+        let finding = self.tried(finding);
         self.report.record(finding, self.sources);
     }
 

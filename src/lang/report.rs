@@ -27,7 +27,11 @@ impl<'a> Report<'a> {
     }
 
     /// Records a finding; consequences of earlier ones are dropped.
-    pub(super) fn record(&mut self, finding: Diagnostic, sources: &Sources) {
+    pub(super) fn record(&mut self, mut finding: Diagnostic, sources: &Sources) {
+        finding.message = with_short_names(&finding.message);
+        for hint in &mut finding.hints {
+            *hint = with_short_names(hint);
+        }
         if finding.severity == Severity::Error {
             self.errors += 1;
         }
@@ -60,5 +64,34 @@ impl<'a> Report<'a> {
         (self.listener)(ReadEvent::SceneOutput(text));
         self.messages.push_str(text);
         self.messages.len()
+    }
+}
+
+/// A sentence in which long names are cut.
+fn with_short_names(text: &str) -> String {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let mut short = String::with_capacity(text.len());
+    let mut len = 0;
+    for letter in text.chars() {
+        len = if is_part(letter) { len + 1 } else { 0 };
+        match len {
+            ..=limits::QUOTED => short.push(letter),
+            _ if !short.ends_with("...") => short.push_str("..."),
+            _ => {}
+        }
+    }
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_short_names;
+
+    #[test]
+    fn long_names_are_cut() {
+        let name = "n".repeat(300);
+        let cut = with_short_names(&format!("`{name}` and `b`"));
+        assert_eq!(cut, format!("`{}...` and `b`", &name[..60]));
+        assert_eq!(with_short_names("a b..."), "a b...");
     }
 }

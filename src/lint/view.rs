@@ -6,9 +6,11 @@ use crate::base::math::Ray;
 use crate::base::source::{Code, Diagnostic};
 use crate::scene::light::Beam;
 use crate::scene::shape::Shape;
-use crate::scene::{Kind, Scene};
+use crate::scene::{Kind, Object, Scene};
 use crate::world::ProbeModel;
 use glam::DVec3;
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Rays of the camera across and down.
 const GRID: (u32, u32) = (40, 30);
@@ -20,6 +22,12 @@ const MOST_SHAPES: usize = 500_000;
 const COINCIDENT: f64 = 1e-9;
 /// Least share of rays that must hit coincident surfaces.
 const COINCIDENT_RAYS: usize = 4;
+
+/// Directions in which a light is blocked if an object encloses it; one in 20 degrees.
+const DIRECTIONS: u32 = 500;
+
+/// Distance, in distances of a light from the origin, at which bounded objects have ended.
+const FAR: f64 = 1e6;
 
 /// The nearest two objects on a ray, by their indices.
 #[derive(Clone, Copy, Default)]
@@ -210,7 +218,8 @@ impl View<'_> {
                 && !one.object.flags.no_shadow
                 && self.probe.is_inside(&one.object, centres[light])
                 && !self.probe.is_inside(&one.object, location)
-                && self.probe.is_opaque(&one.object);
+                && self.probe.is_opaque(&one.object)
+                && self.blocks_light(&one.object, centres[light]);
             if keeps_light {
                 around[light] = Some(one);
             }
@@ -218,6 +227,26 @@ impl View<'_> {
         let enclosed = lights.into_iter().zip(around);
         let doubts = enclosed.filter_map(|(light, around)| Some(light_inside(light, around?)));
         Some(doubts.collect())
+    }
+}
+
+impl View<'_> {
+    /// True if an object around a light is unbounded, or is hit in all directions: an open cylinder is not.
+    fn blocks_light(&mut self, object: &Arc<Object>, light: DVec3) -> bool {
+        let far = FAR * light.length().max(1.0);
+        let is_unbounded = DVec3::AXES
+            .into_iter()
+            .flat_map(|axis| [axis, -axis])
+            .any(|axis| self.probe.is_inside(object, light + far * axis));
+        let golden_angle = PI * (3.0 - 5f64.sqrt());
+        let mut directions = (0..DIRECTIONS).map(|index| {
+            let index = f64::from(index);
+            let height = 1.0 - (2.0 * index + 1.0) / f64::from(DIRECTIONS);
+            let radius = (1.0 - height * height).sqrt();
+            let (sin, cos) = (golden_angle * index).sin_cos();
+            DVec3::new(radius * cos, height, radius * sin)
+        });
+        is_unbounded || directions.all(|dir| self.probe.trace(object, light, dir).is_some())
     }
 }
 

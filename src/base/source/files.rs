@@ -179,6 +179,13 @@ impl Sources {
         id
     }
 
+    /// Puts another text in the place of one.
+    pub(crate) fn replace_text(&mut self, file: FileId, text: String) {
+        let source = &mut self.texts[file.0 as usize];
+        source.text = text.into();
+        source.lines = OnceLock::new();
+    }
+
     /// Loads the file that `#include "name"` in `including_file` names. The search goes through that file's folder, the
     /// current folder and the library paths; in each it tries the name, then the name with `.inc` or `.INC` appended.
     ///

@@ -116,7 +116,8 @@ fn is_near(first: &Mark, other: &Mark, sources: &Sources) -> bool {
 fn change(hint: &str, fix: &Fix, sources: &Sources) -> Option<Group<'static>> {
     let range = visible(fix.span, sources);
     let (first_line, start, lines) = lines(fix.span.file, iter::once(range.clone()), sources);
-    let patch = Patch::new(range.start - start..range.end - start, clean(&fix.text));
+    let text: Vec<String> = fix.text.lines().map(clean).collect();
+    let patch = Patch::new(range.start - start..range.end - start, text.join("\n"));
     let title = Level::HELP.secondary_title(clean(&sentence(hint)));
     let is_short = lines.len() <= MAX_CHANGED;
     is_short.then(|| title.element(Snippet::source(lines).line_start(first_line).patch(patch)))

@@ -59,11 +59,22 @@ impl Sources {
             let names: Vec<String> = folders.iter().map(|folder| folder_name(folder)).collect();
             format!(" in {}", one_of(&names))
         };
-        let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{searched}"));
+        let message = format!("cannot find {what} `{name}`{searched}");
+        let mut error = Diagnostic::error(None, message).with_code(Code::MissingFile);
         for (path, written) in self.other_cases(name, folders) {
             error = error.with_hint(format!(
                 "`{}` differs only in case: write `{written}`.",
                 path.display()
+            ));
+        }
+        if let Some(folder) = folders
+            .iter()
+            .map(|folder| folder.join(name))
+            .find(|path| path.is_dir())
+        {
+            error = error.with_hint(format!(
+                "`{}` is a folder: name a file in it.",
+                folder.display()
             ));
         }
         if name.contains('\\') {
@@ -102,6 +113,7 @@ impl Sources {
             let folder = folder.join(inner);
             let mut names: Vec<String> = entries(&folder)
                 .filter(|name| wanted.contains(&name.to_lowercase()))
+                .filter(|name| !folder.join(name).is_dir())
                 .collect();
             names.sort();
             cases.extend(

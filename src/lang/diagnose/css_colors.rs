@@ -10,6 +10,26 @@ pub(super) fn css_color(name: &str) -> Option<(&'static str, [u8; 3])> {
     Some((name, channels))
 }
 
+/// A colour of channels from 0 to 255, in the words of the scene language.
+pub(crate) fn written_color([red, green, blue]: [u8; 3]) -> String {
+    let is_full = |channel: u8| matches!(channel, 0 | 255);
+    match [red, green, blue].into_iter().all(is_full) {
+        true => format!("rgb <{}, {}, {}>", red / 255, green / 255, blue / 255),
+        false => format!("srgb <{red}, {green}, {blue}>/255"),
+    }
+}
+
+/// The channels of a colour in three or six hexadecimal digits.
+pub(crate) fn hexadecimal_color(digits: &str) -> Option<[u8; 3]> {
+    let value = u32::from_str_radix(digits, 16).ok()?;
+    let [_, high, middle, low] = value.to_be_bytes();
+    match digits.len() {
+        6 => Some([high, middle, low]),
+        3 => Some([middle & 15, low >> 4, low & 15].map(|digit| 17 * digit)),
+        _ => None,
+    }
+}
+
 #[allow(clippy::unreadable_literal, reason = "the digits are those of CSS")]
 const COLORS: &[(&str, u32)] = &[
     ("AliceBlue", 0xf0f8ff),

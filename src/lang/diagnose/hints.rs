@@ -3,7 +3,7 @@
 use crate::base::args::Word;
 use crate::base::nearest::nearest;
 use crate::base::source::{Diagnostic, Span};
-use crate::lang::diagnose::css_colors::css_color;
+use crate::lang::diagnose::css_colors::{css_color, hexadecimal_color, written_color};
 use crate::lang::diagnose::other_dialects;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
@@ -16,10 +16,16 @@ const INCLUDE_FILES: usize = 200;
 impl Reader<'_> {
     /// A hint for the next token, which cannot stand where `wanted` is expected.
     pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        if self.is_utf16() {
+            return Some("This file is in UTF-16: save it as UTF-8.".into());
+        }
         let remedy = self
             .name_in_parts(wanted)
+            .or_else(|| self.look_alikes())
+            .or_else(|| self.other_case(token, wanted))
             .or_else(|| self.typography(token))
             .or_else(|| self.foreign_operator(token, wanted))
+            .or_else(|| self.value_without_parentheses(token, wanted))
             .or_else(|| self.foreign_value(token))
             .or_else(|| self.foreign_brackets(token, wanted))
             .or_else(|| self.rewritten(token, wanted));
@@ -27,11 +33,36 @@ impl Reader<'_> {
             return remedy;
         }
         match token.kind {
+            Kind::Name if wanted.ends_with("component after `.`") => {
+                let name = self.source_text(self.here_span());
+                let known = ["red", "green", "blue", "gray", "transmit", "filter"];
+                let meant = match name {
+                    "r" => Some("red"),
+                    "g" => Some("green"),
+                    "b" => Some("blue"),
+                    "f" => Some("filter"),
+                    "a" | "alpha" => Some("transmit"),
+                    _ => nearest(&name.to_lowercase(), known),
+                };
+                let Some(meant) = meant else {
+                    return Some(
+                        "Components are `.x`, `.y`, `.z`, `.red`, `.green` and `.blue`.".into(),
+                    );
+                };
+                let hint = format!("The component is called `.{meant}`.");
+                Some(Remedy::fix(hint, self.here_span(), meant))
+            }
             Kind::Name => self
                 .color_of_css(token, wanted)
                 .or_else(|| Some(self.remedy_of_name(Symbol(token.value), wanted)?.into())),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
             Kind::Word => self.remedy_of_word(token.word()?, wanted),
+            Kind::String if wanted.starts_with("a colour") => {
+                let name = self.source_text(self.here_span()).trim_matches('"');
+                let digits = name.strip_prefix('#').unwrap_or_default();
+                let color = hexadecimal_color(digits).or_else(|| Some(css_color(name)?.1))?;
+                Some(self.colored(self.here.at, self.here_span(), written_color(color)))
+            }
             Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.into()),
             Kind::Number if wanted.starts_with("a parameter of `interior`") => {
                 let number = self.source_text(self.here_span());
@@ -41,6 +72,37 @@ impl Reader<'_> {
             }
             _ => None,
         }
+    }
+
+    /// A declared name that differs from the next token, an undeclared name or a word, by capitals only.
+    fn other_case(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        let is_free = match token.kind {
+            Kind::Name => self.scopes.get(Symbol(token.value)).is_none(),
+            Kind::Word => wants_value(wanted) || wanted.starts_with("a colour"),
+            _ => false,
+        };
+        let name = self.source_text(self.here_span());
+        is_free.then(|| self.declared_in_other_case(name, self.here_span()))?
+    }
+
+    /// A declared name that differs from a text by capitals only.
+    fn declared_in_other_case(&self, name: &str, span: Span) -> Option<Remedy> {
+        let declared = self.scopes.defined();
+        let names = declared.map(|symbol| self.names.spelling(symbol));
+        let mut similar = names.filter(|known| known.eq_ignore_ascii_case(name));
+        let known = similar.next()?;
+        let remedy = Remedy::fix(format!("Names differ by capitals: `{known}`."), span, known);
+        Some(match similar.next() {
+            Some(_) => remedy.uncertain(),
+            None => remedy,
+        })
+    }
+
+    /// True if every other byte around the start of the text is zero.
+    fn is_utf16(&self) -> bool {
+        let text = self.sources.text(self.here.tokens.file).as_bytes();
+        let is_zero = |at: usize| text.get(at) == Some(&0);
+        is_zero(1) && is_zero(3) || is_zero(0) && is_zero(2)
     }
 
     fn remedy_of_word(&self, word: Word, wanted: &str) -> Option<Remedy> {
@@ -73,15 +135,7 @@ impl Reader<'_> {
         if !is_undeclared || !wanted.starts_with("a colour") {
             return None;
         }
-        let (known, [red, green, blue]) = css_color(name)?;
-        let mut declared = self
-            .scopes
-            .defined()
-            .map(|symbol| self.names.spelling(symbol));
-        if declared.any(|declared| declared == known) {
-            let hint = format!("Names differ by capitals: `{known}`.");
-            return Some(Remedy::fix(hint, self.here_span(), known));
-        }
+        let (known, channels) = css_color(name)?;
         if let Some(library) = self
             .sources
             .library_file_that_declares(known, INCLUDE_FILES)
@@ -93,9 +147,23 @@ impl Reader<'_> {
             }
             .into());
         }
-        let color = format!("srgb <{red}, {green}, {blue}>/255");
+        let color = written_color(channels);
         let hint = format!("`{name}` is a colour of web pages: write `{color}`.");
         Some(Remedy::fix(hint, self.here_span(), color))
+    }
+
+    /// `float A = 1;` for `#declare A = 1;`.
+    fn declaration_by_type(&self) -> Option<Remedy> {
+        let name = self.source_text(self.here_span());
+        let is_declaration = self.raw_ahead(1).symbol().is_some() && self.raw_ahead(2).is_mark('=');
+        let meant = match name {
+            "int" => "#declare",
+            _ => other_dialects::directive(name)?,
+        };
+        (is_declaration && meant == "#declare").then(|| {
+            let hint = "A name gets its value by `#declare`.";
+            Remedy::fix(hint, self.here_span(), meant)
+        })
     }
 
     /// A remedy that rewrites the text around the next token.
@@ -104,8 +172,8 @@ impl Reader<'_> {
         match token.kind {
             _ if wanted.starts_with("`(` after") => self.argument_without_parentheses(),
             Kind::Mark | Kind::Name | Kind::Word if wanted == "a string" => self
-                .unquoted_string()
-                .or_else(|| self.number_for_string(token)),
+                .number_for_string(token)
+                .or_else(|| self.unquoted_string()),
             Kind::Name
                 if wanted.ends_with("in `text`") && self.raw_ahead(1).kind == Kind::String =>
             {
@@ -114,6 +182,9 @@ impl Reader<'_> {
                     self.here_span(),
                     "ttf",
                 ))
+            }
+            Kind::Name | Kind::Word if is_statement && self.declaration_by_type().is_some() => {
+                self.declaration_by_type()
             }
             Kind::Name => (is_statement.then(|| self.assignment()).flatten())
                 .or_else(|| self.keyword_in_capitals(Symbol(token.value), wanted))
@@ -128,6 +199,9 @@ impl Reader<'_> {
                 .axis_and_number()
                 .or_else(|| self.transform_in_parts(token))
                 .or_else(|| (token.kind == Kind::Number).then(|| self.numbers_in_a_row())?),
+            Kind::Mark if token.is_mark(',') && wanted.starts_with("an operator or `;`") => {
+                self.numbers_in_a_row()
+            }
             Kind::Mark if token.is_mark(',') && wanted.contains("`}`") => self
                 .transform_in_parts(token)
                 .or_else(|| self.numbers_in_a_row()),
@@ -135,17 +209,22 @@ impl Reader<'_> {
         }
     }
 
-    /// The name of a number where a string is expected.
+    /// The name of a number, or a component of a vector, where a string is expected.
     fn number_for_string(&self, token: Token) -> Option<Remedy> {
+        let at = self.here.at;
         let value = token.symbol().and_then(|name| self.scopes.get(name));
-        let behind = self.raw_ahead(1);
+        let is_mark = |at: usize, mark| self.token(at).is_some_and(|token| token.is_mark(mark));
+        let is_component = is_mark(at + 1, '.') && self.token(at + 2)?.word().is_some();
+        let end = at + if is_component { 3 } else { 1 };
         let is_alone = !['+', '-', '*', '/', '.', '(']
             .iter()
-            .any(|&mark| behind.is_mark(mark));
-        let is_number = matches!(value, Some(Value::Number(number)) if number.len == 1);
+            .any(|&mark| is_mark(end, mark));
+        let is_number =
+            matches!(value, Some(Value::Number(number)) if (number.len == 1) != is_component);
         (is_number && is_alone).then(|| {
-            let text = format!("str({}, 0, -1)", self.source_text(self.here_span()));
-            Remedy::fix(NUMBER_FOR_STRING, self.here_span(), text)
+            let span = self.tokens_span(at..end);
+            let text = format!("str({}, 0, -1)", self.source_text(span));
+            Remedy::fix(NUMBER_FOR_STRING, span, text)
         })
     }
 
@@ -170,6 +249,9 @@ impl Reader<'_> {
             _ => return Some(format!("Write a value after `{before}`.").into()),
         };
         let span = self.here.tokens.span(self.here.at - 1);
+        if let Some(remedy) = self.declared_in_other_case(before.spelling(), span) {
+            return Some(remedy);
+        }
         Some(Remedy::fix(
             format!("`{before}` is a component of colours: write `{color}`."),
             span,
@@ -179,7 +261,15 @@ impl Reader<'_> {
 
     fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<Remedy> {
         let removed = |hint: &str| Some(Remedy::fix(hint, self.here_span(), ""));
+        if matches!(mark, '}' | ',' | '<')
+            && let Some(remedy) = self.number_of_points()
+        {
+            return Some(remedy);
+        }
         match mark {
+            ';' if wanted.starts_with("an item of the array") => {
+                Some(Remedy::fix("Items are separated by `,`.", self.here_span(), ","))
+            }
             ';' if wants_word(wanted) => {
                 removed(
                     "Only declarations of numbers, and some directives, end with `;`; remove it.",
@@ -188,7 +278,6 @@ impl Reader<'_> {
             ',' if wanted == "`}`" && self.is_after_mark(']') => {
                 removed("Remove this comma: items in a block are not separated by commas.")
             }
-            '}' | ',' | '<' if self.number_of_points().is_some() => self.number_of_points(),
             '}' if wants_value(wanted) && self.is_in_blob() => {
                 Some("Components of a `blob` end with their strength: `sphere { <centre>, radius, strength }`.".into())
             }
@@ -212,6 +301,19 @@ impl Reader<'_> {
     fn value_after_sign(&self) -> Option<Remedy> {
         let word = self.word_back(1)?;
         let at = self.here.at;
+        let is_color = self
+            .raw_ahead(1)
+            .word()
+            .is_some_and(|word| word.class() == Class::Color);
+        if word == Word::Pigment
+            && is_color
+            && let Some(end) = self.end_of_value(at + 1)
+        {
+            let color = self.source_text(self.tokens_span(at + 1..end));
+            let text = format!("{{ {color} }}");
+            let hint = format!("A block follows its word without a sign: `{word} {text}`.");
+            return Some(Remedy::fix(hint, self.tokens_span(at..end), text));
+        }
         if BLOCKS.contains(&word) && !self.raw_ahead(1).is_mark('{') {
             return Some(
                 format!("A block follows its word without a sign: `{word} {{ ... }}`.").into(),
@@ -219,11 +321,13 @@ impl Reader<'_> {
         }
         let [last, next] = [at - 1, at + 1].map(|at| self.here.tokens.span(at));
         let between = Span::new(last.file, last.end, next.start);
-        Some(Remedy::fix(
-            format!("A value follows its word without a sign: `{word} ...`."),
-            between,
-            " ",
-        ))
+        let is_bare = self.source_text(between).trim().len() == 1;
+        let (span, text) = match is_bare {
+            true => (between, " "),
+            false => (self.with_blanks(self.here_span()), ""),
+        };
+        let hint = format!("A value follows its word without a sign: `{word} ...`.");
+        Some(Remedy::fix(hint, span, text))
     }
 
     /// True if the innermost block is a component of a blob.
@@ -440,39 +544,6 @@ impl Reader<'_> {
         Some(tokens.span(at))
     }
 
-    /// The syntax of an object, for messages about a missing part.
-    pub(crate) fn usage(word: Word) -> Option<&'static str> {
-        Some(match word {
-            Word::Sphere => "`sphere { <centre>, radius ... }`",
-            Word::Box => "`box { <corner>, <opposite corner> ... }`",
-            Word::Cylinder => "`cylinder { <end>, <other end>, radius ... }`",
-            Word::Cone => "`cone { <end>, radius, <other end>, radius ... }`",
-            Word::Plane => "`plane { <normal>, distance ... }`",
-            Word::Disc => "`disc { <centre>, <normal>, radius [, hole] ... }`",
-            Word::Torus => "`torus { major, minor ... }`",
-            Word::Quadric => "`quadric { <A, B, C>, <D, E, F>, <G, H, I>, J ... }`",
-            Word::Blob => "`blob { threshold value sphere { <centre>, radius, strength } ... }`",
-            Word::Superellipsoid => "`superellipsoid { <e, n> ... }`",
-            Word::Prism => "`prism { height, other height, number of points, <x, z>, ... }`",
-            Word::Lathe => "`lathe { number of points, <r, y>, ... }`",
-            Word::Sor => "`sor { number of points, <r, y>, ... }`",
-            Word::Polygon => "`polygon { number of points, <point>, ... }`",
-            Word::Poly => "`poly { order, <coefficients> ... }`",
-            Word::Polynomial => "`polynomial { order, xyz(2, 0, 0): coefficient, ... }`",
-            Word::Cubic => "`cubic { <20 coefficients> ... }`",
-            Word::Quartic => "`quartic { <35 coefficients> ... }`",
-            Word::Lemon => "`lemon { <base>, base radius, <apex>, apex radius, inner radius ... }`",
-            Word::Ovus => "`ovus { bottom radius, top radius ... }`",
-            Word::Triangle => "`triangle { <corner>, <corner>, <corner> ... }`",
-            Word::SmoothTriangle => {
-                "`smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> ... }`"
-            }
-            Word::Text => "`text { ttf \"cyrvetic.ttf\" \"words\" thickness, <offset> ... }`",
-            Word::LightSource => "`light_source { <location>, colour ... }`",
-            _ => return None,
-        })
-    }
-
     /// The last directive of a file whose group has no `#end` there.
     pub(crate) fn unclosed_directive(tokens: &Tokens) -> Option<Span> {
         let opens = |token: &Token| {
@@ -609,6 +680,6 @@ fn hint_beside(word: Word, wanted: &str) -> Option<String> {
     );
     let is_in_part = wanted.contains("in `pigment`") || wanted.ends_with("`finish` or `}`");
     (is_part && is_in_part).then(|| {
-        format!("`{word}` belongs beside this block, not in it: close it with `}}` first.")
+        format!("`{word}` belongs beside this block, not in it: write it behind the `}}`.")
     })
 }

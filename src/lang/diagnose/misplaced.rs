@@ -10,6 +10,9 @@ use crate::lang::syntax::{Class, Kind};
 /// Most tokens of a word with its value.
 const VALUE_TOKENS: usize = 64;
 
+/// Most tokens of a block.
+const BLOCK_TOKENS: usize = 400;
+
 /// The block that a word belongs in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Home {
@@ -72,7 +75,24 @@ impl Reader<'_> {
         if (word, block) == (Word::Texture, Some(Word::Texture)) && self.is_after_mark('{') {
             return Some("One `texture` is enough: remove this word with its `{` and `}`.".into());
         }
+        let instead = match (word, block) {
+            (Word::LookAt, Some(Word::LightSource)) => Some(Word::PointAt),
+            (Word::PointAt, Some(Word::Camera)) => Some(Word::LookAt),
+            _ => None,
+        };
+        if let (Some(instead), Some(block)) = (instead, block) {
+            let hint = match instead {
+                Word::PointAt => {
+                    "A light has `point_at`, after `spotlight` or `parallel`.".to_owned()
+                }
+                _ => format!("The word is `{instead}` in `{block}`."),
+            };
+            return Some(Remedy::fix(hint, self.here_span(), instead.spelling()));
+        }
         let home = match (word, block) {
+            (_, Some(Word::Interior)) if of_media(word) => {
+                return Some(self.wrapped(word, Home::Part("media"), "media"));
+            }
             (Word::Photons, None) => Home::Statement("global_settings"),
             _ => home_of(word)?,
         };
@@ -93,7 +113,7 @@ impl Reader<'_> {
             }
             Home::Part("pigment") if block == Word::SkySphere => Some(self.wrapped(word, home, "pigment")),
             Home::Part(name) if is_part(block) => Some(
-                format!("`{word}` belongs in `{name} {{ }}`, beside this block: close it with `}}` first.").into(),
+                format!("`{word}` belongs in `{name} {{ }}`, beside this block: write it behind the `}}`.").into(),
             ),
             Home::Part(_) => None,
             Home::Interior if is_object(block) => Some(self.wrapped(word, home, "interior")),
@@ -115,6 +135,22 @@ impl Reader<'_> {
         }
     }
 
+    /// A setting outside of its block.
+    pub(crate) fn setting_in_block(&self, word: Word) -> Remedy {
+        let at = self.here.at;
+        let hint = format!("`{word}` belongs in `global_settings {{ }}`.");
+        let Some(end) = self.end_of_value(at) else {
+            return hint.into();
+        };
+        let mut span = self.tokens_span(at..end);
+        let text = format!("global_settings {{ {} }}", self.source_text(span));
+        let before = self.sources.text(span.file).get(..span.start as usize);
+        if before.is_some_and(|before| before.ends_with('#')) {
+            span.start -= 1;
+        }
+        Remedy::fix(hint, span, text)
+    }
+
     /// True if the last token was a mark.
     pub(super) fn is_after_mark(&self, mark: char) -> bool {
         let before = self.here.at.checked_sub(1).and_then(|at| self.token(at));
@@ -129,6 +165,7 @@ impl Reader<'_> {
             return Some(remedy);
         }
         Some(match home {
+            Home::Statement("global_settings") => self.setting_in_block(word),
             Home::Statement(name) => format!("`{word}` belongs in `{name} {{ }}`.").into(),
             Home::Part(name) => format!("`{word}` belongs in `{name} {{ }}` of an object.").into(),
             Home::Interior => format!("`{word}` belongs in `interior {{ }}` of an object.").into(),
@@ -141,13 +178,31 @@ impl Reader<'_> {
     fn object_without_braces(&self) -> Option<Remedy> {
         let before = self.here.at.checked_sub(1)?;
         let name = self.token(before)?.symbol()?;
-        let end = self.end_of_value(self.here.at)?;
-        let span = self.tokens_span(before..end);
+        let modifies = |word: Word| {
+            let is_object = matches!(home_of(word), Some(Home::Object | Home::Interior));
+            is_object || is_part(word) || word == Word::Texture
+        };
+        let mut end = None;
+        let mut at = self.here.at;
+        while let Some(next) = self
+            .token(at)?
+            .word()
+            .filter(|&word| modifies(word))
+            .and_then(|_| self.end_of_value(at))
+        {
+            at = next;
+            end = Some(next);
+        }
+        let span = self.tokens_span(before..end?);
         let text = self.source_text(span);
         let is_object = matches!(self.scopes.get(name), Some(Value::Object(_)));
-        (is_object && !text.contains(['\n', '\r'])).then(|| {
+        is_object.then(|| {
             let object = format!("object {{ {text} }}");
-            Remedy::fix(format!("Write `{object}`."), span, object)
+            let hint = match text.contains(['\n', '\r']) {
+                true => "An object with modifiers stands in `object { }`.".to_owned(),
+                false => format!("Write `{object}`."),
+            };
+            Remedy::fix(hint, span, object)
         })
     }
 
@@ -163,7 +218,10 @@ impl Reader<'_> {
         let mut end = None;
         let mut next = Some(self.here.at);
         while let Some(at) = next {
-            let is_ours = |word: Word| home_of(word) == Some(home);
+            let is_ours = |word: Word| match home {
+                Home::Part("media") => of_media(word),
+                _ => home_of(word) == Some(home),
+            };
             match self
                 .token(at)
                 .and_then(|token| token.word())
@@ -204,14 +262,13 @@ impl Reader<'_> {
 
     /// The token behind a word and its value, if that is a block, a vector, a number or a product of such.
     pub(super) fn end_of_value(&self, at: usize) -> Option<usize> {
-        let word = self.token(at)?.word()?;
+        self.token(at)?.word()?;
         let mut at = at + 1;
-        // `color rgb 1`
-        while word.class() == Class::Color
-            && self
-                .token(at)?
-                .word()
-                .is_some_and(|word| word.class() == Class::Color)
+        // `color rgb 1`, `ambient rgb 1`
+        while self
+            .token(at)?
+            .word()
+            .is_some_and(|word| word.class() == Class::Color)
         {
             at += 1;
         }
@@ -238,10 +295,16 @@ impl Reader<'_> {
         }
     }
 
-    /// The token behind a bracket and what it encloses.
+    /// The token behind a bracket and what it encloses, a value.
     pub(super) fn end_of_brackets(&self, at: usize, open: char, close: char) -> Option<usize> {
+        let end = self.end_of_long_brackets(at, open, close)?;
+        (end <= at + VALUE_TOKENS).then_some(end)
+    }
+
+    /// The token behind a bracket and what it encloses.
+    pub(super) fn end_of_long_brackets(&self, at: usize, open: char, close: char) -> Option<usize> {
         let mut depth = 0;
-        for at in at..at + VALUE_TOKENS {
+        for at in at..at + BLOCK_TOKENS {
             let token = self.token(at)?;
             depth += i32::from(token.is_mark(open)) - i32::from(token.is_mark(close));
             if depth == 0 {
@@ -255,6 +318,19 @@ impl Reader<'_> {
 /// True for the words of objects that carry textures.
 fn is_object(word: Word) -> bool {
     matches!(word.class(), Class::Shape | Class::Csg)
+}
+
+/// True for the words of media.
+fn of_media(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Absorption
+            | Word::Density
+            | Word::Emission
+            | Word::Scattering
+            | Word::Samples
+            | Word::Intervals
+    )
 }
 
 /// True for the parts of an object that stand side by side.
@@ -272,19 +348,19 @@ fn home_of(word: Word) -> Option<Home> {
         BlurSamples, BoundedBy, Brilliance, BumpMap, BumpSize, Bumps, Caustics, ClippedBy,
         ColorMap, ColourMap, ConserveEnergy, Crand, Dents, Diffuse, Direction, Dispersion,
         DispersionSamples, DoubleIlluminate, Emission, FadeColor, FadeColour, FadeDistance,
-        FadePower, FocalPoint, Frequency, Hollow, Inverse, Ior, Irid, Lambda, Location, LookAt,
-        MaxTraceLevel, Media, Metallic, NoImage, NoReflection, NoShadow, NormalMap, Octaves, Omega,
-        Open, Phase, Phong, PhongSize, Photons, PigmentMap, PointAt, QuickColor, Radiosity,
-        Reflection, ReflectionExponent, Right, Ripples, Roughness, SlopeMap, Specular, Spotlight,
-        Sturm, Tightness, Turbulence, Up, Waves, Wrinkles,
+        FadePower, FocalPoint, Frequency, HfGray16, Hollow, Inverse, Ior, Irid, IridWavelength,
+        Lambda, Location, LookAt, MaxTraceLevel, Media, Metallic, NoImage, NoReflection, NoShadow,
+        NormalMap, NumberOfWaves, Octaves, Omega, Open, Phase, Phong, PhongSize, Photons,
+        PigmentMap, PointAt, QuickColor, Radiosity, Reflection, ReflectionExponent, Right, Ripples,
+        Roughness, SlopeMap, Specular, Spotlight, Sturm, Tightness, Turbulence, Up, Waves,
+        Wrinkles,
     };
     Some(match word {
         Angle | Aperture | BlurSamples | Direction | FocalPoint | Location | LookAt | Right
         | Up => Home::Statement("camera"),
         Adaptive | AreaLight | PointAt | Spotlight | Tightness => Home::Statement("light_source"),
-        AdcBailout | AmbientLight | AssumedGamma | MaxTraceLevel | Radiosity => {
-            Home::Statement("global_settings")
-        }
+        AdcBailout | AmbientLight | AssumedGamma | HfGray16 | IridWavelength | MaxTraceLevel
+        | NumberOfWaves | Radiosity => Home::Statement("global_settings"),
         Ambient | Brilliance | ConserveEnergy | Crand | Diffuse | Emission | Irid | Metallic
         | Phong | PhongSize | Reflection | ReflectionExponent | Roughness | Specular => {
             Home::Part("finish")

@@ -1,7 +1,8 @@
 //! Hints, recovery and the words that are not supported.
 
+mod arrays;
 mod counts;
-mod css_colors;
+pub(super) mod css_colors;
 pub(super) mod hints;
 mod misplaced;
 mod notation;
@@ -11,6 +12,8 @@ pub(super) mod recover;
 pub(super) mod remedy;
 pub(super) mod rewrite;
 pub(super) mod trace;
+pub(super) mod trial;
 mod typography;
 pub(super) mod unclosed;
 pub(super) mod unsupported;
+mod usage;

@@ -2,6 +2,7 @@
 
 use crate::base::args::Word;
 use crate::base::source::Span;
+use crate::lang::diagnose::css_colors::{hexadecimal_color, written_color};
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::limits;
@@ -27,11 +28,17 @@ impl Reader<'_> {
         if let Some(word) = wanted.strip_prefix("`{` after `") {
             return self.block_without_braces(token, Word::from_spelling(word.strip_suffix('`')?)?);
         }
-        if wanted.starts_with("`[` and an entry of") {
+        let is_in_map = || self.words_of_blocks().next().is_some_and(is_map);
+        if wanted.starts_with("`[` and an entry of") || wanted == "`}`" && is_in_map() {
             return self.entry_without_brackets(token);
         }
         if wanted.starts_with("a value for `") && token.is_mark('{') {
             return self.array_without_size();
+        }
+        if wanted == "`(` after `#ifdef`" && token.kind == Kind::Name {
+            let text = format!("({})", self.source_text(self.here_span()));
+            let hint = format!("The name stands in parentheses: `{text}`.");
+            return Some(Remedy::fix(hint, self.here_span(), text));
         }
         if wanted.starts_with("`(` and a condition") {
             return self.condition_without_parentheses();
@@ -43,7 +50,7 @@ impl Reader<'_> {
     }
 
     /// The contents of the brackets at the next token, in other brackets.
-    fn rebracketed(
+    pub(super) fn rebracketed(
         &self,
         open: char,
         close: char,
@@ -76,17 +83,15 @@ impl Reader<'_> {
             (Word::ImageMap | Word::BumpMap | Word::HeightField, Kind::String) => {
                 let name = self.source_text(self.here_span());
                 let format = format_of(name.trim_matches('"'))?;
-                let text = format!("{{ {format} {name} }}");
-                return Some(Remedy::fix(
-                    format!("Write `{word} {text}`."),
-                    self.here_span(),
-                    text,
-                ));
+                let span = self.tokens_span(at..self.end_of_picture(at + 1));
+                let behind = Span::new(span.file, self.here_span().end, span.end);
+                let text = format!("{{ {format} {name}{} }}", self.source_text(behind));
+                return Some(Remedy::fix(format!("Write `{word} {text}`."), span, text));
             }
             (Word::ImageMap | Word::BumpMap, Kind::Word)
                 if self.raw_ahead(1).kind == Kind::String =>
             {
-                at + 2
+                self.end_of_picture(at + 2)
             }
             (Word::Background, Kind::Word) => self.end_of_value(at)?,
             _ => return None,
@@ -94,6 +99,19 @@ impl Reader<'_> {
         let span = self.tokens_span(at..end);
         let text = format!("{{ {} }}", self.source_text(span));
         Some(Remedy::fix(format!("Write `{word} {text}`."), span, text))
+    }
+
+    /// The token behind the parameters of a picture in the line, from one of them on.
+    fn end_of_picture(&self, mut at: usize) -> usize {
+        let words = [Word::Interpolate, Word::MapType, Word::Gamma];
+        loop {
+            let word = self.token(at).and_then(|token| token.word());
+            at += match word {
+                Some(Word::Once) => 1,
+                Some(word) if words.contains(&word) => 2,
+                _ => return at,
+            };
+        }
     }
 
     /// An entry of a map in other brackets than `[` and `]`.
@@ -115,33 +133,6 @@ impl Reader<'_> {
         let text = format!("[{}]", self.source_text(span));
         let is_short = text.len() <= limits::QUOTED && !text.contains(['\n', '\r']);
         is_short.then(|| Remedy::fix(format!("{hint}: `{text}`."), span, text))
-    }
-
-    /// `{1, 2, 3}` where a value is declared.
-    fn array_without_size(&self) -> Option<Remedy> {
-        let at = self.here.at;
-        let end = self.end_of_brackets(at, '{', '}')?;
-        let mut depth = 0;
-        let mut commas = 0;
-        for at in at + 1..end - 1 {
-            let token = self.token(at)?;
-            let opens = ['<', '(', '{'].iter().any(|&mark| token.is_mark(mark));
-            let closes = ['>', ')', '}'].iter().any(|&mark| token.is_mark(mark));
-            depth += i32::from(opens) - i32::from(closes);
-            commas += usize::from(depth == 0 && token.is_mark(','));
-        }
-        (end > at + 2).then(|| {
-            let text = format!("array[{}] {{", commas + 1);
-            let hint = format!("An array begins with its size: `{text}`.");
-            Remedy::fix(hint, self.here_span(), text)
-        })
-    }
-
-    /// `A(1)` for an item of an array, from its `(` on.
-    pub(crate) fn item_in_parentheses(&self) -> Option<Remedy> {
-        let is_call = self.raw().is_mark('(');
-        let remedy = || self.rebracketed('(', ')', "[", "]", "An index stands in brackets");
-        is_call.then(remedy)?
     }
 
     /// `V[0]` for a component of a vector, from its `[` on.
@@ -241,7 +232,7 @@ impl Reader<'_> {
 
     /// A name with spaces, dashes, points or foreign letters after `#declare`.
     pub(super) fn name_in_parts(&self, wanted: &str) -> Option<Remedy> {
-        let start = match wanted.starts_with("`=` after `#declare") {
+        let start = match wanted.starts_with("`=` after `#") {
             true => self.here.at.checked_sub(1)?,
             false if wanted == "a name to declare" => self.here.at,
             false => return None,
@@ -256,7 +247,10 @@ impl Reader<'_> {
         if matches!(is_vector, Some(Value::Number(number)) if number.len > 1)
             && self.token(start + 1)?.is_mark('.')
         {
-            return Some("Components are not assigned: `#declare V = <3, V.y, V.z>;`.".into());
+            let directive = self.directive_before(start);
+            return Some(
+                format!("Components are not assigned: `{directive} V = <3, V.y, V.z>;`.").into(),
+            );
         }
         let next = self.here.tokens.span(start + 1);
         let type_span = self.here.tokens.span(start);
@@ -293,11 +287,19 @@ impl Reader<'_> {
         })
     }
 
+    /// The directive before a name.
+    fn directive_before(&self, name: usize) -> &str {
+        let before = name.checked_sub(1);
+        before.map_or("#declare", |at| self.source_text(self.here.tokens.span(at)))
+    }
+
     /// `#declare F(x) = x*2;`.
     fn function_in_parentheses(&self, name: usize) -> Option<Remedy> {
         let at = self.here.at;
-        let hint =
-            "A function is `#declare F = function(x) { x*2 };`, a macro `#macro F(x) x*2 #end`.";
+        let directive = self.directive_before(name);
+        let hint = format!(
+            "A function is `{directive} F = function(x) {{ x*2 }};`, a macro `#macro F(x) x*2 #end`."
+        );
         let end = self.end_of_brackets(at, '(', ')')?;
         let parameters = self.source_text(self.tokens_span(at..end));
         let line = self.rest_of_line(name);
@@ -353,7 +355,14 @@ impl Reader<'_> {
         let value = self.here.tokens.span(at);
         (is_name && is_free && has_value).then(|| {
             let hint = format!("The parameters of `{block}` have no names: remove `{name}`.");
-            Remedy::fix(hint, Span::new(span.file, span.start, value.start), "")
+            let whole = Span::new(span.file, span.start, value.start);
+            let has_comment = self.source_text(whole).contains('/');
+            let removed = if has_comment {
+                self.with_blanks(span)
+            } else {
+                whole
+            };
+            Remedy::fix(hint, removed, "")
         })
     }
 
@@ -414,14 +423,8 @@ impl Reader<'_> {
                 let hint = format!("Numbers are decimal: write `{value}`.");
                 return Some(Remedy::fix(hint, whole, value.to_string()));
             }
-            let [_, red, green, blue] = value.to_be_bytes();
-            let color = format!("srgb <{red}, {green}, {blue}>/255");
-            let span = self.here.tokens.span(before - 1).to(whole);
-            return Some(Remedy::fix(
-                format!("Write the colour as `{color}`."),
-                span,
-                color,
-            ));
+            let color = written_color(hexadecimal_color(&name[1..])?);
+            return Some(self.colored(before, whole, color));
         }
         let is_grouped =
             name.starts_with('_') && name[1..].bytes().all(|byte| byte.is_ascii_digit());
@@ -431,6 +434,21 @@ impl Reader<'_> {
         let number = self.source_text(whole).replace('_', "");
         let hint = format!("Digits are not grouped: write `{number}`.");
         Some(Remedy::fix(hint, whole, number))
+    }
+
+    /// A colour in place of a span that begins at a token, and of the words for colours before it.
+    pub(crate) fn colored(&self, at: usize, span: Span, color: String) -> Remedy {
+        let is_color = |at: usize| {
+            let word = self.token(at).and_then(|token| token.word());
+            word.is_some_and(|word| word.class() == Class::Color)
+        };
+        let mut start = at;
+        while start > 0 && is_color(start - 1) {
+            start -= 1;
+        }
+        let first = self.here.tokens.span(start);
+        let span = if start < at { first.to(span) } else { span };
+        Remedy::fix(format!("Write the colour as `{color}`."), span, color)
     }
 
     /// A second vector after a transform, or the angle after its axis: `rotate 45*y 30*x`, `rotate <0, 1, 0> 45`.
@@ -558,6 +576,20 @@ impl Reader<'_> {
         (depth == 0 && text.len() <= limits::QUOTED)
             .then(|| Remedy::fix("Strings are joined by `concat(a, b)`.", span, text))
     }
+}
+
+/// True for blocks of entries in brackets.
+fn is_map(word: Word) -> bool {
+    matches!(
+        word,
+        Word::ColorMap
+            | Word::ColourMap
+            | Word::PigmentMap
+            | Word::NormalMap
+            | Word::SlopeMap
+            | Word::TextureMap
+            | Word::DensityMap
+    )
 }
 
 /// Functions whose value is a string.

@@ -8,6 +8,9 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Token};
 use std::ops::Range;
 
+/// Most tokens before and behind an operator in a value.
+const OPERANDS: usize = 32;
+
 impl Reader<'_> {
     /// The operator that is meant by the next token, where a value or an operator is expected.
     pub(super) fn foreign_operator(&self, token: Token, wanted: &str) -> Option<Remedy> {
@@ -26,14 +29,18 @@ impl Reader<'_> {
     pub(crate) fn is_at_foreign_operator(&self) -> bool {
         let token = self.raw();
         match token.kind {
-            Kind::Name => self.operator_in_letters(false).is_some(),
+            Kind::Name => {
+                let is_number = self.last.tokens.tokens[self.last.at].kind == Kind::Number;
+                let touches = self.taken_span().end == self.here_span().start;
+                is_number && touches || self.operator_in_letters(false).is_some()
+            }
             Kind::Word => token
                 .word()
                 .and_then(|word| self.word_between_operands(word))
                 .is_some(),
             _ => char::from_u32(token.value)
                 .filter(|_| token.kind == Kind::Mark)
-                .is_some_and(|mark| !mark.is_ascii() || "%^=&|".contains(mark)),
+                .is_some_and(|mark| !mark.is_ascii() || "%^=&|<>!?:,".contains(mark)),
         }
     }
 
@@ -64,6 +71,24 @@ impl Reader<'_> {
             false => self.here_span(),
         };
         Some(Remedy::fix(hint, span, operator))
+    }
+
+    /// A declared value with operators that stand in parentheses only: `A > B`, `A > B ? C : D`.
+    pub(super) fn value_without_parentheses(&self, token: Token, wanted: &str) -> Option<Remedy> {
+        let mark = char::from_u32(token.value).filter(|_| token.kind == Kind::Mark);
+        if !wanted.starts_with("an operator or `;`")
+            || !mark.is_some_and(|mark| "<>=!&|?".contains(mark))
+        {
+            return None;
+        }
+        let at = self.here.at;
+        let is_mark = |at: usize, mark| self.token(at).is_some_and(|token| token.is_mark(mark));
+        let start = (at.saturating_sub(OPERANDS)..at).rfind(|&at| is_mark(at, '='))? + 1;
+        let end = (at..at + OPERANDS).find(|&at| is_mark(at, ';'))?;
+        let span = self.tokens_span(start..end);
+        let text = format!("({})", self.source_text(span));
+        let hint = "Comparisons and choices stand in parentheses";
+        Some(Remedy::fix(format!("{hint}: `{text}`."), span, text))
     }
 
     fn operator_in_marks(&self, mark: char) -> Option<Remedy> {

@@ -66,6 +66,15 @@ impl Reader<'_> {
         rest.lines().next().unwrap_or_default()
     }
 
+    /// A span with the blanks behind it.
+    pub(super) fn with_blanks(&self, span: Span) -> Span {
+        let text = self.sources.text(span.file);
+        let behind = text.get(span.end as usize..).unwrap_or_default();
+        let blanks = behind.bytes().take_while(|byte| b" \t".contains(byte));
+        let blanks = u32::try_from(blanks.count()).unwrap_or(0);
+        Span::new(span.file, span.start, span.end + blanks)
+    }
+
     /// The span of the first bytes of a token and what follows it.
     pub(super) fn bytes_from(&self, at: usize, len: usize) -> Span {
         let span = self.here.tokens.span(at);

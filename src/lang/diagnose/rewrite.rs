@@ -12,6 +12,9 @@ use crate::lang::syntax::{Class, Kind};
 /// Most tokens that a rewritten vector spans.
 const VECTOR_TOKENS: usize = 64;
 
+/// Most bytes of braces that are rewritten.
+const BRACES: usize = 400;
+
 impl Reader<'_> {
     /// A vector in the brackets that open at a token: `(1, 0, 0)`.
     pub(crate) fn vector_in_brackets(&self, open: usize) -> Option<Remedy> {
@@ -141,6 +144,9 @@ impl Reader<'_> {
     /// Numbers in a row around the next token that should be one vector, or one number with a decimal comma.
     pub(crate) fn numbers_in_a_row(&self) -> Option<Remedy> {
         let at = self.here.at;
+        if let Some(remedy) = self.decimal_comma() {
+            return Some(remedy);
+        }
         let is_part = |at: usize| {
             let token = self.token(at)?;
             let is_part = token.kind == Kind::Number || token.is_mark(',') || token.is_mark('-');
@@ -175,24 +181,102 @@ impl Reader<'_> {
                 sign = "";
             }
         }
-        let span = self.tokens_span(start..end.max(start + 1));
-        let before = self.token(start.checked_sub(1)?)?.word();
-        if let [whole, fraction] = numbers.as_slice() {
-            let is_one = self.source_text(span) == format!("{whole},{fraction}");
-            return (is_one && self.token(at)?.is_mark(',') && !whole.contains('.')).then(|| {
-                let number = format!("{whole}.{fraction}");
-                let hint = format!("The decimal point is `.`: write `{number}`.");
-                Remedy::fix(hint, span, number).uncertain()
-            });
-        }
-        if !(3..=5).contains(&numbers.len()) || before.is_none() && !is_after_comma {
+        let mut span = self.tokens_span(start..end.max(start + 1));
+        let first = start.checked_sub(1)?;
+        let before = self.token(first)?.word();
+        let is_declared = self.token(first)?.is_mark('=');
+        if !(3..=5).contains(&numbers.len()) || before.is_none() && !is_after_comma && !is_declared
+        {
             return None;
         }
-        let vector = format!("<{}>", numbers.join(", "));
-        let remedy = Remedy::fix(format!("Write a vector as `{vector}`."), span, vector);
+        let mut vector = format!("<{}>", numbers.join(", "));
+        let is_component = |word: Word| matches!(word, Word::Red | Word::Green | Word::Blue);
+        if before.is_some_and(is_component) {
+            vector = format!("rgb {vector}");
+            span = self.here.tokens.span(first).to(span);
+        }
+        let is_color =
+            before.is_some_and(|word| is_component(word) || word.class() == Class::Color);
+        if is_color
+            && numbers.iter().all(|number| number.parse::<u8>().is_ok())
+            && numbers
+                .iter()
+                .any(|number| !matches!(number.as_str(), "0" | "1"))
+        {
+            vector = format!("{vector}/255");
+        }
+        let hint = match is_color && vector.ends_with("/255") {
+            true => format!("Write the colour as `{vector}`."),
+            false => format!("Write a vector as `{vector}`."),
+        };
+        let remedy = Remedy::fix(hint, span, vector);
         Some(match before {
-            Some(word) if numbers.len() == 3 && !word.is_value() && !has_difference => remedy,
+            _ if is_declared && !has_difference => remedy,
+            Some(word)
+                if numbers.len() == 3
+                    && (is_component(word) || !word.is_value())
+                    && !has_difference =>
+            {
+                remedy
+            }
             _ => remedy.uncertain(),
+        })
+    }
+
+    /// Two numbers that touch the comma at the next token, as no others in the line do: one number.
+    fn decimal_comma(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let parts = at.checked_sub(1)?..at + 2;
+        let is_number = |at: usize| {
+            self.token(at)
+                .is_some_and(|token| token.kind == Kind::Number)
+        };
+        let span = self.tokens_span(parts.clone());
+        let (whole, fraction) = self.source_text(span).split_once(',')?;
+        let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        let touches = |at: usize| {
+            let here = self.here.tokens.span(at).end;
+            here == self.here.tokens.span(at + 1).start
+        };
+        let is_comma = |at: Option<usize>| {
+            at.and_then(|at| self.token(at))
+                .is_some_and(|token| token.is_mark(','))
+        };
+        let has_others = is_comma(Some(at + 2))
+            || parts.start > 0 && is_comma(parts.start.checked_sub(1)) && touches(parts.start - 1);
+        let is_one = self.raw().is_mark(',')
+            && is_number(parts.start)
+            && is_number(at + 1)
+            && is_digits(whole)
+            && is_digits(fraction);
+        (is_one && !has_others).then(|| {
+            let number = format!("{whole}.{fraction}");
+            let hint = format!("The decimal point is `.`: write `{number}`.");
+            Remedy::fix(hint, span, number)
+        })
+    }
+
+    /// A vector with commas for decimal points, from its `<` on: `<0,5, 1,2, 3>`, `<0,5; 1,2; 3>`.
+    pub(super) fn decimal_commas(&self, open: Span) -> Option<Remedy> {
+        let text = self.sources.text(open.file).get(open.start as usize..)?;
+        let inner = text.lines().next()?.strip_prefix('<')?.split('>').next()?;
+        let separator = if inner.contains(';') { ";" } else { ", " };
+        let parts: Vec<&str> = inner.split(separator).map(str::trim).collect();
+        let is_number = |part: &&str| {
+            let digits = part.strip_prefix('-').unwrap_or(part);
+            let (whole, fraction) = digits.split_once(',').unwrap_or((digits, "0"));
+            let is_digits =
+                |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            is_digits(whole) && is_digits(fraction)
+        };
+        let is_vector = (2..=5).contains(&parts.len())
+            && parts.iter().all(is_number)
+            && parts.iter().any(|part| part.contains(','));
+        is_vector.then(|| {
+            let vector = format!("<{}>", parts.join("; ").replace(',', ".").replace(';', ","));
+            let end = open.start + u32::try_from(inner.len()).unwrap_or(0) + 2;
+            let hint = format!("The decimal point is `.`: write `{vector}`.");
+            Remedy::fix(hint, Span::new(open.file, open.start, end), vector)
         })
     }
 
@@ -289,7 +373,62 @@ impl Reader<'_> {
             let token = open.checked_sub(back).and_then(|at| self.token(at));
             token.is_some_and(|token| token.kind == Kind::Directive)
         };
-        (self.token(open)?.is_mark('(') && (is_directive(1) || is_directive(2)))
-            .then(|| "Directives take no `{` and `}`: write `#end` where they end.".into())
+        (self.token(open)?.is_mark('(') && (is_directive(1) || is_directive(2))).then(|| {
+            let hint = "Directives take no `{` and `}`: write `#end` where they end.";
+            self.end_for_braces(self.here.at)
+                .unwrap_or_else(|| hint.into())
+        })
+    }
+
+    /// The braces behind the head of a directive, of which the first opens at a token: their contents with `#end`.
+    pub(crate) fn end_for_braces(&self, mut open: usize) -> Option<Remedy> {
+        let file = self.here.tokens.file;
+        let mut end = self.here.tokens.span(open.checked_sub(1)?).end;
+        let start = end;
+        let between = |from: u32, to: u32| self.source_text(Span::new(file, from, to));
+        let mut text = String::new();
+        loop {
+            let opened = self.here.tokens.span(open);
+            text.push_str(between(end, opened.start).trim_end_matches(' '));
+            let behind = self.end_of_long_brackets(open, '{', '}')?;
+            let closed = self.here.tokens.span(behind - 1);
+            text.push_str(between(opened.end, closed.start));
+            end = closed.end;
+            match self.branch(behind) {
+                Some(next) => {
+                    end = self.here.tokens.span(behind).start;
+                    open = next;
+                }
+                None => text.push_str("#end"),
+            }
+            if end == closed.end {
+                break;
+            }
+        }
+        (text.len() <= BRACES).then(|| {
+            let hint = "Directives take no `{` and `}`: write `#end` where they end.";
+            Remedy::fix(hint, Span::new(file, start, end), text)
+        })
+    }
+
+    /// The body of a macro in braces, from its `#macro` on.
+    pub(crate) fn braces_of_macro(&self, at: usize) -> Option<Remedy> {
+        let open = self.end_of_brackets(at + 2, '(', ')')?;
+        self.token(open)?
+            .is_mark('{')
+            .then(|| self.end_for_braces(open))?
+    }
+
+    /// The `{` behind the head of an `#else` or `#elseif` at a token.
+    fn branch(&self, at: usize) -> Option<usize> {
+        let token = self
+            .token(at)
+            .filter(|token| token.kind == Kind::Directive)?;
+        let open = match self.here.tokens.directives[token.value as usize].word? {
+            Word::Else => at + 1,
+            Word::Elseif => self.end_of_brackets(at + 1, '(', ')')?,
+            _ => return None,
+        };
+        self.token(open)?.is_mark('{').then_some(open)
     }
 }

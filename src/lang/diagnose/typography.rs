@@ -1,6 +1,7 @@
 //! Characters that word processors and web pages put in the place of ASCII: dashes, quotes, spaces, full-width signs,
 //! HTML's entities.
 
+use crate::base::source::Span;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
@@ -38,7 +39,7 @@ impl Reader<'_> {
         match letter {
             '°' => {
                 return Some(match self.is_in_call() {
-                    true => "Functions take angles in radians: write `radians(45)`.".into(),
+                    true => self.in_radians(),
                     false => {
                         let hint = "Angles are in degrees already: remove `°`.";
                         Remedy::fix(hint, self.here_span(), "")
@@ -76,6 +77,28 @@ impl Reader<'_> {
         Some(Remedy::fix(hint, self.bytes_from(at, len), text))
     }
 
+    /// A word with letters of other alphabets that look like those of ASCII, of which the next token is a part.
+    pub(super) fn look_alikes(&self) -> Option<Remedy> {
+        let text = self.sources.text(self.here.tokens.file);
+        let at = self.here_span().start as usize;
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        let before = text.get(..at)?.trim_end_matches(is_part).len();
+        let word = text.get(before..)?;
+        let word = &word[..word.find(|c| !is_part(c)).unwrap_or(word.len())];
+        let foreign = word.chars().find(|c| !c.is_ascii())?;
+        let meant: Option<String> = word.chars().map(in_latin).collect();
+        let meant = meant.filter(|_| word.len() <= limits::QUOTED)?;
+        let file = self.here.tokens.file;
+        let offset = |at: usize| u32::try_from(at).ok();
+        let span = Span::new(file, offset(before)?, offset(before + word.len())?);
+        let hint = format!(
+            "`{foreign}` (U+{:04X}) looks like `{}` and is not: write `{meant}`.",
+            u32::from(foreign),
+            in_latin(foreign)?
+        );
+        Some(Remedy::fix(hint, span, meant))
+    }
+
     /// `r²` for `pow(r, 2)`.
     fn raised(&self, power: u32) -> Remedy {
         let before = self.here.at.checked_sub(1);
@@ -99,8 +122,46 @@ impl Reader<'_> {
                 let text = format!("pow({}, {power})", self.source_text(base));
                 Remedy::fix(format!("Write `{text}`."), base.to(self.here_span()), text)
             }
-            None => "A power is `pow(a, b)`.".into(),
+            None => self
+                .raised_parentheses(power)
+                .unwrap_or_else(|| "A power is `pow(a, b)`.".into()),
         }
+    }
+
+    /// The angle before a degree sign, for a function.
+    fn in_radians(&self) -> Remedy {
+        let angle = self
+            .here
+            .at
+            .checked_sub(1)
+            .filter(|&at| self.is_operand(at));
+        let Some(angle) = angle.map(|at| self.here.tokens.span(at)) else {
+            return "Functions take angles in radians: write `radians(45)`.".into();
+        };
+        let text = format!("radians({})", self.source_text(angle));
+        let hint = format!("Functions take angles in radians: write `{text}`.");
+        Remedy::fix(hint, angle.to(self.here_span()), text)
+    }
+
+    /// `(a + b)²` for `pow(a + b, 2)`.
+    fn raised_parentheses(&self, power: u32) -> Option<Remedy> {
+        let close = self.here.at.checked_sub(1)?;
+        let mut depth = 0;
+        let open = (close.saturating_sub(CALL_TOKENS)..=close).rfind(|&at| {
+            let is = |mark: char| self.token(at).is_some_and(|token| token.is_mark(mark));
+            depth += i32::from(is(')')) - i32::from(is('('));
+            depth == 0
+        })?;
+        let before = open.checked_sub(1).and_then(|at| self.token(at));
+        let is_call =
+            before.is_some_and(|token| token.symbol().is_some() || token.word().is_some());
+        let inner = self.source_text(self.tokens_span(open..close + 1));
+        let inner = inner.strip_prefix('(')?.strip_suffix(')')?;
+        let text = format!("pow({inner}, {power})");
+        (!is_call && inner.len() <= limits::QUOTED).then(|| {
+            let span = self.tokens_span(open..self.here.at + 1);
+            Remedy::fix(format!("Write `{text}`."), span, text)
+        })
     }
 
     /// True between the parentheses of a function.
@@ -155,6 +216,17 @@ fn line_in_ascii(last: Option<char>, line: &str) -> (usize, String) {
     (known.0, text)
 }
 
+/// The letter of ASCII that a Cyrillic or Greek one looks like; ASCII stays as it is.
+fn in_latin(letter: char) -> Option<char> {
+    let foreign = "АВЕКМНОРСТХІЈЅаеорсухіјѕΑΒΕΖΗΙΚΜΝΟΡΤΥΧορν";
+    let latin = "ABEKMHOPCTXIJSaeopcyxijsABEZHIKMNOPTYXopv";
+    let at = || foreign.chars().position(|known| known == letter);
+    match letter.is_ascii() {
+        true => Some(letter),
+        false => latin.chars().nth(at()?),
+    }
+}
+
 /// The sign that begins a text.
 fn sign(text: &str) -> Option<Sign> {
     if let Some(entity) = text.strip_prefix('&') {
@@ -168,10 +240,14 @@ fn sign(text: &str) -> Option<Sign> {
     }
     let letter = text.chars().next()?;
     let (meant, kind) = match letter {
-        '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}' => {
-            (" ".to_owned(), Kind::Space)
-        }
-        '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}' => {
+        '\u{a0}'
+        | '\u{2000}'..='\u{200a}'
+        | '\u{202f}'
+        | '\u{205f}'
+        | '\u{3000}'
+        | '\u{2028}'
+        | '\u{2029}' => (" ".to_owned(), Kind::Space),
+        '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}' => {
             (String::new(), Kind::Nothing)
         }
         '\u{ff01}'..='\u{ff5e}' => {

@@ -34,10 +34,7 @@ impl Reader<'_> {
 
     /// The word of a block, with its span; the `{` itself where there is none.
     pub(super) fn element_of(&self, open: Span) -> (Span, &str) {
-        for tokens in [&self.here.tokens, &self.last.tokens] {
-            if tokens.file != open.file {
-                continue;
-            }
+        if let Some(tokens) = self.tokens_read(open.file) {
             let at = tokens
                 .tokens
                 .partition_point(|token| token.start < open.start);
@@ -105,6 +102,11 @@ impl Reader<'_> {
             if mark == ')'
                 && self.raw().is_mark(',')
                 && let Some(remedy) = self.vector_in_parentheses(open)
+            {
+                return Box::new(remedy.added_to(error));
+            }
+            if mark == '>'
+                && let Some(remedy) = self.decimal_commas(open)
             {
                 return Box::new(remedy.added_to(error));
             }

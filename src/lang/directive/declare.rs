@@ -84,11 +84,12 @@ impl Reader<'_> {
         }
         if !has_equals {
             let spelling = self.names.spelling(symbol).to_owned();
-            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            let directive = if is_local { "#local" } else { "#declare" };
+            let mut error = self.expected_here(&format!("`=` after `{directive} {spelling}`"));
             // Without a value the name is undeclared, which need not be said again.
             self.usage.undeclared.insert(symbol);
             if !error.message.is_empty() && error.hints.is_empty() {
-                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+                *error = error.with_hint(format!("Write `{directive} {spelling} = ...`."));
             }
             return Err(error);
         }

@@ -5,6 +5,7 @@
 
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::css_colors::{hexadecimal_color, written_color};
 use crate::lang::diagnose::other_dialects;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::{Number, Value};
@@ -25,25 +26,28 @@ impl Reader<'_> {
             }
             return Err(self.no_directive(hash, name));
         }
+        let color = self.hexadecimal_color(hash);
         let token = self.peek()?;
         if !self.is_float(token) {
             return Ok(());
         }
         let error = Diagnostic::error(hash, "unexpected `#` before a number");
-        Err(self.with_trace(error.with_hint("Remove it.")))
+        Err(self.with_trace(match color {
+            Some(remedy) => remedy.added_to(error),
+            None => error.with_hint("Remove it."),
+        }))
     }
 
     fn no_directive(&self, hash: Span, name: Span) -> Box<Diagnostic> {
         let found = self.source_text(name).to_owned();
         let both = hash.to(name);
         let error = Diagnostic::error(both, format!("`#{found}` is not a directive"));
-        let remedy = if let Some(near) = Self::similar_directive(&found) {
+        let remedy = if let Some(remedy) = self.hexadecimal_color(hash) {
+            remedy
+        } else if let Some(near) = Self::similar_directive(&found) {
             format!("Did you mean `#{near}`?").into()
         } else if hash.end < name.start {
             Remedy::fix("Comments begin with `//`.", hash, "//")
-        } else if let Some([red, green, blue]) = hexadecimal_color(&found) {
-            let color = format!("srgb <{red}, {green}, {blue}>/255");
-            Remedy::fix(format!("Write the colour as `{color}`."), both, color)
         } else if found == "define"
             && let Some(remedy) = self.definition_of_c(hash)
         {
@@ -54,6 +58,23 @@ impl Reader<'_> {
             "Comments begin with `//`; directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like.".into()
         };
         self.with_trace(remedy.added_to(error))
+    }
+
+    /// A colour in HTML's form: `#ff8000`. Without digits it may be a word, except in a block.
+    fn hexadecimal_color(&self, hash: Span) -> Option<Remedy> {
+        let behind = self.sources.text(hash.file).get(hash.end as usize..)?;
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let len = behind.find(|c| !is_part(c)).unwrap_or(behind.len());
+        let digits = &behind[..len];
+        let color = hexadecimal_color(digits)?;
+        let is_color = !self.blocks.is_empty() || digits.contains(|c: char| c.is_ascii_digit());
+        let tokens = &self.here.tokens;
+        let at = tokens
+            .tokens
+            .partition_point(|token| token.start < hash.start);
+        let end = hash.end + u32::try_from(len).ok()?;
+        let span = Span::new(hash.file, hash.start, end);
+        (is_color && tokens.file == hash.file).then(|| self.colored(at, span, written_color(color)))
     }
 
     /// True if a float begins with this token.
@@ -83,13 +104,6 @@ impl Reader<'_> {
             self.pass_hash();
         }
     }
-}
-
-/// The channels of a colour in HTML's form, without its `#`.
-fn hexadecimal_color(digits: &str) -> Option<[u8; 3]> {
-    let value = u32::from_str_radix(digits, 16).ok()?;
-    let [_, color @ ..] = value.to_be_bytes();
-    (digits.len() == 6).then_some(color)
 }
 
 /// The sort of floats in arrays.

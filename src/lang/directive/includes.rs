@@ -40,7 +40,6 @@ impl Reader<'_> {
             Err(mut error) => {
                 self.usage.lacks_file = true;
                 error.span = Some(from);
-                error.code = Some(Code::MissingFile);
                 return Err(self.with_trace(*error));
             }
         };

@@ -45,7 +45,10 @@ impl Reader<'_> {
             // The macro takes the rest of the file.
             self.here.at = self.here.tokens.tokens.len() - 1;
             let error = Diagnostic::error(span, "this `#macro` has no matching `#end`");
-            return Err(self.with_trace(match self.end_without_hash(index) {
+            let remedy = self
+                .end_without_hash(index)
+                .or_else(|| self.braces_of_macro(index));
+            return Err(self.with_trace(match remedy {
                 Some(remedy) => remedy.added_to(error),
                 None => error.with_hint("Write `#end` after the macro."),
             }));

@@ -140,15 +140,5 @@ impl Reader<'_> {
 
 /// Settings that old scenes write outside of `global_settings`.
 pub(crate) fn is_old_setting(word: Word) -> bool {
-    matches!(
-        word,
-        Word::AdcBailout
-            | Word::AmbientLight
-            | Word::AssumedGamma
-            | Word::HfGray16
-            | Word::IridWavelength
-            | Word::MaxIntersections
-            | Word::MaxTraceLevel
-            | Word::NumberOfWaves
-    )
+    matches!(word, Word::MaxIntersections | Word::MaxTraceLevel)
 }

@@ -62,6 +62,7 @@ impl Reader<'_> {
     pub(crate) fn statements(&mut self) {
         loop {
             match self.statement() {
+                Ok(true) if self.has_tried() => return,
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
@@ -72,7 +73,7 @@ impl Reader<'_> {
                         is_unbuilt = false;
                         self.report(*error);
                     }
-                    if self.is_over {
+                    if self.is_over || self.has_tried() {
                         return;
                     }
                     if self.report.errors >= limits::ERRORS {
@@ -166,7 +167,8 @@ impl Reader<'_> {
             Some(Word::GlobalSettings) => self.global_settings()?,
             Some(word) if is_old_setting(word) => {
                 let message = format!("`{word}` belongs in `global_settings`");
-                self.warning(Diagnostic::warning(self.here_span(), message));
+                let warning = Diagnostic::warning(self.here_span(), message);
+                self.warning(self.setting_in_block(word).added_to(warning));
                 self.global_setting(word)?;
             }
             Some(Word::Default) => {

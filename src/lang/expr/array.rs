@@ -390,13 +390,14 @@ impl Reader<'_> {
         }
         let may_grow = self.dialect.has_words_of_3_8();
         if sizes.is_empty() && !may_grow || sizes.len() > 5 {
-            let error = self.error_taken("an array has one to five dimensions");
-            return Err(match may_grow {
-                true => error,
-                false => Box::new(error.with_hint(
+            let error = *self.error_taken("an array has one to five dimensions");
+            return Err(Box::new(match self.size_of_array() {
+                Some(remedy) => remedy.added_to(error),
+                None if may_grow => error,
+                None => error.with_hint(
                     "From `#version 3.8` on it may be `mixed`, and without a size it grows.",
-                )),
-            });
+                ),
+            }));
         }
         let extent = match sizes.is_empty() {
             true => Extent::Growing,

@@ -90,7 +90,8 @@ impl Reader<'_> {
     pub(crate) fn end_of_call(&mut self, word: Word, open: Start) -> Parse<()> {
         if self.peek()?.is_mark(',') {
             let error = self.error_here(format!("`{word}` takes no further argument"));
-            return Err(Box::new(error.with_hint("Write `)` before the comma.")));
+            let hint = "Write `)` before this comma, or remove what follows it.";
+            return Err(Box::new(error.with_hint(hint)));
         }
         if self.take_mark(')')? {
             return Ok(());

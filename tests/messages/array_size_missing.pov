@@ -1,0 +1,2 @@
+// mistake in line 2: an array without its size
+#declare A = array { 1, 2 };

@@ -1,0 +1,2 @@
+// mistake in line 2: a comment beside the name of a parameter
+sphere { center /* here */ 0, 1 }

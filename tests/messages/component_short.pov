@@ -1,0 +1,3 @@
+// mistake in line 3: the component of a colour in one letter
+#declare C = rgb x;
+#declare A = C.r;

@@ -1,0 +1,2 @@
+// mistake in line 2: a Cyrillic letter in a keyword
+sphеre { 0, 1 }

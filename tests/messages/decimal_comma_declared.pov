@@ -1,0 +1,2 @@
+// mistake in line 2: a decimal comma in a declaration
+#declare A = 1,5;

@@ -1,0 +1,2 @@
+// mistake in line 2: a type for `#declare`
+float Size = 1;

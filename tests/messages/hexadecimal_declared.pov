@@ -1,0 +1,2 @@
+// mistake in line 2: a hexadecimal number
+#declare A = 0xFF;

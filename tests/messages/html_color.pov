@@ -1,0 +1,2 @@
+// mistake in line 2: a colour of web pages that begins with digits
+background { color #00ff00 }

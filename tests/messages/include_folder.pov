@@ -1,0 +1,2 @@
+// mistake in line 2: a folder in place of an include file
+#include "library"

@@ -1,0 +1,2 @@
+// mistake in line 2: a line separator of Unicode
+sphere { 0, 1 } box { 0, 1 }

@@ -1,0 +1,2 @@
+// mistake in line 2: a sign before a block
+sphere { 0, 1 pigment = { rgb 1 } }
