@@ -5,7 +5,7 @@
 
 use super::syntax::{Kind, Names, Symbol, Token};
 use crate::base::args::Word;
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use crate::base::word::FREE_SINCE_3_8;
 use std::cell::Cell;
 
@@ -25,7 +25,7 @@ impl Dialect {
     /// The dialect of a version. `names` holds the symbols of the words that 3.8 added.
     pub(crate) fn new(version: f64, names: &Names) -> Dialect {
         Dialect {
-            has_words: has_syntax_of_3_8(version),
+            has_words: is_for_3_8(version),
             words: Word::since_3_8().map(Word::usual).collect(),
             freed: names
                 .symbol(FREE_SINCE_3_8.spelling())
@@ -36,7 +36,7 @@ impl Dialect {
 
     /// Follows a `#version`; true if the reserved words have changed.
     pub(crate) fn set_version(&mut self, version: f64) -> bool {
-        let has_words = has_syntax_of_3_8(version);
+        let has_words = is_for_3_8(version);
         std::mem::replace(&mut self.has_words, has_words) != has_words
     }
 

@@ -3,7 +3,7 @@
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
-use crate::base::version::is_3_8;
+use crate::base::version::{has_defaults_of_3_8, is_for_3_8};
 use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
@@ -63,7 +63,7 @@ impl SceneDraft {
 
     /// Sets the defaults of the version in force.
     pub(super) fn set_stock_defaults(&mut self) {
-        let is_3_8 = is_3_8(self.version);
+        let is_3_8 = has_defaults_of_3_8(self.version);
         self.default_layer = match is_3_8 {
             true => Layer::of_3_8(),
             false => Layer::default(),

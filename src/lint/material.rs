@@ -3,7 +3,7 @@
 use super::{Located, doubt};
 use crate::base::color::Color;
 use crate::base::source::{Code, Diagnostic};
-use crate::base::version::is_3_8;
+use crate::base::version::has_defaults_of_3_8;
 use crate::scene::shape::Geometry;
 use crate::scene::texture::{Pigment, PigmentKind, Texture};
 use crate::scene::{Kind, Object, Scene};
@@ -17,7 +17,7 @@ pub(super) fn doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> V
     let (mut black, mut bright) = (Vec::new(), Vec::new());
     for one in located {
         if black.len() < MOST
-            && !is_3_8(scene.version)
+            && !has_defaults_of_3_8(scene.version)
             && one.has_stock_texture
             && !matches!(one.object.kind, Kind::Light { .. })
             && is_bare(&one.object)

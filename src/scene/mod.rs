@@ -32,7 +32,7 @@ pub(crate) use scaled::CameraLimit;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
-use crate::base::version::is_3_8;
+use crate::base::version::is_for_3_8;
 use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
@@ -155,7 +155,7 @@ impl Globals {
         Settings {
             noise_generator: self.noise_generator.unwrap_or(by_version),
             number_of_waves: self.number_of_waves,
-            is_3_8: is_3_8(version),
+            is_3_8: is_for_3_8(version),
             solid_of: None,
         }
     }
@@ -171,7 +171,7 @@ impl Scene {
     /// The rule by which pixels are rounded to the levels of a file: in the working space from version 3.8 on.
     #[must_use]
     pub fn rounding(&self) -> Rounding {
-        match is_3_8(self.version) {
+        match is_for_3_8(self.version) {
             true => Rounding::Working,
             false => Rounding::Encoded,
         }

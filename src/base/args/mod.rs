@@ -12,7 +12,7 @@ pub use steps::transform_step;
 
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Code, Diagnostic, Span};
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -172,7 +172,7 @@ pub trait Args {
     /// Warns of text that POV-Ray 3.7 refuses, except in scenes of later versions. The reason is POV-Ray's objection, the
     /// remedy a text that both read.
     fn refused_by_povray(&mut self, at: Span, reason: &str, remedy: &str) {
-        if !has_syntax_of_3_8(self.version()) {
+        if !is_for_3_8(self.version()) {
             self.warn(Diagnostic::refused_by_povray(at, reason, remedy));
         }
     }
@@ -241,7 +241,7 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
 
 /// An error for a word, read last, that an element takes since version 3.8 only.
 pub(crate) fn since_3_8(args: &mut dyn Args, word: Word, element: Word) -> Parse<()> {
-    if has_syntax_of_3_8(args.version()) {
+    if is_for_3_8(args.version()) {
         args.note_word_of_3_8(word);
         return Ok(());
     }

@@ -3,7 +3,7 @@
 use super::{Args, Parse, Word, declared};
 use crate::base::math::{Step, Transform};
 use crate::base::source::Diagnostic;
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 
@@ -80,12 +80,12 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         }
         *entry = args.float()?;
     }
-    if has_syntax_of_3_8(args.version()) {
+    if is_for_3_8(args.version()) {
         args.comma()?;
     }
     if !args.accept_mark('>')? {
         let error = args.expected("`>` after the twelve numbers of `matrix`");
-        let is_older = !has_syntax_of_3_8(args.version());
+        let is_older = !is_for_3_8(args.version());
         return Err(match is_older && args.accept_mark(',')? {
             true => Box::new(error.with_hint(TRAILING_COMMA)),
             false => error,

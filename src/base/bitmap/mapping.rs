@@ -4,7 +4,7 @@ use super::Bitmap;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::source::Diagnostic;
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -85,7 +85,7 @@ impl Mapping {
                 (5.0, MapType::Toroidal),
                 (7.0, MapType::Angular),
             ];
-            let has_angular = has_syntax_of_3_8(args.version());
+            let has_angular = is_for_3_8(args.version());
             let matching_entry = entries
                 .into_iter()
                 .find(|entry| entry.0 == number && (has_angular || entry.1 != MapType::Angular));

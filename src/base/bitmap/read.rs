@@ -9,7 +9,7 @@ use super::{Bitmap, Mapping, Samples};
 use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::{Diagnostic, Span};
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::{has_defaults_of_3_8, is_for_3_8};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -149,7 +149,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         gamma: None,
         working: args.working_gamma(),
         assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
-        keeps_grey: has_syntax_of_3_8(args.version()),
+        keeps_grey: is_for_3_8(args.version()),
         is_premultiplied: None,
     };
     // Values are used as stored unless the block specifies a gamma.
@@ -158,7 +158,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
     }
     let mut mapping = Mapping::default();
     let mut added = AddedTransparency {
-        scales_by_alpha: has_syntax_of_3_8(args.version()),
+        scales_by_alpha: has_defaults_of_3_8(args.version()),
         ..AddedTransparency::default()
     };
     let mut alpha = Alpha::Ignored;
@@ -208,6 +208,10 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
     let mut bitmap = content.into_bitmap(&handling, args)?;
     for entry in &entries {
         entry.apply(&mut bitmap, &mut added)?;
+    }
+    // From version 3.8 on an image without alpha channel takes neither, as if its alpha were 0 (measured).
+    if added.scales_by_alpha && !bitmap.has_alpha() {
+        added = AddedTransparency::default();
     }
     Ok(MappedBitmap {
         bitmap: Arc::new(bitmap),

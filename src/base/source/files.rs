@@ -12,7 +12,7 @@ use super::{Diagnostic, FileId, Span};
 use crate::base::file::{
     FileLimits, Folders, MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited,
 };
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -74,7 +74,7 @@ impl Sources {
 
     /// Searches the folders for this version of the language from now on.
     pub(crate) fn follow_version(&mut self, version: f64) {
-        self.is_of_3_8 = has_syntax_of_3_8(version);
+        self.is_of_3_8 = is_for_3_8(version);
     }
 
     /// The folders of the version that is in force.

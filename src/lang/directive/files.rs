@@ -10,7 +10,7 @@ use super::data_file::DataFile;
 use super::open_file::{OpenFile, Output};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
-use crate::base::version::is_3_8;
+use crate::base::version::has_defaults_of_3_8;
 use crate::lang::expr::strings::general;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
@@ -57,7 +57,7 @@ impl Reader<'_> {
     /// The name of a file, in which `\` is no escape before version 3.8.
     pub(crate) fn file_name(&mut self) -> Parse<String> {
         let token = self.peek()?;
-        if token.kind != Kind::String || is_3_8(self.draft.version) {
+        if token.kind != Kind::String || has_defaults_of_3_8(self.draft.version) {
             return self.string();
         }
         self.pass();

@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::base::version::is_3_8;
+use crate::base::version::has_defaults_of_3_8;
 use crate::lang::expr::FIRST_WITH_OPERATORS;
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
@@ -113,7 +113,8 @@ impl Reader<'_> {
         if self.dialect.set_version(version) {
             self.replays.clear();
         }
-        let has_other_defaults = is_3_8(version) != is_3_8(self.draft.version);
+        let has_other_defaults =
+            has_defaults_of_3_8(version) != has_defaults_of_3_8(self.draft.version);
         self.draft.version = version;
         self.draft.has_version = true;
         if has_other_defaults && self.draft.has_default {

@@ -3,7 +3,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::powers::exact_power;
-use crate::base::version::is_3_8;
+use crate::base::version::has_defaults_of_3_8;
 
 /// Attenuation with distance; the default has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,7 +29,7 @@ impl Fade {
         };
         args.accept(word)?;
         *slot = args.float()?;
-        self.is_inverse_at_0 = is_3_8(args.version());
+        self.is_inverse_at_0 = has_defaults_of_3_8(args.version());
         Ok(true)
     }
 

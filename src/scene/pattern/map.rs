@@ -7,7 +7,7 @@ use crate::base::args::{Args, ColorOrSingle, Parse, Word, declared};
 use crate::base::bitmap::read_gamma;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::Diagnostic;
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use crate::base::word::Class;
 use std::sync::Arc;
 
@@ -269,7 +269,7 @@ impl<T> Map<T> {
             args.close()?;
             return Ok(Map::clone(&known));
         }
-        let most = match has_syntax_of_3_8(args.version()) {
+        let most = match is_for_3_8(args.version()) {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };

@@ -6,7 +6,7 @@ use crate::base::bitmap;
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Step;
 use crate::base::source::Diagnostic;
-use crate::base::version::is_3_8;
+use crate::base::version::has_defaults_of_3_8;
 use crate::base::word::Class;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
@@ -360,7 +360,7 @@ impl Pigment {
         let plain = self.plain_color();
         let is_idle = is_map
             && (plain == Some(Color::opaque(Rgb::BLACK))
-                || plain == Some(Color::opaque(Rgb::WHITE)) && is_3_8(args.version()));
+                || plain == Some(Color::opaque(Rgb::WHITE)) && has_defaults_of_3_8(args.version()));
         if is_idle {
             skip_idle(word, args, family)?;
         }

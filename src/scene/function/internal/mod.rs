@@ -10,7 +10,7 @@ mod falloffs;
 mod noises;
 mod solids;
 
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use std::fmt;
 
 /// POV-Ray clamps the values of most algebraic surfaces to this magnitude.
@@ -88,7 +88,7 @@ static LISTS: [&[Internal]; 5] = [
 #[must_use]
 pub fn of_number(number: f64, version: f64) -> Option<&'static Internal> {
     let corrected = &algebraic::ENNEPER_OF_3_8;
-    if has_syntax_of_3_8(version) && f64::from(corrected.number) == number.trunc() {
+    if is_for_3_8(version) && f64::from(corrected.number) == number.trunc() {
         return Some(corrected);
     }
     let mut all = LISTS.into_iter().flatten();

@@ -16,7 +16,7 @@ use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::watertight::RayFrame;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::base::version::has_syntax_of_3_8;
+use crate::base::version::is_for_3_8;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, Triangle, read};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
@@ -131,7 +131,7 @@ impl BicubicPatch {
             let what = format!("point {} of 16 of the bicubic patch", number + 1);
             net.points[number / 4][number % 4] = read::vector(args, &what)?;
         }
-        let is_clipped = has_syntax_of_3_8(args.version());
+        let is_clipped = is_for_3_8(args.version());
         if is_clipped {
             args.comma()?;
         }
