@@ -239,6 +239,14 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     Box::new(error.with_code(Code::NotBuilt))
 }
 
+/// Skips a comma behind the last item of a list, which POV-Ray 3.8 allows.
+pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
+    if is_for_3_8(args.version()) {
+        args.comma()?;
+    }
+    Ok(())
+}
+
 /// An error for a word, read last, that an element takes since version 3.8 only.
 pub(crate) fn since_3_8(args: &mut dyn Args, word: Word, element: Word) -> Parse<()> {
     if is_for_3_8(args.version()) {

@@ -1,6 +1,6 @@
 //! Reader of `translate`, `rotate`, `scale`, `matrix` and `transform`.
 
-use super::{Args, Parse, Word, declared};
+use super::{Args, Parse, Word, declared, trailing_comma};
 use crate::base::math::{Step, Transform};
 use crate::base::source::Diagnostic;
 use crate::base::version::is_for_3_8;
@@ -80,9 +80,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         }
         *entry = args.float()?;
     }
-    if is_for_3_8(args.version()) {
-        args.comma()?;
-    }
+    trailing_comma(args)?;
     if !args.accept_mark('>')? {
         let error = args.expected("`>` after the twelve numbers of `matrix`");
         let is_older = !is_for_3_8(args.version());

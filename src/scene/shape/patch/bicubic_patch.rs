@@ -11,7 +11,7 @@ mod halving;
 use self::halving::{SubPatch, Tessellator};
 use super::smooth_triangle::weights;
 use crate::base::accel::Bvh;
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, trailing_comma};
 use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::watertight::RayFrame;
 use crate::base::math::{Bounds, Ray, Step};
@@ -131,13 +131,10 @@ impl BicubicPatch {
             let what = format!("point {} of 16 of the bicubic patch", number + 1);
             net.points[number / 4][number % 4] = read::vector(args, &what)?;
         }
-        let is_clipped = is_for_3_8(args.version());
-        if is_clipped {
-            args.comma()?;
-        }
+        trailing_comma(args)?;
         Ok(BicubicPatch {
             net: Box::new(net),
-            is_clipped,
+            is_clipped: is_for_3_8(args.version()),
             tessellation: None,
         })
     }

@@ -4,7 +4,7 @@
 //! number of times. Points that do not lie in one plane make nothing, as in POV-Ray. It has no inside. Error bound: 2
 //! roundings of the problem's size from the plane (`shape/roundings.rs`).
 
-use crate::base::args::{Args, Parse};
+use crate::base::args::{Args, Parse, trailing_comma};
 use crate::base::math::conditioning::{power_of_two, unit};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
@@ -47,6 +47,7 @@ impl Polygon {
             points.push(read::vector(args, "a point of the polygon")?);
             read += 1.0;
         }
+        trailing_comma(args)?;
         let at = at.to(args.last_span());
         if points.len() < 3 {
             let error = Diagnostic::error(at, "polygon needs at least three points");

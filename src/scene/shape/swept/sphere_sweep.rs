@@ -16,7 +16,7 @@
 
 use self::segment::{B_SPLINE, CATMULL_ROM, Part};
 use crate::base::accel::Bvh;
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, trailing_comma};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, read, span};
@@ -96,6 +96,7 @@ impl SphereSweep {
             let radius = read::number(args, &format!("radius {number} of the sphere sweep"))?;
             spheres.push(centre.extend(radius));
         }
+        trailing_comma(args)?;
         if args.accept(Word::Tolerance)? {
             read::number(args, "the tolerance of the sphere sweep")?;
         }

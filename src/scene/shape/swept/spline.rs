@@ -8,7 +8,7 @@ mod chain;
 
 pub(in crate::scene::shape) use chain::{Chain, Line};
 
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word, trailing_comma};
 use crate::base::math::roots::polynomial::sign_changes;
 use crate::base::source::Diagnostic;
 use crate::scene::shape::read;
@@ -121,6 +121,7 @@ pub(crate) fn read_points(args: &mut dyn Args, of: &str) -> Parse<Vec<DVec2>> {
         points.push(point);
         read += 1.0;
     }
+    trailing_comma(args)?;
     Ok(points)
 }
 
