@@ -366,12 +366,45 @@ impl<'a> Lexer<'a> {
             Some(Word::Global) => false,
             _ => return self.push(Kind::Name, name.0, start),
         };
+        self.replace_by_qualified(is_local, name, 2);
+    }
+
+    /// `local["Name"]` and `global["Name"]`, whose `]` follows, become the token of `local.Name` and `global.Name`. Returns
+    /// true if they did.
+    fn push_key(&mut self) -> bool {
+        let [.., scope, open, key] = self.out.tokens.as_slice() else {
+            return false;
+        };
+        let (scope, key) = match (open.is_mark('['), key.kind) {
+            (true, Kind::String) => (*scope, key.value as usize),
+            _ => return false,
+        };
+        let is_local = match scope.word() {
+            Some(Word::Local) => true,
+            Some(Word::Global) => false,
+            _ => return false,
+        };
+        let span = &self.out.strings[key];
+        let name = &self.text[span.start as usize..span.end as usize];
+        if name.contains('\\') {
+            return false;
+        }
+        let name = self.names.intern(name);
+        self.out.strings.truncate(key);
+        self.replace_by_qualified(is_local, name, 3);
+        true
+    }
+
+    /// Replaces the last `count` tokens, which name a scope first, by `local.Name` or `global.Name`.
+    fn replace_by_qualified(&mut self, is_local: bool, name: Symbol, count: usize) {
         let symbol = self.names.intern_qualified(is_local, name);
-        self.out.tokens.truncate(self.out.tokens.len() - 2);
+        let first = self.out.tokens.len() - count;
+        let start = self.out.tokens[first].start;
+        self.out.tokens.truncate(first);
         self.out.tokens.push(Token {
             kind: Kind::Name,
             value: symbol.0,
-            start: scope.start,
+            start,
         });
     }
 
@@ -382,6 +415,7 @@ impl<'a> Lexer<'a> {
             b"<=" => self.push(Kind::LessEqual, 0, start),
             b">=" => self.push(Kind::GreaterEqual, 0, start),
             b"!=" => self.push(Kind::NotEqual, 0, start),
+            b"]" if self.push_key() => {}
             &[mark] => self.push(Kind::Mark, u32::from(mark), start),
             _ => {
                 let code = text.chars().next().map_or(0, u32::from);
