@@ -69,17 +69,11 @@ impl Pattern for DensityFile {
             return Ok(false);
         }
         args.accept(word)?;
-        let start = args.span();
-        self.interpolation = match args.float()?.trunc() {
+        // The last digit counts (measured with POV-Ray 3.7).
+        self.interpolation = match args.float()?.trunc() % 10.0 {
             0.0 => Interpolation::None,
             1.0 => Interpolation::Trilinear,
-            2.0 => Interpolation::Tricubic,
-            other => {
-                let span = start.to(args.last_span());
-                let message =
-                    format!("`interpolate` of a density file is 0, 1 or 2, found {other}");
-                return Err(Box::new(Diagnostic::error(span, message)));
-            }
+            _ => Interpolation::Tricubic,
         };
         Ok(true)
     }
