@@ -13,7 +13,7 @@
 //!
 //! Hypercomplex numbers are pairs of complex numbers, to each of which every function is applied separately. For most
 //! of them POV-Ray 3.7 halves its steps with another inside test than that of its search, and takes the function for
-//! its derivative ([`Function::factor`]), which makes its surfaces rough: the same is done here.
+//! its derivative ([`Function::factor`]), which makes its surfaces rough: the same is done here. In 3.8 both tests are one.
 //!
 //! In a CSG object that is transformed as a whole, POV-Ray 3.7 forgets that a `julia_fractal` is inverse or subtracted,
 //! so that a difference shows what an intersection would; here it stays a difference.
@@ -26,6 +26,7 @@ mod packet;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::base::version::is_for_3_8;
 use crate::scene::shape::{
     Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read, uniform_scale,
 };
@@ -72,6 +73,8 @@ struct Fractal {
     slope: DVec3,
     offset: f64,
     radius: f64,
+    /// True if the inside test takes the second coordinate for the third, too.
+    tests_y_as_z: bool,
     /// The unit of `SHADOW_TOLERANCE`.
     unit: f64,
     /// True if rays go through a transform other than a scale by a power of two.
@@ -150,6 +153,8 @@ impl JuliaFractal {
             slope: -normal.truncate() / normal.w,
             offset: distance / normal.w,
             radius,
+            tests_y_as_z: matches!(rule, Rule::Hypercomplex(function) if function.tests_y_as_z())
+                && !is_for_3_8(args.version()),
             unit: 1.0,
             is_moved: false,
         })))

@@ -85,7 +85,7 @@ impl Function {
         }
     }
 
-    /// True if POV-Ray's inside test takes the second coordinate for the third, too (measured).
+    /// True if the inside test of POV-Ray 3.7 takes the second coordinate for the third, too (measured).
     pub(super) fn tests_y_as_z(self) -> bool {
         !matches!(
             self,

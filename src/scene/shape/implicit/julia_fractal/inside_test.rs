@@ -97,7 +97,7 @@ impl Fractal {
 
     /// The inside test of POV-Ray.
     fn is_bounded(&self, function: Function, point: DVec3) -> bool {
-        let mut z = self.tested_start(function, point);
+        let mut z = self.tested_start(point);
         (1..=self.max_iteration).all(|iteration| {
             let is_bounded = self.is_in_sphere(z);
             if is_bounded && iteration < self.max_iteration {
@@ -108,8 +108,8 @@ impl Fractal {
     }
 
     /// The number at a point from which the inside test starts.
-    pub(super) fn tested_start(&self, function: Function, point: DVec3) -> DVec4 {
-        self.start(if function.tests_y_as_z() {
+    pub(super) fn tested_start(&self, point: DVec3) -> DVec4 {
+        self.start(if self.tests_y_as_z {
             point.with_z(point.y)
         } else {
             point
@@ -518,6 +518,7 @@ mod tests {
                 slope: DVec3::new(0.1, 0.0, 0.2),
                 offset: 0.1,
                 radius: 2.0,
+                tests_y_as_z: false,
                 unit: 1.0,
                 is_moved: false,
             };

@@ -39,8 +39,7 @@ impl SearchStep {
         reason = "the place of a middle hardly changes the iterates that it leaves"
     )]
     pub(super) fn face(fractal: &Fractal, length: f64, crossing: Crossing) -> u32 {
-        let function = fractal.scalar_function();
-        if !function.is_some_and(Function::tests_y_as_z) {
+        if !fractal.tests_y_as_z {
             return 0;
         }
         let is_entry = crossing == Crossing::Enter;
@@ -65,14 +64,14 @@ impl LeftOrbit {
         point: DVec3,
         step: SearchStep,
     ) -> Self {
-        let start = fractal.tested_start(function, point);
+        let start = fractal.tested_start(point);
         let mut orbit = LeftOrbit {
             len: 1,
             wanted: fractal.max_iteration as usize + 1,
             z: start,
             slope: to_complex_pair(start),
         };
-        if function.tests_y_as_z() {
+        if fractal.tests_y_as_z {
             orbit.take(fractal, function, start);
             orbit.take_earlier(fractal, function, point, step);
         }
@@ -104,7 +103,7 @@ impl LeftOrbit {
                 part *= 0.5;
             }
             while part < 1.0 && self.len < self.wanted {
-                let middle = fractal.tested_start(function, point + part * outer);
+                let middle = fractal.tested_start(point + part * outer);
                 self.take(fractal, function, middle);
                 part *= 2.0;
             }
