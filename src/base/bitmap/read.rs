@@ -115,6 +115,12 @@ impl MappedBitmap {
         }
     }
 
+    /// The width and the height in pixels, and 0.
+    #[must_use]
+    pub fn sample_counts(&self) -> DVec3 {
+        DVec3::new(self.bitmap.width() as f64, self.bitmap.height() as f64, 0.0)
+    }
+
     /// True if some point may have a transparent colour.
     #[must_use]
     pub fn can_be_transparent(&self) -> bool {

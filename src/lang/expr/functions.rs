@@ -5,7 +5,7 @@ use super::builtins::{
     whole,
 };
 use super::streams::Call;
-use super::value::{Number, STRING, Value};
+use super::value::{Element, Number, STRING, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::base::source::Diagnostic;
@@ -13,7 +13,10 @@ use crate::lang::fast_path::replay::op::Op;
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
+use crate::scene::interior::Density;
+use crate::scene::texture::{Normal, Pigment};
 use glam::DVec3;
+use std::sync::Arc;
 
 impl Reader<'_> {
     /// The value of a call, whose function word is next.
@@ -143,8 +146,14 @@ impl Reader<'_> {
             .map_err(|message| self.with_trace(Diagnostic::error(span, message)))
     }
 
-    /// A corner of the bounding box of a declared object.
+    /// A corner of the bounding box of a declared object; `max_extent` of a pigment, normal or density is the resolution of
+    /// its image or density file.
     fn extent(&mut self, word: Word) -> Parse<Number> {
+        if word == Word::MaxExtent
+            && let Some(resolution) = self.resolution()?
+        {
+            return Ok(Number::vector(resolution));
+        }
         let Some(object) = self.object_of_name()? else {
             return Err(self.expected_here("an object identifier"));
         };
@@ -154,6 +163,50 @@ impl Reader<'_> {
         } else {
             extent.max
         }))
+    }
+
+    /// The resolution of the file of a declared pigment, normal or density; `None` if no such name is next.
+    fn resolution(&mut self) -> Parse<Option<DVec3>> {
+        let token = self.peek()?;
+        let named = token.symbol().and_then(|name| self.scopes.get(name));
+        let is_item = matches!(named, Some(Value::Array(_)));
+        let value = match named {
+            Some(Value::Array(_)) => {
+                let start = self.reading();
+                match self.array_or_item()? {
+                    item @ Value::Element(_) => item,
+                    item => {
+                        self.read_again(item, start);
+                        return Ok(None);
+                    }
+                }
+            }
+            Some(value @ Value::Element(_)) => value.clone(),
+            _ => return Ok(None),
+        };
+        let Value::Element(Element { name, value }) = value else {
+            return Ok(None);
+        };
+        let counts = if let Some(pigment) = value.downcast_ref::<Pigment>() {
+            pigment.sample_counts()
+        } else if let Some(Density(pigment)) = value.downcast_ref() {
+            pigment.sample_counts()
+        } else if let Some(normal) = value.downcast_ref::<Arc<Normal>>() {
+            normal.sample_counts()
+        } else {
+            None
+        };
+        if !is_item {
+            self.pass();
+        }
+        match counts {
+            Some(counts) => Ok(Some(counts)),
+            None => {
+                let message =
+                    format!("`max_extent` of a {name} that shows no image or density file");
+                Err(self.error_taken(message))
+            }
+        }
     }
 
     fn two_vectors(&mut self) -> Parse<(DVec3, DVec3)> {

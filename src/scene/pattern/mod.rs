@@ -178,6 +178,11 @@ pub trait Pattern: Debug + Send + Sync + ClonePattern {
         true
     }
 
+    /// The numbers of samples along the axes, for patterns made of the samples of a file.
+    fn sample_counts(&self) -> Option<DVec3> {
+        None
+    }
+
     /// Reads `word`, the next token, and its value if the pattern has such a parameter. Returns whether it has.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use crate::base::bitmap;
 use crate::base::math::Step;
 use crate::base::source::Span;
 use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 /// The default height of bumps.
@@ -66,6 +66,19 @@ pub struct Facets {
 }
 
 impl Normal {
+    /// The numbers of samples along the axes, if it is made of an image or a density file.
+    #[must_use]
+    pub fn sample_counts(&self) -> Option<DVec3> {
+        match &self.kind {
+            NormalKind::Image(image) => Some(image.sample_counts()),
+            NormalKind::Pattern(pattern)
+            | NormalKind::Slopes(pattern, _)
+            | NormalKind::Normals(pattern, _) => pattern.sample_counts(),
+            NormalKind::Uv(normal) => normal.sample_counts(),
+            NormalKind::None | NormalKind::Average(_) | NormalKind::Facets(_) => None,
+        }
+    }
+
     /// Reads a normal block after its word. Values that the block does not set are those of `base`.
     ///
     /// # Errors

@@ -10,6 +10,7 @@ use crate::base::version::has_defaults_of_3_8;
 use crate::base::word::Class;
 use crate::scene::interior::Density;
 use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
+use glam::DVec3;
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -201,6 +202,18 @@ impl Pigment {
             | PigmentKind::Colors(_)
             | PigmentKind::Image(_)
             | PigmentKind::Functions(_) => false,
+        }
+    }
+
+    /// The numbers of samples along the axes, if it shows an image or a density file.
+    #[must_use]
+    pub fn sample_counts(&self) -> Option<DVec3> {
+        match &self.kind {
+            PigmentKind::Image(image) => Some(image.sample_counts()),
+            PigmentKind::Colors(mapped) => mapped.pattern.sample_counts(),
+            PigmentKind::Pigments(mapped) => mapped.pattern.sample_counts(),
+            PigmentKind::Uv(pigment) => pigment.sample_counts(),
+            PigmentKind::Plain(_) | PigmentKind::Average(_) | PigmentKind::Functions(_) => None,
         }
     }
 

@@ -64,6 +64,10 @@ impl Pattern for DensityFile {
         Box::new(self.clone())
     }
 
+    fn sample_counts(&self) -> Option<DVec3> {
+        Some(DVec3::from(self.grid.size.map(|count| count as f64)))
+    }
+
     fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         if word != Word::Interpolate {
             return Ok(false);

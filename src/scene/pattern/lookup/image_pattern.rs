@@ -23,6 +23,10 @@ impl Pattern for ImagePattern {
     fn default_wave(&self) -> Wave {
         Wave::NONE
     }
+
+    fn sample_counts(&self) -> Option<DVec3> {
+        Some(self.source.sample_counts())
+    }
 }
 
 impl PatternEval for ImagePattern {
