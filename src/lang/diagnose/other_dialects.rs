@@ -29,8 +29,15 @@ fn equivalent(name: &str, words: &[(&str, &'static str)]) -> Option<&'static str
 
 /// True for a word of HG-POV, a program with a larger language than POV-Ray's.
 pub(crate) fn is_of_hg_povray(name: &str) -> bool {
-    matches!(name, "galley" | "stereo" | "nurbs" | "stl_save")
+    OF_HG_POVRAY
+        .split_ascii_whitespace()
+        .any(|word| word == name)
 }
+
+/// Words of HG-POV that public scenes use: shapes and files of meshes, then projections of the camera.
+const OF_HG_POVRAY: &str = "galley gts_load gts_save nurbs rational_bezier_patch stl_save tesselation uv_reference
+    aitoff_hammer balthasart behrmann eckert_iv eckert_vi edwards gall hobo_dyer icosa lambert_azimuthal mercator
+    mollweide octa parallaxe peters smyth_craster stereo tetra van_der_grinten";
 
 /// Foreign words in blocks and at the top level, and the word that is meant, or a sentence without its full stop.
 const WORDS: &[(&str, &str)] = &[
