@@ -381,6 +381,11 @@ fn the_words_that_need_version_3_8_are_named() {
         file["words_of_3_8"],
         serde_json::json!(["fresnel", "lemon", "mixed"])
     );
+    let plain =
+        "#version 3.8;\ncamera { location -5*z }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 }\n";
+    fs::write(folder.path().join("plain.pov"), plain).expect("a file");
+    let out = of(&["check", "--message-format=short", "plain.pov"]);
+    assert_eq!(out, "plain.pov: ok; needs POV-Ray 3.8 for `#version`\n");
     let out = of(&["check", "--message-format=short", "old.pov"]);
     let hint = "(Begin the scene with `#version 3.8;` if parameters are `optional`.)";
     assert!(out.contains(hint), "{out}");

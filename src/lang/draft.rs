@@ -98,8 +98,11 @@ impl SceneDraft {
     }
 
     /// The scene, at the end of its text.
-    pub(super) fn into_scene(self) -> Scene {
+    pub(super) fn into_scene(mut self) -> Scene {
         let version = self.version_of_rules();
+        if self.words_of_3_8.is_empty() && is_for_3_8(version) {
+            self.words_of_3_8.push(Word::Version);
+        }
         // Without any camera the aspect ratio plays no part in version 3.8 either.
         let camera_of_none = match self.has_stock_camera() {
             true => Camera::default(),

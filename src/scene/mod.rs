@@ -54,7 +54,7 @@ pub struct Scene {
     pub globals: Globals,
     /// The effective language version: the last `#version` of the file, or 3.62 without any.
     pub version: f64,
-    /// The words that the scene uses and POV-Ray 3.7 lacks, each once.
+    /// The words that the scene uses and POV-Ray 3.7 lacks, each once; `version` if it has none but asks for 3.8.
     pub words_of_3_8: Vec<Word>,
 }
 

@@ -28,6 +28,7 @@ use crate::app::batch::scenes_below;
 use crate::base::nearest::nearest;
 use crate::base::options::{Event, ReadOptions};
 use crate::base::source::{Code, Diagnostic, Message, Sources};
+use crate::base::word::Word;
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
@@ -250,7 +251,10 @@ fn check(
             Ok(input) => {
                 // The reason of a failure has already been reported.
                 if let Ok(words) = crate::check(&input, &options(scene), &listen) {
-                    words_of_3_8.extend(words.iter().map(|word| word.spelling()));
+                    words_of_3_8.extend(words.iter().map(|&word| match word {
+                        Word::Version => "#version",
+                        word => word.spelling(),
+                    }));
                 }
             }
             Err(refusal) => {
