@@ -1,11 +1,10 @@
-//! The reserved words of a language version.
+//! The reserved words of a scene.
 //!
-//! Version 3.8 reserves words that older scenes may declare, and frees one. Text becomes tokens before its version is
-//! known, so the cursor reads such tokens by the version in force.
+//! POV-Ray 3.8 reserves words that older scenes may declare, and frees one. Text becomes tokens before its version is
+//! known, so the cursor reads such tokens by what is known of the scene.
 
 use super::syntax::{Kind, Names, Symbol, Token};
 use crate::base::args::Word;
-use crate::base::version::is_for_3_8;
 use crate::base::word::FREE_SINCE_3_8;
 use std::cell::Cell;
 
@@ -22,10 +21,10 @@ pub(crate) struct Dialect {
 }
 
 impl Dialect {
-    /// The dialect of a version. `names` holds the symbols of the words that 3.8 added.
-    pub(crate) fn new(version: f64, names: &Names) -> Dialect {
+    /// The dialect of scenes for POV-Ray 3.8, or of older ones. `names` holds the symbols of the words that 3.8 added.
+    pub(crate) fn new(is_for_3_8: bool, names: &Names) -> Dialect {
         Dialect {
-            has_words: is_for_3_8(version),
+            has_words: is_for_3_8,
             words: Word::since_3_8().map(Word::usual).collect(),
             freed: names
                 .symbol(FREE_SINCE_3_8.spelling())
@@ -34,10 +33,9 @@ impl Dialect {
         }
     }
 
-    /// Follows a `#version`; true if the reserved words have changed.
-    pub(crate) fn set_version(&mut self, version: f64) -> bool {
-        let has_words = is_for_3_8(version);
-        std::mem::replace(&mut self.has_words, has_words) != has_words
+    /// Reserves the words of POV-Ray 3.8 for the rest of the scene; true if they were not.
+    pub(crate) fn reserve_words_of_3_8(&mut self) -> bool {
+        !std::mem::replace(&mut self.has_words, true)
     }
 
     /// True if the words of POV-Ray 3.8 are reserved.

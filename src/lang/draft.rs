@@ -3,7 +3,7 @@
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
-use crate::base::version::{has_defaults_of_3_8, is_for_3_8};
+use crate::base::version::has_defaults_of_3_8;
 use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
@@ -100,7 +100,7 @@ impl SceneDraft {
     /// The scene, at the end of its text.
     pub(super) fn into_scene(mut self) -> Scene {
         let version = self.version_of_rules();
-        if self.words_of_3_8.is_empty() && is_for_3_8(version) {
+        if self.words_of_3_8.is_empty() && self.globals.is_for_3_8 {
             self.words_of_3_8.push(Word::Version);
         }
         // Without any camera the aspect ratio plays no part in version 3.8 either.

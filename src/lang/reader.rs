@@ -22,6 +22,7 @@ use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
 use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
+use crate::base::version::is_for_3_8;
 use crate::lang::syntax::{Kind, Names, Tokens, tokenize_around_data};
 use crate::scene::Scene;
 use crate::scene::texture::Texture;
@@ -144,7 +145,6 @@ impl<'a> Reader<'a> {
             ]);
         }
         sources.limit_bytes(budget.memory.headroom());
-        sources.follow_version(options.version.unwrap_or(0.0));
         let (mut names, known) = match &token_cache {
             Some(token_cache) => (token_cache.names.clone(), token_cache.tokens(scene)),
             None => (Names::new(), None),
@@ -157,11 +157,17 @@ impl<'a> Reader<'a> {
                 &mut names,
             )?),
         };
+        // POV-Ray 3.8 knows its words from the first line on, whatever precedes the `#version`.
+        let mut versions = [options.version, tokens.first_version()].into_iter();
+        let is_of_3_8 = versions.any(|version| version.is_some_and(is_for_3_8));
+        sources.search_paths_of_3_8(is_of_3_8);
+        let mut draft = SceneDraft::new(options);
+        draft.globals.is_for_3_8 = is_of_3_8;
         let mut reader = Reader {
             sources,
             options,
             probe,
-            dialect: Dialect::new(options.version.unwrap_or(0.0), &names),
+            dialect: Dialect::new(is_of_3_8, &names),
             names,
             token_cache,
             scene,
@@ -188,7 +194,7 @@ impl<'a> Reader<'a> {
             changes: 0,
             files: Files::default(),
             now: days_since_2000(),
-            draft: SceneDraft::new(options),
+            draft,
             memory: Memory::default(),
             report: Report::new(listener),
             trials: Trials::default(),

@@ -32,7 +32,6 @@ pub(crate) use scaled::CameraLimit;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
-use crate::base::version::is_for_3_8;
 use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
@@ -83,6 +82,8 @@ pub struct Background {
 /// Settings of the whole scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Globals {
+    /// True if the scene is for POV-Ray 3.8, by whose rules it is drawn then.
+    pub is_for_3_8: bool,
     /// Gamma of the working space; `None` if the file does not set it.
     pub assumed_gamma: Option<Gamma>,
     /// Throughput below which a ray is not traced.
@@ -121,6 +122,7 @@ const IRID_WAVELENGTH: Rgb = Rgb::new(0.70, 0.52, 0.48);
 impl Default for Globals {
     fn default() -> Self {
         Globals {
+            is_for_3_8: false,
             assumed_gamma: None,
             adc_bailout: 1.0 / 255.0,
             max_trace_level: 5,
@@ -155,7 +157,7 @@ impl Globals {
         Settings {
             noise_generator: self.noise_generator.unwrap_or(by_version),
             number_of_waves: self.number_of_waves,
-            is_3_8: is_for_3_8(version),
+            is_3_8: self.is_for_3_8,
             solid_of: None,
         }
     }
@@ -171,7 +173,7 @@ impl Scene {
     /// The rule by which pixels are rounded to the levels of a file: in the working space from version 3.8 on.
     #[must_use]
     pub fn rounding(&self) -> Rounding {
-        match is_for_3_8(self.version) {
+        match self.globals.is_for_3_8 {
             true => Rounding::Working,
             false => Rounding::Encoded,
         }

@@ -1,6 +1,5 @@
 //! Photon mapping as a scene asks for it: settings and targets.
 
-use crate::base::version::is_for_3_8;
 use crate::scene::light::PhotonRole;
 use crate::scene::{self, ExtentBox, PhotonDensity, Scene};
 use glam::DVec3;
@@ -48,7 +47,7 @@ impl PhotonMapping {
             adc_bailout: settings.adc_bailout.unwrap_or(globals.adc_bailout),
             unit: globals.unit,
             origin: globals.origin,
-            rounds_light: is_for_3_8(scene.version),
+            rounds_light: scene.globals.is_for_3_8,
         })
     }
 

@@ -172,7 +172,7 @@ pub trait Args {
     /// Warns of text that POV-Ray 3.7 refuses, except in scenes of later versions. The reason is POV-Ray's objection, the
     /// remedy a text that both read.
     fn refused_by_povray(&mut self, at: Span, reason: &str, remedy: &str) {
-        if !is_for_3_8(self.version()) {
+        if !self.is_for_3_8() {
             self.warn(Diagnostic::refused_by_povray(at, reason, remedy));
         }
     }
@@ -190,6 +190,10 @@ pub trait Args {
     }
     /// The language version in force, as `#version` writes it: 3.7, 3.1.
     fn version(&self) -> f64;
+    /// True if the scene is for POV-Ray 3.8: some `#version` of it is, wherever it stands.
+    fn is_for_3_8(&self) -> bool {
+        is_for_3_8(self.version())
+    }
     /// Notes that the scene uses a word which POV-Ray 3.7 lacks.
     fn note_word_of_3_8(&mut self, word: Word) {
         let _ = word;
@@ -241,7 +245,7 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
 
 /// Skips a comma behind the last item of a list, which POV-Ray 3.8 allows.
 pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
-    if is_for_3_8(args.version()) {
+    if args.is_for_3_8() {
         args.comma()?;
     }
     Ok(())
@@ -249,7 +253,7 @@ pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
 
 /// An error for a word, read last, that an element takes since version 3.8 only.
 pub(crate) fn since_3_8(args: &mut dyn Args, word: Word, element: Word) -> Parse<()> {
-    if is_for_3_8(args.version()) {
+    if args.is_for_3_8() {
         args.note_word_of_3_8(word);
         return Ok(());
     }

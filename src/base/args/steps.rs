@@ -3,7 +3,6 @@
 use super::{Args, Parse, Word, declared, trailing_comma};
 use crate::base::math::{Step, Transform};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 
@@ -83,7 +82,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
     trailing_comma(args)?;
     if !args.accept_mark('>')? {
         let error = args.expected("`>` after the twelve numbers of `matrix`");
-        let is_older = !is_for_3_8(args.version());
+        let is_older = !args.is_for_3_8();
         return Err(match is_older && args.accept_mark(',')? {
             true => Box::new(error.with_hint(TRAILING_COMMA)),
             false => error,

@@ -4,7 +4,6 @@ use super::Bitmap;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -85,7 +84,7 @@ impl Mapping {
                 (5.0, MapType::Toroidal),
                 (7.0, MapType::Angular),
             ];
-            let has_angular = is_for_3_8(args.version());
+            let has_angular = args.is_for_3_8();
             let matching_entry = entries
                 .into_iter()
                 .find(|entry| entry.0 == number && (has_angular || entry.1 != MapType::Angular));

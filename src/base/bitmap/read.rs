@@ -9,7 +9,7 @@ use super::{Bitmap, Mapping, Samples};
 use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::{Diagnostic, Span};
-use crate::base::version::{has_defaults_of_3_8, is_for_3_8};
+use crate::base::version::has_defaults_of_3_8;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -155,7 +155,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         gamma: None,
         working: args.working_gamma(),
         assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
-        keeps_grey: is_for_3_8(args.version()),
+        keeps_grey: args.is_for_3_8(),
         is_premultiplied: None,
     };
     // Values are used as stored unless the block specifies a gamma.

@@ -12,7 +12,6 @@ use super::{Diagnostic, FileId, Span};
 use crate::base::file::{
     FileLimits, Folders, MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited,
 };
-use crate::base::version::is_for_3_8;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,19 +64,19 @@ impl Sources {
         }
     }
 
-    /// Searches other folders while the version is 3.8 or later; none for the same ones.
+    /// Searches other folders for scenes of 3.8; none for the same ones.
     #[must_use]
     pub fn with_paths_of_3_8(mut self, library_paths: Vec<PathBuf>) -> Self {
         self.library_paths_of_3_8 = library_paths;
         self
     }
 
-    /// Searches the folders for this version of the language from now on.
-    pub(crate) fn follow_version(&mut self, version: f64) {
-        self.is_of_3_8 = is_for_3_8(version);
+    /// Searches the folders for scenes of 3.8, or those for older ones, from now on.
+    pub(crate) fn search_paths_of_3_8(&mut self, is_for_3_8: bool) {
+        self.is_of_3_8 = is_for_3_8;
     }
 
-    /// The folders of the version that is in force.
+    /// The folders for the scene's version.
     fn library_paths(&self) -> &[PathBuf] {
         match self.is_of_3_8 && !self.library_paths_of_3_8.is_empty() {
             true => &self.library_paths_of_3_8,

@@ -127,15 +127,15 @@ fn each_version_has_its_library() {
     let [old, new] = [&old, &new].map(|folder| folder.path().to_owned());
     let mut sources = Sources::new(vec![old.clone()]).with_paths_of_3_8(vec![new, old]);
     let scene = sources.add_text("stdin", "");
-    let mut find = |version: f64, name: &str| {
-        sources.follow_version(version);
+    let mut find = |is_for_3_8: bool, name: &str| {
+        sources.search_paths_of_3_8(is_for_3_8);
         let file = sources.find_include(name, scene).unwrap();
         sources.text(file).to_string()
     };
-    assert_eq!(find(3.7, "colors.inc"), "3.7");
-    assert_eq!(find(3.8, "colors.inc"), "3.8");
-    assert_eq!(find(3.8, "old.inc"), "3.7");
-    assert_eq!(find(3.7, "colors.inc"), "3.7");
+    assert_eq!(find(false, "colors.inc"), "3.7");
+    assert_eq!(find(true, "colors.inc"), "3.8");
+    assert_eq!(find(true, "old.inc"), "3.7");
+    assert_eq!(find(false, "colors.inc"), "3.7");
 }
 
 #[test]

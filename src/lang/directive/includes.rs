@@ -2,7 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
-use crate::base::version::has_defaults_of_3_8;
+use crate::base::version::{has_defaults_of_3_8, is_for_3_8};
 use crate::lang::expr::FIRST_WITH_OPERATORS;
 use crate::lang::frame::{Entered, Position};
 use crate::lang::limits;
@@ -109,9 +109,12 @@ impl Reader<'_> {
         {
             self.replays.clear();
         }
-        self.sources.follow_version(version);
-        if self.dialect.set_version(version) {
-            self.replays.clear();
+        if is_for_3_8(version) {
+            self.sources.search_paths_of_3_8(true);
+            self.draft.globals.is_for_3_8 = true;
+            if self.dialect.reserve_words_of_3_8() {
+                self.replays.clear();
+            }
         }
         let has_other_defaults =
             has_defaults_of_3_8(version) != has_defaults_of_3_8(self.draft.version);

@@ -294,6 +294,10 @@ impl Args for Reader<'_> {
         self.draft.version
     }
 
+    fn is_for_3_8(&self) -> bool {
+        self.draft.globals.is_for_3_8
+    }
+
     fn note_word_of_3_8(&mut self, word: Word) {
         self.draft.note_word_of_3_8(word);
     }

@@ -331,7 +331,7 @@ impl Reader<'_> {
         self.expect_mark('(', "`(` after `internal`")?;
         let number = self.number_at_sum()?;
         self.expect_mark(')', "`)` after the number of the function")?;
-        internal::of_number(number, self.draft.version).ok_or_else(|| {
+        internal::of_number(number, self.draft.globals.is_for_3_8).ok_or_else(|| {
             self.with_trace(
                 Diagnostic::error(
                     start.to(self.taken_span()),

@@ -141,6 +141,18 @@ impl Tokens {
         Span::new(self.file, token.start, end)
     }
 
+    /// The number after the first `#version`, if one stands there.
+    #[must_use]
+    pub fn first_version(&self) -> Option<f64> {
+        let is_version = |token: &Token| {
+            token.kind == Kind::Directive
+                && self.directives[token.value as usize].word == Some(Word::Version)
+        };
+        let at = self.tokens.iter().position(is_version)?;
+        let number = self.tokens.get(at + 1)?;
+        (number.kind == Kind::Number).then(|| self.numbers[number.value as usize])
+    }
+
     /// True if a token of this text is an `#end`.
     #[must_use]
     pub fn is_end(&self, token: Token) -> bool {

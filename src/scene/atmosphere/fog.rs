@@ -9,7 +9,6 @@ use crate::base::color::Color;
 use crate::base::math::Ray;
 use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use glam::DVec3;
 
 /// Heights closer than this, in units of `fog_alt`, count as equal; POV-Ray's value.
@@ -67,7 +66,7 @@ impl Fog {
         let mut fog = match declared::<Fog>(args)? {
             Some(known) => {
                 let mut fog = Fog::clone(&known);
-                if is_for_3_8(args.version()) {
+                if args.is_for_3_8() {
                     fog.turbulence.get_or_insert(DVec3::ZERO);
                 }
                 fog

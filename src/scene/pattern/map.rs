@@ -7,7 +7,6 @@ use crate::base::args::{Args, ColorOrSingle, Parse, Word, declared};
 use crate::base::bitmap::read_gamma;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use crate::base::word::Class;
 use std::sync::Arc;
 
@@ -269,7 +268,7 @@ impl<T> Map<T> {
             args.close()?;
             return Ok(Map::clone(&known));
         }
-        let most = match is_for_3_8(args.version()) {
+        let most = match args.is_for_3_8() {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };

@@ -3,7 +3,6 @@
 use super::lowering::Lowering;
 use crate::base::color::{Color, Rgb};
 use crate::base::options::{RenderOptions, TMinRule};
-use crate::base::version::is_for_3_8;
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
 use crate::scene::shape::{Geometry, Shape};
@@ -87,7 +86,7 @@ impl World {
                 ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
-                is_3_8: is_for_3_8(scene.version),
+                is_3_8: scene.globals.is_for_3_8,
                 has_alpha: options.alpha,
                 working_gamma: scene.working_gamma(),
             },

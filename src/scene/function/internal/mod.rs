@@ -10,7 +10,6 @@ mod falloffs;
 mod noises;
 mod solids;
 
-use crate::base::version::is_for_3_8;
 use std::fmt;
 
 /// POV-Ray clamps the values of most algebraic surfaces to this magnitude.
@@ -84,11 +83,11 @@ static LISTS: [&[Internal]; 5] = [
     solids::LIST,
 ];
 
-/// The function of this number in a version of the language, if there is one.
+/// The function of this number, if there is one; some are corrected in scenes for POV-Ray 3.8.
 #[must_use]
-pub fn of_number(number: f64, version: f64) -> Option<&'static Internal> {
+pub fn of_number(number: f64, is_for_3_8: bool) -> Option<&'static Internal> {
     let corrected = &algebraic::ENNEPER_OF_3_8;
-    if is_for_3_8(version) && f64::from(corrected.number) == number.trunc() {
+    if is_for_3_8 && f64::from(corrected.number) == number.trunc() {
         return Some(corrected);
     }
     let mut all = LISTS.into_iter().flatten();
@@ -105,7 +104,7 @@ mod tests {
     use super::*;
 
     fn value(number: u16, arguments: &[f64]) -> f64 {
-        let internal = of_number(f64::from(number), 3.7).expect("a function of this number");
+        let internal = of_number(f64::from(number), false).expect("a function of this number");
         assert_eq!(internal.parameters(), arguments.len(), "{internal:?}");
         internal.value(arguments)
     }
@@ -117,7 +116,7 @@ mod tests {
         // 77 calls a pattern inside POV-Ray and has no name.
         let expected: Vec<u16> = (0..=78).filter(|n| *n != 77).collect();
         assert_eq!(numbers, expected);
-        assert!(of_number(77.0, 3.7).is_none() && of_number(-1.0, 3.7).is_none());
+        assert!(of_number(77.0, false).is_none() && of_number(-1.0, false).is_none());
     }
 
     /// Printed by POV-Ray 3.7.

@@ -1,7 +1,6 @@
 //! `slope`: the angle between the surface normal and a direction, optionally blended with the altitude of the point.
 
 use crate::base::args::{Args, Parse, Word};
-use crate::base::version::is_for_3_8;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -38,7 +37,7 @@ enum Target {
 pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     let has_block = args.accept_mark('{')?;
     let target = match args.accept(Word::PointAt)? {
-        true if is_for_3_8(args.version()) => Target::PointOf38,
+        true if args.is_for_3_8() => Target::PointOf38,
         true => Target::Point,
         false => Target::Direction,
     };

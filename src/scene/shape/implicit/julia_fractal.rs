@@ -26,7 +26,6 @@ mod packet;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use crate::scene::shape::{
     Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read, uniform_scale,
 };
@@ -154,7 +153,7 @@ impl JuliaFractal {
             offset: distance / normal.w,
             radius,
             tests_y_as_z: matches!(rule, Rule::Hypercomplex(function) if function.tests_y_as_z())
-                && !is_for_3_8(args.version()),
+                && !args.is_for_3_8(),
             unit: 1.0,
             is_moved: false,
         })))

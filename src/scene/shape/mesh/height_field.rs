@@ -21,7 +21,6 @@ use crate::base::bitmap;
 use crate::base::color::Gamma;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use crate::scene::shape::{Geometry, Root, Start, read};
 use glam::{DAffine3, DVec3, Vec3};
 use image::{Decoder, Kind, Samples};
@@ -179,7 +178,7 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     args.reserve_memory("this image", needed, at)?;
     let samples = Samples {
         gamma: read_gamma(args)?,
-        keeps_grey: is_for_3_8(args.version()),
+        keeps_grey: args.is_for_3_8(),
     };
     let heights = image::heights(kind.decoder, &bytes, samples).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {

@@ -16,7 +16,6 @@ use crate::base::math::conditioning::unit_by_reciprocal;
 use crate::base::math::watertight::RayFrame;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, Triangle, read};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
@@ -134,7 +133,7 @@ impl BicubicPatch {
         trailing_comma(args)?;
         Ok(BicubicPatch {
             net: Box::new(net),
-            is_clipped: is_for_3_8(args.version()),
+            is_clipped: args.is_for_3_8(),
             tessellation: None,
         })
     }

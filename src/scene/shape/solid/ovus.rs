@@ -15,7 +15,6 @@ use crate::base::math::roots::interval_roots::first_below_zero;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::{Diagnostic, Span};
-use crate::base::version::is_for_3_8;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, push_span, read, span};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -121,7 +120,7 @@ impl Ovus {
         let bottom = read::number(args, "the bottom radius of the ovus")?;
         let top = read::number(args, "the top radius of the ovus")?;
         let at = at.to(args.last_span());
-        if is_for_3_8(args.version()) {
+        if args.is_for_3_8() {
             return Self::read_arc(args, at, bottom, top);
         }
         if bottom < 0.0 || top < 0.0 {

@@ -13,7 +13,6 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::base::version::is_for_3_8;
 use crate::scene::shape::solid::axial::Slab;
 use crate::scene::shape::{Geometry, Root, Start, read};
 use glam::{DAffine3, DVec2, DVec3};
@@ -102,7 +101,7 @@ impl Prism {
             low: height.min(other),
             high: height.max(other),
             is_open,
-            side: if is_for_3_8(args.version()) {
+            side: if args.is_for_3_8() {
                 Side::Right
             } else {
                 Side::Outward
