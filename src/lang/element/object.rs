@@ -319,6 +319,11 @@ impl Reader<'_> {
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
                     Word::SplitUnion => object.flags.keeps_union = !is_on,
+                    Word::Sturm if is_on => {
+                        if let Kind::Shape(shape) = &mut object.kind {
+                            Arc::make_mut(shape).use_sturm();
+                        }
+                    }
                     // The others do not affect the image.
                     _ => {}
                 }

@@ -299,6 +299,9 @@ pub trait Geometry {
         false
     }
 
+    /// Notes that it has `sturm`, if that changes what POV-Ray shows.
+    fn use_sturm(&mut self) {}
+
     /// True if the language has `hierarchy` for it; elsewhere POV-Ray rejects the word.
     fn takes_hierarchy(&self) -> bool {
         false

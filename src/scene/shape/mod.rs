@@ -267,6 +267,10 @@ macro_rules! shapes {
             fn surface_side(&self) -> SurfaceSide {
                 match self { $(Shape::$name(shape) => shape.surface_side()),+ }
             }
+            fn use_sturm(&mut self) {
+                match self { $(Shape::$name(shape) => shape.use_sturm()),+ }
+            }
+
             fn takes_sturm(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.takes_sturm()),+ }
             }

@@ -12,6 +12,7 @@ use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
 use crate::scene::shape::{Geometry, Rounded, Shape};
 use crate::scene::{ColorOrTexture, ExtentBox, Kind, Object, OwnedObject, PlainObject};
+use crate::world::csg::coincidence::Widening;
 use crate::world::index::index;
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
@@ -117,7 +118,9 @@ impl Lowering {
     }
 
     fn add_leaf(&mut self, shape: &Shape, steps: &[Step], absorb: Absorb, surface: u32) {
-        let (leaf, mut bounds) = Leaf::new(shape.clone(), steps, absorb, surface, Extent::Surface);
+        self.shows_sors |= matches!(shape, Shape::Sor(_));
+        let alone = self.shape_alone(shape.clone());
+        let (leaf, mut bounds) = Leaf::new(alone, steps, absorb, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
         }
@@ -132,6 +135,16 @@ impl Lowering {
         if let Some((rounded, own_box)) = rounded {
             self.parts.round(number, rounded, own_box);
         }
+    }
+
+    /// A shape that is no part of a CSG object: POV-Ray's faults show unless cuts are to be clean.
+    pub(crate) fn shape_alone(&self, mut shape: Shape) -> Shape {
+        if let Shape::Sor(sor) = &mut shape
+            && self.widening != Widening::NONE
+        {
+            sor.use_povray_hits();
+        }
+        shape
     }
 
     /// The rounded form of a shape, if [`Lowering::may_round`] holds for its leaf and the form is known, and POV-Ray's box of

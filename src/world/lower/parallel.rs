@@ -5,7 +5,7 @@ use super::parts::model::PendingItem;
 use super::parts::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::base::math::Bounds;
 use crate::base::memory;
-use crate::scene::shape::Geometry;
+use crate::scene::shape::{Geometry, Shape};
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
@@ -111,21 +111,18 @@ impl Lowering {
         self.add_surfaces(shapes, interior);
         let count = shapes.len();
         let numbers = |first: u32| first..first + index(count);
-        let parts = &mut self.parts;
-        let (leaves, surfaces) = (numbers(index(parts.leaves.len())), numbers(surface));
+        let (leaves, surfaces) = (numbers(index(self.parts.leaves.len())), numbers(surface));
         let indices = (0..count).into_par_iter();
+        let mut lists = (take(&mut self.parts.leaves), take(&mut self.parts.bounds));
         let leaf = |(at, surface)| {
             let Colored { shape, steps, .. } = shapes.object(at);
-            Leaf::new(
-                shape.into_owned(),
-                steps,
-                Absorb::AllItCan,
-                surface,
-                Extent::Surface,
-            )
+            let alone = self.shape_alone(shape.into_owned());
+            Leaf::new(alone, steps, Absorb::AllItCan, surface, Extent::Surface)
         };
-        let mut lists = (take(&mut parts.leaves), take(&mut parts.bounds));
         lists.par_extend(indices.clone().zip(surfaces).map(leaf));
+        let is_sor = |leaf: &Leaf| matches!(leaf.shape, Shape::Sor(_));
+        self.shows_sors |= lists.0[leaves.start as usize..].iter().any(is_sor);
+        let parts = &mut self.parts;
         (parts.leaves, parts.bounds) = lists;
         parts
             .items

@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use crate::scene::camera::Lens;
 use crate::scene::shape::{Geometry, Shape};
 use crate::world::compiled::{Globals, World};
+use crate::world::csg::coincidence::Widening;
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
@@ -33,6 +34,7 @@ impl World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.single_boxes();
         let povray_boxes = flat.parts.povray_boxes();
+        let shows_sors = flat.shows_sors && flat.widening != Widening::NONE;
         let sends_rays = flat.surfaces.par_iter().any(Surface::sends_rays);
         let may_tie = sends_rays && flat.parts.has_flush_faces();
         let parts = std::mem::take(&mut flat.parts);
@@ -111,13 +113,20 @@ impl World {
             streams: false,
         };
         // Not with subsurface light: 12 of its scenes differ more from POV-Ray then.
-        if world.draws_in_order(options) && world.subsurface.is_none() {
+        if (world.draws_in_order(options) || shows_sors) && world.subsurface.is_none() {
             world.least_distance = TMinRule::PovRay;
         }
         if world.has_povray_distances() {
+            let summary = &world.summary;
             for leaf in &mut world.model.leaves {
-                if let Shape::Mesh(mesh) = &mut leaf.shape {
-                    mesh.use_povray_planes();
+                match &mut leaf.shape {
+                    Shape::Mesh(mesh) => mesh.use_povray_planes(),
+                    Shape::Sor(sor) => {
+                        if summary.is_opaque || summary.opaque[leaf.surface as usize] {
+                            sor.use_near_shadows();
+                        }
+                    }
+                    _ => {}
                 }
             }
         }

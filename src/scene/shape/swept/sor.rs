@@ -7,7 +7,10 @@
 //! them. Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`), since
 //! the ray is first moved to the point nearest to the surface's centre. Caps close the solid at the first and the last
 //! height; `open` makes them invisible.
+//!
+//! What stands alone in a scene shows the hits that POV-Ray finds instead ([`closed_form`]), unless cuts are to be clean.
 
+use self::closed_form::{Caps, Segment};
 use super::spline;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::power_of_two;
@@ -29,11 +32,22 @@ const CLIP: f64 = 1.001;
 pub struct Sor {
     profile: Arc<Profile>,
     is_open: bool,
+    /// True if rays hit it where POV-Ray finds a hit.
+    has_povray_hits: bool,
+    /// True with `sturm`, which makes POV-Ray find its hits by iteration.
+    has_sturm: bool,
+    /// True if it is opaque, and shadows itself from POV-Ray's least distance of other rays on: it has mostly blocked the light
+    /// before, and is tested for that first.
+    has_near_shadows: bool,
+    /// Length of a unit of the scene.
+    unit: f64,
 }
 
 #[derive(Debug, PartialEq)]
 struct Profile {
     rings: Vec<Ring>,
+    /// The same curves in POV-Ray's form.
+    segments: Vec<Segment>,
     /// The largest radius.
     rim: f64,
     low: f64,
@@ -85,7 +99,41 @@ impl Sor {
         Ok(Sor {
             profile: Arc::new(Profile::new(&points)),
             is_open,
+            has_povray_hits: false,
+            has_sturm: false,
+            has_near_shadows: false,
+            unit: 1.0,
         })
+    }
+
+    /// Makes rays hit it where POV-Ray finds a hit.
+    pub(crate) fn use_povray_hits(&mut self) {
+        self.has_povray_hits = !self.has_sturm;
+    }
+
+    /// Makes shadow rays that leave it hit it as near as other rays do.
+    pub(crate) fn use_near_shadows(&mut self) {
+        self.has_near_shadows = true;
+    }
+
+    /// The first hit with `from < t < to` as POV-Ray finds it.
+    fn povray_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        let profile = &self.profile;
+        let length = ray.dir.length();
+        let along = Ray::new(ray.origin, ray.dir * (1.0 / length));
+        let caps = Caps {
+            heights: [profile.low, profile.high],
+            radii_sq: profile.ends_sq,
+            is_open: self.is_open,
+        };
+        let (from, unit) = (from * length, self.unit * length);
+        let hit = closed_form::nearest(&profile.segments, &caps, &along, from, unit)?;
+        let t = hit.k / length;
+        let crossing = match hit.is_exit {
+            true => Crossing::Leave,
+            false => Crossing::Enter,
+        };
+        (t < to).then_some(root(t, hit.face, crossing))
     }
 
     /// The bounds of the curve as it is computed.
@@ -99,10 +147,12 @@ impl Profile {
     /// Builds the profile from at least four points of rising height.
     fn new(points: &[DVec2]) -> Self {
         let rings: Vec<Ring> = points.windows(4).map(Ring::new).collect();
+        let segments = points.windows(4).map(Segment::new).collect();
         let rim_sq = rings.iter().map(Ring::max_radius_sq).fold(0.0, f64::max);
         let (first, last) = (points[1], points[points.len() - 2]);
         Profile {
             rings,
+            segments,
             rim: rim_sq.sqrt(),
             low: first.y,
             high: last.y,
@@ -318,6 +368,9 @@ impl Geometry for Sor {
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        if self.has_povray_hits {
+            return self.povray_hit(ray, from, to);
+        }
         first_visible(&self.profile.crossings(ray, self.is_open), from, to)
     }
 
@@ -326,9 +379,7 @@ impl Geometry for Sor {
             BASE => DVec3::NEG_Y,
             APEX => DVec3::Y,
             _ => {
-                let ring = &self.profile.rings[self.profile.ring_at(point.y)];
-                let rate = ring.slope(ring.param(point.y)) / (ring.high - ring.low);
-                let normal = DVec3::new(point.x, -rate, point.z);
+                let normal = self.profile.segments[self.profile.ring_at(point.y)].normal(point);
                 // Zero where the curve reaches the axis in a point.
                 if normal == DVec3::ZERO {
                     DVec3::Y
@@ -385,7 +436,27 @@ impl Geometry for Sor {
     fn takes_sturm(&self) -> bool {
         true
     }
+
+    fn use_sturm(&mut self) {
+        self.has_sturm = true;
+    }
+
+    fn scale_scene_lengths(&mut self, factor: f64) {
+        self.unit *= factor;
+    }
+
+    /// Makes callers use `nearest_beside` for rays that leave the surface: POV-Ray's hits are too far beside it to tell which
+    /// of them a ray has just left.
+    fn is_faceted(&self) -> bool {
+        self.has_povray_hits
+    }
+
+    fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
+        let from = if self.has_near_shadows { 0.0 } else { from };
+        self.nearest(ray, from, to)
+    }
 }
 
+mod closed_form;
 #[cfg(test)]
 mod tests;

@@ -100,3 +100,29 @@ fn v_goes_on_over_the_caps() {
     assert_eq!((v(0.6, -1.0, BASE), v(0.0, -1.0, BASE)), (0.0, -1.0));
     assert_eq!((v(0.5, 1.0, APEX), v(0.0, 1.0, APEX)), (1.0, 2.0));
 }
+
+/// What `trace` of POV-Ray 3.7 returns for rays that climb little: two of four have no hit there.
+#[test]
+fn almost_level_rays_hit_where_povray_finds_a_hit() {
+    let mut glass = sor(
+        "7, <0, 0>, <0.118143, 0>, <0.620253, 0.540084>, <0.210970, 0.827004>, <0.194093, 0.962025>, <0.286920, 1>, \
+         <0.468354, 1.033755> open",
+    );
+    glass.use_povray_hits();
+    let hit = |from: [f64; 3], dir: [f64; 3]| {
+        let ray = Ray::new(DVec3::from(from), DVec3::from(dir).normalize());
+        let root = glass.nearest(&ray, 0.0, f64::INFINITY)?;
+        Some(ray.at(root.t))
+    };
+    let near = |point: Option<DVec3>, z: f64| (point.unwrap().z - z).abs() < 1e-9;
+    assert!(near(
+        hit([-0.25, 0.5, -5.0], [0.01, 0.002, 1.0]),
+        -0.572_693_595_983_095_9
+    ));
+    assert!(near(
+        hit([0.1, 0.3, -5.0], [0.01, 0.000_01, 1.0]),
+        -0.463_400_340_956_664_7
+    ));
+    assert_eq!(hit([0.2, 0.69, -5.0], [-0.01, -0.0003, 1.0]), None);
+    assert_eq!(hit([0.3, 0.88, -5.0], [0.0003, 0.0006, 1.0]), None);
+}
