@@ -15,6 +15,9 @@ struct Ended {
     code: Option<i32>,
 }
 
+/// A loop without end.
+const ENDLESS: &str = "#declare I = 0; #while (I >= 0) #declare I = I + 1; #end\n";
+
 /// A folder with a correct and a faulty scene, one in a subfolder, and one that needs a library.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -389,4 +392,20 @@ fn the_words_that_need_version_3_8_are_named() {
     let out = of(&["check", "--message-format=short", "old.pov"]);
     let hint = "(Begin the scene with `#version 3.8;` if parameters are `optional`.)";
     assert!(out.contains(hint), "{out}");
+}
+
+#[test]
+fn scenes_behind_one_that_takes_too_long_are_read() {
+    let folder = folder();
+    fs::write(folder.path().join("endless.pov"), ENDLESS).expect("a file");
+    let arguments = ["check", "--timeout", "2s", "endless.pov", "right.pov"];
+    let ended = povr(folder.path(), &arguments, "");
+    assert!(
+        ended.out.contains("endless.pov: 1 error\n"),
+        "{}",
+        ended.out
+    );
+    assert!(ended.out.contains("right.pov: ok\n"), "{}", ended.out);
+    assert!(ended.err.contains("longer than"), "{}", ended.err);
+    assert_eq!(ended.code, Some(1));
 }

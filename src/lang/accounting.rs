@@ -36,7 +36,8 @@ impl Reader<'_> {
         self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at))
     }
 
-    fn stopped(&mut self, at: Start) -> Box<Diagnostic> {
+    /// The error of a reading that was cancelled.
+    pub(super) fn stopped(&mut self, at: Start) -> Box<Diagnostic> {
         let error = Diagnostic::error(self.span_of(at), "reading was stopped here");
         self.fatal(error)
     }

@@ -26,7 +26,7 @@ use super::options::safety::{LimitOptions, SafetyOptions};
 use super::options::settings::{Scene, find_scene, read_options};
 use crate::app::batch::scenes_below;
 use crate::base::nearest::nearest;
-use crate::base::options::{Event, ReadOptions};
+use crate::base::options::{CancelToken, Event, ReadOptions};
 use crate::base::source::{Code, Diagnostic, Message, Sources};
 use crate::base::word::Word;
 
@@ -52,6 +52,7 @@ Examples:
 In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
 that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
+`--timeout` counts for each scene; those behind one that takes longer are read.
 A comment `// povr: allow NAME` in a scene leaves out a kind of warning as --allow does.
 Exit code: 0 no errors, 1 errors found, 2 bad command line.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
@@ -124,15 +125,17 @@ fn run(arguments: &[String], environment: &Environment) -> Result<ExitCode, CliE
     let limits = LimitOptions::of(&raw_args);
     let options_of = |scene: &Scene| ReadOptions {
         lints: true,
+        stop: CancelToken::default(),
         allowed_lints: wanted.allowed.clone(),
         ..read_options(&raw_args, library_paths.clone(), scene.path(), environment)
     };
     if raw_args.safety.sandbox {
         kernel::enter_to_read(&scenes, &options_of);
     }
-    let limits = Limits::new(limits.timeout, limits.max_memory);
-    let _watch = Watch::over_command(limits, None, (reporter.format, reporter.stream));
-    let are_right = check(&scenes, &options_of, &reporter, is_quiet);
+    let of_memory = Limits::new(None, limits.max_memory);
+    let _watch = Watch::over_command(of_memory, None, (reporter.format, reporter.stream));
+    let of_time = Limits::new(limits.timeout, None);
+    let are_right = check(&scenes, &options_of, (&reporter, of_time), is_quiet);
     Ok(if are_right {
         ExitCode::SUCCESS
     } else {
@@ -235,11 +238,11 @@ pub(super) fn find_scenes(
     Ok(scenes)
 }
 
-/// Reads all scenes, with a line about each and one total; true if all could be rendered.
+/// Reads all scenes, each within a limit, with a line about each and one total; true if all could be rendered.
 fn check(
     scenes: &[Scene],
     options: &dyn Fn(&Scene) -> ReadOptions,
-    reporter: &Reporter,
+    (reporter, limits): (&Reporter, Limits),
     is_quiet: bool,
 ) -> bool {
     let is_json = reporter.format == MessageFormat::Json;
@@ -247,10 +250,13 @@ fn check(
     for scene in scenes {
         let listen = |event: Event<'_>| reporter.report(event);
         let mut words_of_3_8 = Vec::new();
+        let options = options(scene);
+        let output = (reporter.format, reporter.stream);
+        let watch = Watch::over_command(limits, Some(options.stop.clone()), output);
         match scene.input() {
             Ok(input) => {
                 // The reason of a failure has already been reported.
-                if let Ok(words) = crate::check(&input, &options(scene), &listen) {
+                if let Ok(words) = crate::check(&input, &options, &listen) {
                     words_of_3_8.extend(words.iter().map(|&word| match word {
                         Word::Version => "#version",
                         word => word.spelling(),
@@ -262,7 +268,11 @@ fn check(
                 listen(Event::Finding(&Message::new(&error, &Sources::default())));
             }
         }
-        let counts = reporter.take_counts();
+        let mut counts = reporter.take_counts();
+        if watch.is_over() {
+            counts.errors = counts.errors.max(1);
+        }
+        drop(watch);
         let file = scene.name();
         if is_json {
             reporter.json(&Line::File {

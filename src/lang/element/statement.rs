@@ -63,6 +63,11 @@ impl Reader<'_> {
         loop {
             match self.statement() {
                 Ok(true) if self.has_tried() => return,
+                Ok(true) if self.options.stop.is_cancelled() => {
+                    let error = self.stopped(self.start_taken());
+                    self.record(*error);
+                    return;
+                }
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
