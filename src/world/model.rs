@@ -60,13 +60,16 @@ impl Rounding {
 }
 
 impl Model {
-    /// Marks the leaves whose hits are rounded: those of surfaces for which `is_wanted` holds.
+    /// Marks the leaves whose hits are rounded: those of surfaces for which `is_wanted` holds, and those that a search
+    /// finds.
     pub(super) fn round_leaves(&mut self, is_wanted: impl Fn(u32) -> bool) {
         let mut bits = vec![0; self.leaves.len().div_ceil(u64::BITS as usize)];
         for (number, leaf) in self.leaves.iter().enumerate() {
-            let can_be = leaf.world_sphere().is_some()
-                || u32::try_from(number).is_ok_and(|at| self.rounding.forms.contains_key(&at));
-            if can_be && is_wanted(leaf.surface) {
+            let form = u32::try_from(number)
+                .ok()
+                .and_then(|at| self.rounding.forms.get(&at));
+            let can_be = leaf.world_sphere().is_some() || form.is_some();
+            if can_be && is_wanted(leaf.surface) || form.is_some_and(Rounded::is_search) {
                 bits[number / u64::BITS as usize] |= 1 << (number % u64::BITS as usize);
             }
         }

@@ -227,6 +227,11 @@ pub trait Geometry {
         None
     }
 
+    /// True if a search finds the hits, whose normals depend on its last digits: all of them are wanted rounded.
+    fn is_searched(&self) -> bool {
+        false
+    }
+
     /// True if the rounded distances of its hits decide ties.
     fn decides_ties(&self) -> bool {
         false

@@ -225,6 +225,9 @@ macro_rules! shapes {
             fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
                 match self { $(Shape::$name(shape) => shape.rounded(steps)),+ }
             }
+            fn is_searched(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_searched()),+ }
+            }
             fn decides_ties(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.decides_ties()),+ }
             }

@@ -3,6 +3,7 @@
 //!
 //! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.
 
+use super::implicit::julia_fractal::ExactSearch;
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
 use crate::base::math::conditioning::to_unit;
@@ -48,6 +49,7 @@ enum Form {
         distance: f64,
     },
     Quadric(Box<Quadratic>),
+    Search(Box<ExactSearch>),
 }
 
 /// The coefficients of a quadric in the world: of `x²`, `y²`, `z²`, of `xy`, `xz`, `yz`, of `x`, `y`, `z`, and the constant.
@@ -89,6 +91,17 @@ impl Rounded {
     /// A quadric with these transforms.
     pub(super) fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Self {
         Rounded(Form::Quadric(Box::new(moved_quadric(quadric, steps))))
+    }
+
+    /// The search of a fractal.
+    pub(super) fn of_search(search: ExactSearch) -> Self {
+        Rounded(Form::Search(Box::new(search)))
+    }
+
+    /// True if its hits are those of another search, with their own normals.
+    #[must_use]
+    pub fn is_search(&self) -> bool {
+        matches!(self.0, Form::Search(_))
     }
 
     /// The hit of a ray on a face near `t`; `None` in doubt.
@@ -153,6 +166,7 @@ impl Rounded {
                     normal: *normal,
                 }
             }
+            Form::Search(search) => search.hit(ray, t)?,
             Form::Quadric(quadratic) => {
                 let t = quadratic.root(ray, t);
                 let point = ray.at(t);

@@ -169,6 +169,9 @@ impl Lowering {
         if leaf.sphere().is_some() {
             return false;
         }
+        if leaf.shape.is_searched() {
+            return true;
+        }
         let may_tie = leaf.shape.decides_ties();
         let is_wanted = || {
             let surface = self.surfaces.get(leaf.surface as usize);

@@ -5,7 +5,7 @@ use crate::base::color::{Color, Rgb};
 use crate::base::options::{RenderOptions, TMinRule};
 use crate::scene::Scene;
 use crate::scene::camera::Lens;
-use crate::scene::shape::{Geometry, Shape};
+use crate::scene::shape::{Geometry, Rounded, Shape};
 use crate::world::compiled::{Globals, World};
 use crate::world::csg::coincidence::Widening;
 use crate::world::light_buffers::LightBuffers;
@@ -149,10 +149,19 @@ impl World {
                 surface.is_some_and(|surface| surface.has_jumps() || surface.sends_rays())
             };
             self.model.round_leaves(is_wanted);
-        } else if !always && self.photons.is_none() {
-            let (forms, leaves) = (&mut self.model.rounding.forms, &self.model.leaves);
-            forms.retain(|&leaf, _| leaves[leaf as usize].shape.decides_ties());
+            return;
+        }
+        let forms = &mut self.model.rounding.forms;
+        let are_searched = forms.values().any(Rounded::is_search);
+        if !always && self.photons.is_none() {
+            let leaves = &self.model.leaves;
+            forms.retain(|&leaf, form| {
+                form.is_search() || leaves[leaf as usize].shape.decides_ties()
+            });
             forms.shrink_to_fit();
+        }
+        if are_searched {
+            self.model.round_leaves(|_| false);
         }
     }
 }

@@ -522,7 +522,19 @@ impl World {
     #[must_use]
     #[inline(never)]
     pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
+        let form = self.model.rounding.forms.get(&hit.spawn_surface.leaf);
+        let is_searched = form.is_some_and(Rounded::is_search);
         match self.rounded_hit(ray, &hit) {
+            Some(RoundedHit { t, point, normal }) if is_searched => Hit {
+                t,
+                point,
+                shading_normal: normal,
+                spawn_surface: SpawnSurface {
+                    normal,
+                    ..hit.spawn_surface
+                },
+                ..hit
+            },
             Some(RoundedHit { t, point, normal })
                 if (t - hit.t).abs() <= ROUNDING_LOSS * hit.spawn_surface.blur
                     && (normal.length_squared() - 1.0).abs() < NORMAL_LOSS

@@ -6,7 +6,8 @@
 //! of Hart, Sandin and Kauffman 1989 ("Ray tracing deterministic 3-D fractals", eq. 8), inside they are
 //! `1 / precision`; where the inside state changes, the step is halved down to [`TOLERANCE`]. POV-Ray does the same,
 //! and surfaces that its steps miss must be missed here: a finer search would draw hairs that POV-Ray does not. The
-//! normal is the gradient of `|z|²` after the last iteration. Shadows differ in a few pixels of ten thousand.
+//! normal is the gradient of `|z|²` after the last iteration. What is seen, and what leaves the surface, is searched again
+//! to the last bit ([`ExactSearch`]).
 //!
 //! Error bound of quaternions and of the hypercomplex `sqr`, `cube` and `reciprocal`: within [`TOLERANCE`] of a reported
 //! root the state changes (`tests/stability`); missed surfaces have no bound.
@@ -19,6 +20,7 @@
 //! so that a difference shows what an intersection would; here it stays a difference.
 
 mod complex;
+mod exact;
 mod inside_test;
 mod left_orbit;
 mod packet;
@@ -27,9 +29,10 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
-    Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read, uniform_scale,
+    Crossing, Geometry, Root, Rounded, Start, SurfaceSide, first_visible, read, uniform_scale,
 };
 use complex::Function;
+pub(crate) use exact::ExactSearch;
 use glam::{DVec3, DVec4};
 use inside_test::{BATCH, Lookahead};
 use left_orbit::{LeftOrbit, SearchStep};
@@ -38,8 +41,9 @@ use std::f64::consts::SQRT_2;
 
 /// Length at which the halving of a step ends, in object units; POV-Ray's value.
 const TOLERANCE: f64 = 1e-7;
-/// Nearer occluders of a shadow ray are ignored; POV-Ray's value, in scene units.
-const SHADOW_TOLERANCE: f64 = 1e-3;
+/// Nearer hits of a ray that leaves the surface are ignored, in scene units: POV-Ray's value, also for shadows once the
+/// fractal has blocked the light.
+const LEAST_DISTANCE: f64 = 1e-4;
 /// Radius of the bounding sphere of a hypercomplex fractal.
 const HYPERCOMPLEX_RADIUS: f64 = 4.0;
 /// Largest radius of the bounding sphere of a quaternion fractal.
@@ -68,13 +72,16 @@ struct Fractal {
     max_iteration: u32,
     /// The minimum step.
     min_step: f64,
+    /// The unit normal of the slice, and its distance from the origin.
+    slice: DVec4,
+    distance: f64,
     /// The fourth coordinate as an affine function of the others: its gradient, and its value at the origin.
     slope: DVec3,
     offset: f64,
     radius: f64,
     /// True if the inside test takes the second coordinate for the third, too.
     tests_y_as_z: bool,
-    /// The unit of `SHADOW_TOLERANCE`.
+    /// The unit of `LEAST_DISTANCE`.
     unit: f64,
     /// True if rays go through a transform other than a scale by a power of two.
     is_moved: bool,
@@ -149,6 +156,8 @@ impl JuliaFractal {
             rule,
             max_iteration,
             min_step: 1.0 / precision,
+            slice: normal,
+            distance,
             slope: -normal.truncate() / normal.w,
             offset: distance / normal.w,
             radius,
@@ -362,7 +371,13 @@ impl Fractal {
         if !self.is_hypercomplex() {
             return (Ray::new(ray.origin, ray.dir / length), length);
         }
-        // As POV-Ray rounds it: see `chord`. It does not normalise the rays of untransformed objects; then neither are
+        self.exact_unit(ray)
+    }
+
+    /// The same, as POV-Ray rounds it: see `chord`.
+    fn exact_unit(&self, ray: &Ray) -> (Ray, f64) {
+        let length = ray.dir.length();
+        // It does not normalise the rays of untransformed objects; then neither are
         // those normalised here whose length is a power of two but for rounding.
         let power = f64::from_bits((length * SQRT_2).to_bits() & !MANTISSA);
         let is_unit = !self.is_moved && (length / power - 1.0).abs() < UNIT_LOSS;
@@ -372,14 +387,19 @@ impl Fractal {
 
     /// Interval of a ray of unit direction in the bounding sphere.
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
+        if self.is_hypercomplex() {
+            return self.exact_chord(ray);
+        }
+        let middle = -ray.origin.dot(ray.dir);
+        let half_sq = self.radius * self.radius - ray.at(middle).length_squared();
+        (half_sq > 0.0).then(|| (middle - half_sq.sqrt(), middle + half_sq.sqrt()))
+    }
+
+    /// The same, as POV-Ray rounds it: the search begins on the sphere, where the last bit decides if that is inside.
+    fn exact_chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let middle = -ray.origin.dot(ray.dir);
         let radius_sq = self.radius * self.radius;
-        let half_sq = if self.is_hypercomplex() {
-            // As POV-Ray rounds it: the search begins on the sphere, where the last bit decides if that is inside.
-            radius_sq - ray.origin.length_squared() + middle * middle
-        } else {
-            radius_sq - ray.at(middle).length_squared()
-        };
+        let half_sq = radius_sq - ray.origin.length_squared() + middle * middle;
         (half_sq > 0.0).then(|| (middle - half_sq.sqrt(), middle + half_sq.sqrt()))
     }
 }
@@ -444,8 +464,15 @@ impl Geometry for JuliaFractal {
     /// The surface is where the steps of another ray hit it, and a ray that leaves it may hit it again. POV-Ray
     /// searches for one hit only, and ignores it if it is too near.
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
+        let min_t = from.max(self.0.unit * LEAST_DISTANCE);
+        if self.0.is_exact() {
+            let (unit, length) = self.0.exact_unit(ray);
+            let hit = self.0.exact_first(unit)?;
+            let face = SearchStep::face(&self.0, hit.step, hit.crossing);
+            let root = root(hit.depth / length, hit.crossing, face);
+            return (min_t < root.t && root.t < to).then_some(root);
+        }
         let (unit, length) = self.0.unit(ray);
-        let min_t = from.max(self.0.unit * SHADOW_TOLERANCE);
         let mut hit = None;
         self.0.march(&unit, TOLERANCE, &mut |root| {
             let t = root.t / length;
@@ -504,6 +531,14 @@ impl Geometry for JuliaFractal {
         let is_power = |x: f64| x.is_normal() && x.to_bits() & MANTISSA == 0;
         let only_scales = |step: &Step| matches!(step, Step::Scale(by) if uniform_scale(*by).is_some_and(is_power));
         self.0.is_moved = !steps.iter().all(only_scales);
+    }
+
+    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+        ExactSearch::new(self, steps).map(Rounded::of_search)
+    }
+
+    fn is_searched(&self) -> bool {
+        true
     }
 
     /// Makes callers use `nearest_beside` for rays that leave the surface, so that these do not march through the whole

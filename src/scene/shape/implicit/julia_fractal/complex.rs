@@ -67,9 +67,9 @@ impl Function {
             Function::Acos => z.acosh().times_i().neg(),
             Function::Cosh => z.times_i().cos(),
             Function::Acosh => z.acosh(),
-            Function::Tan => z.sin() / z.cos(),
+            Function::Tan => z.tan(),
             Function::Atan => z.times_i().atanh().times_i().neg(),
-            Function::Tanh => z.sinh() / z.times_i().cos(),
+            Function::Tanh => z.tanh(),
             Function::Atanh => z.atanh(),
             Function::Power(exponent) => z.power(exponent),
         }
@@ -80,7 +80,7 @@ impl Function {
     pub(super) fn factor(self, z: Complex) -> Complex {
         match self {
             Function::Square | Function::Cube => z,
-            Function::Reciprocal => Complex::ONE / (z * z),
+            Function::Reciprocal => -(Complex::ONE / (z * z)),
             _ => self.value(z),
         }
     }
@@ -138,6 +138,18 @@ impl Complex {
         Complex::new(self.re.sinh() * cos, self.re.cosh() * sin)
     }
 
+    fn tan(self) -> Self {
+        let (re, im) = (2.0 * self.re, 2.0 * self.im);
+        let divisor = re.cos() + im.cosh();
+        Complex::new(re.sin() / divisor, im.sinh() / divisor)
+    }
+
+    fn tanh(self) -> Self {
+        let (re, im) = (2.0 * self.re, 2.0 * self.im);
+        let divisor = re.cosh() + im.cos();
+        Complex::new(re.sinh() / divisor, im.sin() / divisor)
+    }
+
     fn asin(self) -> Self {
         let root = (self * self).one_minus().sqrt();
         (self.times_i() + root).ln().times_i().neg()
@@ -154,7 +166,8 @@ impl Complex {
     }
 
     fn power(self, exponent: Complex) -> Self {
-        (exponent * self.ln()).exp()
+        let ln = Complex::new(self.norm_sq().sqrt().ln(), self.im.atan2(self.re));
+        (exponent * ln).exp()
     }
 }
 

@@ -152,7 +152,7 @@ impl Fractal {
     }
 
     /// The step outside a hypercomplex fractal: `step` where the ray approaches the set, otherwise the minimum step.
-    fn useful_step(&self, step: f64) -> f64 {
+    pub(super) fn useful_step(&self, step: f64) -> f64 {
         let is_useful = self.min_step < step && step < MAX_STEP_RATIO * self.min_step;
         if is_useful { step } else { self.min_step }
     }
@@ -380,8 +380,7 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     #[inline(always)]
     fn norm(&self) -> F {
         let [x, y, z, w] = self.z;
-        let flat = x * x + y * y;
-        flat + z * z + w * w
+        x * x + (y * y + z * z + w * w)
     }
 
     #[inline(always)]
@@ -425,6 +424,8 @@ pub(super) struct Pair<F> {
     c: [[F; 2]; 2],
     /// Derivative along the ray.
     along: [[F; 2]; 2],
+    /// True for the start, whose derivative is that of the next iterate.
+    is_start: bool,
     norm: F,
 }
 
@@ -441,9 +442,13 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
                 [F::splat(a.re), F::splat(a.im)],
                 [F::splat(b.re), F::splat(b.im)],
             ],
-            along,
+            along: [
+                derivative_step([x - w, y + z], along[0]),
+                derivative_step([x + w, y - z], along[1]),
+            ],
+            is_start: true,
             // As POV-Ray rounds it: a search begins on the sphere.
-            norm: x * x + (y * y + z * z + w * w),
+            norm: (x * x + w * w) + (y * y + z * z),
         }
     }
 
@@ -477,10 +482,15 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
         Pair {
             z,
             norm: F::splat(0.5) * (first + second),
-            along: [
-                derivative_step(self.z[0], self.along[0]),
-                derivative_step(self.z[1], self.along[1]),
-            ],
+            along: if self.is_start {
+                self.along
+            } else {
+                [
+                    derivative_step(self.z[0], self.along[0]),
+                    derivative_step(self.z[1], self.along[1]),
+                ]
+            },
+            is_start: false,
             ..self
         }
     }
@@ -515,6 +525,8 @@ mod tests {
                 rule,
                 max_iteration: 9,
                 min_step: 0.05,
+                slice: DVec4::W,
+                distance: 0.1,
                 slope: DVec3::new(0.1, 0.0, 0.2),
                 offset: 0.1,
                 radius: 2.0,

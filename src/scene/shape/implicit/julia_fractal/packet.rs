@@ -5,7 +5,7 @@
 
 use super::complex::Function;
 use super::inside_test::{Orbit, Pair, PointStates, Quaternion};
-use super::{Fractal, JuliaFractal, Rule, SHADOW_TOLERANCE, TOLERANCE};
+use super::{Fractal, JuliaFractal, LEAST_DISTANCE, Rule, TOLERANCE};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{add, scale};
@@ -92,7 +92,10 @@ impl PacketSearch<'_> {
             t: [f64::INFINITY; 4],
             hit_mask: 0,
             // Lanes without a finite start take the scalar path, since they report all roots behind the origin.
-            unknown: query.active & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
+            // So do those that leave the surface, if the last bit counts there.
+            unknown: query.active
+                & (!F::bitmask(F::splat(f64::NEG_INFINITY).lt(from))
+                    | if fractal.is_exact() { query.left } else { 0 }),
         };
         let is_hit = F::splat(0.0).lt(half_sq) & depth.lt(leave);
         let mut active = F::bitmask(is_hit) & query.active & !result.unknown;
@@ -194,7 +197,7 @@ impl PacketSearch<'_> {
         let hit_depth = self.fractal.bisect(&ray, depth, step, false);
         let t = hit_depth / length;
         let is_first = if query.left >> lane & 1 == 1 {
-            query.from[lane].max(self.fractal.unit * SHADOW_TOLERANCE) < t
+            query.from[lane].max(self.fractal.unit * LEAST_DISTANCE) < t
         } else {
             enter < hit_depth
         };
