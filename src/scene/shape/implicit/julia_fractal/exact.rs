@@ -11,9 +11,11 @@ use crate::base::math::conditioning::to_unit;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse};
 use crate::scene::shape::{Crossing, Geometry, RoundedHit};
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
-/// With fewer iterations nothing is seen.
-const MIN_ITERATIONS: u32 = 2;
+/// With fewer iterations the last digits hardly show: a fractal that reflects itself has 99.93 % equal pixels at 20
+/// without this search, 99.7 % at 24, and the search takes twice to five times as long.
+const MIN_ITERATIONS: u32 = 21;
 /// Distance, in object units, from a root to the same root of the search to the last bit.
 const SAME_ROOT: f64 = 8.0 * TOLERANCE;
 
@@ -71,7 +73,7 @@ struct Search<'f> {
     fractal: &'f Fractal,
     ray: Ray,
     /// The iterates as the evaluations have left them.
-    orbit: Vec<DVec4>,
+    orbit: SmallVec<[DVec4; 64]>,
 }
 
 /// A hit of the search.
@@ -93,7 +95,7 @@ struct SearchPoint {
 
 impl Search<'_> {
     fn new(fractal: &Fractal, ray: Ray) -> Search<'_> {
-        let orbit = vec![DVec4::ZERO; fractal.max_iteration as usize + 1];
+        let orbit = SmallVec::from_elem(DVec4::ZERO, fractal.max_iteration as usize + 1);
         Search {
             fractal,
             ray,
@@ -181,27 +183,41 @@ impl Search<'_> {
     }
 
     fn evaluate(&mut self, start: DVec4) -> Option<usize> {
-        let fractal = self.fractal;
-        let radius_sq = fractal.radius * fractal.radius;
-        let limit = match fractal.rule {
-            Rule::Hypercomplex(_) => radius_sq,
-            _ => radius_sq + TOLERANCE,
+        // Compiled for each rule, as most of the time is spent here.
+        match self.fractal.rule {
+            Rule::QuaternionSquare => self.iterate(start, Rule::QuaternionSquare),
+            Rule::QuaternionCube => self.iterate(start, Rule::QuaternionCube),
+            Rule::Hypercomplex(Function::Square) => {
+                self.iterate(start, Rule::Hypercomplex(Function::Square))
+            }
+            rule @ Rule::Hypercomplex(_) => self.iterate(start, rule),
+        }
+    }
+
+    #[inline(always)]
+    fn iterate(&mut self, start: DVec4, rule: Rule) -> Option<usize> {
+        let Fractal { radius, c, .. } = *self.fractal;
+        let limit = match rule {
+            Rule::Hypercomplex(_) => radius * radius,
+            _ => radius * radius + TOLERANCE,
         };
-        self.orbit[0] = start;
-        for iteration in 0..self.orbit.len() - 1 {
-            let z = self.orbit[iteration];
-            if fractal.exact_norm(z) > limit {
+        let mut z = start;
+        let (last, before) = self.orbit.split_last_mut()?;
+        for (iteration, iterate) in before.iter_mut().enumerate() {
+            *iterate = z;
+            if norm_of(rule, z) > limit {
                 return Some(iteration);
             }
-            self.orbit[iteration + 1] = fractal.exact_next(z);
+            z = value_of(rule, z) + c;
         }
+        *last = z;
         None
     }
 
     /// The step outside of the fractal from the point evaluated last, whose orbit leaves the sphere with iterate `last`.
     fn step(&self, last: usize) -> f64 {
         let (fractal, z) = (self.fractal, self.orbit[last]);
-        let norm = fractal.exact_norm(z);
+        let norm = norm_of(fractal.rule, z);
         match fractal.rule {
             Rule::QuaternionSquare => self.distance(last, norm, 2.0).max(fractal.min_step),
             Rule::QuaternionCube => self.distance(last, norm, 3.0).max(fractal.min_step),
@@ -286,43 +302,45 @@ impl Fractal {
         let n = self.slice;
         p.extend((self.distance - n.x * p.x - n.y * p.y - n.z * p.z) / n.w)
     }
+}
 
-    fn exact_norm(&self, z: DVec4) -> f64 {
-        let [x, y, z, w] = (z * z).to_array();
-        match self.rule {
-            Rule::QuaternionSquare | Rule::QuaternionCube => x + (y + z + w),
-            Rule::Hypercomplex(Function::Square) => (x + w) + (y + z),
-            Rule::Hypercomplex(_) => x + y + z + w,
-        }
+#[inline(always)]
+fn norm_of(rule: Rule, z: DVec4) -> f64 {
+    let [x, y, z, w] = (z * z).to_array();
+    match rule {
+        Rule::QuaternionSquare | Rule::QuaternionCube => x + (y + z + w),
+        Rule::Hypercomplex(Function::Square) => (x + w) + (y + z),
+        Rule::Hypercomplex(_) => x + y + z + w,
     }
+}
 
-    fn exact_next(&self, z: DVec4) -> DVec4 {
-        let value = match self.rule {
-            Rule::QuaternionSquare => {
-                let [xx, yy, zz, ww] = (z * z).to_array();
-                let double = 2.0 * z.x;
-                let real = xx - (yy + zz + ww);
-                DVec4::new(real, double * z.y, double * z.z, double * z.w)
+/// The value of the function that an iteration applies.
+#[inline(always)]
+fn value_of(rule: Rule, z: DVec4) -> DVec4 {
+    match rule {
+        Rule::QuaternionSquare => {
+            let [xx, yy, zz, ww] = (z * z).to_array();
+            let double = 2.0 * z.x;
+            let real = xx - (yy + zz + ww);
+            DVec4::new(real, double * z.y, double * z.z, double * z.w)
+        }
+        Rule::QuaternionCube => {
+            let [xx, yy, zz, ww] = (z * z).to_array();
+            let v = yy + zz + ww;
+            let factor = 3.0 * xx - v;
+            let real = z.x * (xx - 3.0 * v);
+            DVec4::new(real, factor * z.y, factor * z.z, factor * z.w)
+        }
+        Rule::Hypercomplex(Function::Square) => {
+            let [xx, yy, zz, ww] = (z * z).to_array();
+            DVec4 {
+                x: (xx + ww) - (yy + zz),
+                ..square_of(z)
             }
-            Rule::QuaternionCube => {
-                let [xx, yy, zz, ww] = (z * z).to_array();
-                let v = yy + zz + ww;
-                let factor = 3.0 * xx - v;
-                let real = z.x * (xx - 3.0 * v);
-                DVec4::new(real, factor * z.y, factor * z.z, factor * z.w)
-            }
-            Rule::Hypercomplex(Function::Square) => {
-                let [xx, yy, zz, ww] = (z * z).to_array();
-                DVec4 {
-                    x: (xx + ww) - (yy + zz),
-                    ..square_of(z)
-                }
-            }
-            Rule::Hypercomplex(Function::Cube) => square_of(z),
-            Rule::Hypercomplex(Function::Reciprocal) => hypercomplex_reciprocal(z),
-            Rule::Hypercomplex(function) => function_value(function, z),
-        };
-        value + self.c
+        }
+        Rule::Hypercomplex(Function::Cube) => square_of(z),
+        Rule::Hypercomplex(Function::Reciprocal) => hypercomplex_reciprocal(z),
+        Rule::Hypercomplex(function) => function_value(function, z),
     }
 }
 
