@@ -83,25 +83,32 @@ fn a_missing_parameter_is_an_error() {
     }
 }
 
+/// Shapes that rays leave for good.
+const EXITED: [(Word, &str); 12] = [
+    (Word::Sphere, "<1,2,3>, 4"),
+    (Word::Box, "<-1,-2,0.3>, <1,0.5,0.4>"),
+    (Word::Cylinder, "<0,-1,0.5>, <0.3,1,0>, 0.4"),
+    (Word::Cone, "<0,0,0.1>, 1, <0.2,1,0>, 0.3"),
+    (Word::Cone, "<0,0,0>, 0, <0,2,0>, 0.7"),
+    (Word::Cone, "<0,0,0>, 1, <0,1,0>, -0.5"),
+    (Word::Plane, "<0.3,1,0.2>, -1"),
+    (Word::Torus, "1, .3"),
+    (
+        Word::Blob,
+        "threshold .4 sphere { <0,0,0>, 1, 1 } sphere { <.5,.2,0>, 1, 1 }",
+    ),
+    (Word::Superellipsoid, "<.5, .3>"),
+    (Word::Superellipsoid, "<2, 1.1>"),
+    (
+        Word::Blob,
+        "threshold .5 sphere { <0,0,0>, 2, 1 } sphere { <0,2,0>, .3, 2 }",
+    ),
+];
+
 #[test]
 fn an_exited_convex_shape_is_not_entered_again() {
     let mut rng = Random::new(19);
-    for (word, text) in [
-        (Word::Sphere, "<1,2,3>, 4"),
-        (Word::Box, "<-1,-2,0.3>, <1,0.5,0.4>"),
-        (Word::Cylinder, "<0,-1,0.5>, <0.3,1,0>, 0.4"),
-        (Word::Cone, "<0,0,0.1>, 1, <0.2,1,0>, 0.3"),
-        (Word::Cone, "<0,0,0>, 0, <0,2,0>, 0.7"),
-        (Word::Cone, "<0,0,0>, 1, <0,1,0>, -0.5"),
-        (Word::Plane, "<0.3,1,0.2>, -1"),
-        (Word::Torus, "1, .3"),
-        (
-            Word::Blob,
-            "threshold .4 sphere { <0,0,0>, 1, 1 } sphere { <.5,.2,0>, 1, 1 }",
-        ),
-        (Word::Superellipsoid, "<.5, .3>"),
-        (Word::Superellipsoid, "<2, 1.1>"),
-    ] {
+    for (word, text) in EXITED {
         let (mut shape, _) = read(word, text);
         shape.prepare();
         let (mut left, mut roots) = (0, Vec::new());
@@ -125,5 +132,50 @@ fn an_exited_convex_shape_is_not_entered_again() {
         }
         let is_hourglass = text.ends_with("-0.5");
         assert_eq!(left > 200, !is_hourglass, "{word:?} {text}: {left}");
+    }
+}
+
+#[test]
+fn rays_between_rays_that_exit_do_so_too() {
+    let mut rng = Random::new(23);
+    let mut between = 0;
+    for (word, text) in EXITED {
+        let (mut shape, _) = read(word, text);
+        shape.prepare();
+        if !shape.exits_in_cones() {
+            continue;
+        }
+        let mut roots = Vec::new();
+        for _ in 0..2000 {
+            let (aim, away) = (rng.vector(1.0), rng.vector(4.0));
+            roots.clear();
+            shape.roots(&Ray::new(aim + away, -away), &mut roots);
+            let Some(&Root { t, face, .. }) = roots.first() else {
+                continue;
+            };
+            let point = (aim + away) - t * away;
+            let normal = shape.normal(point, face).normalize();
+            let middle = rng.vector(1.0);
+            let [across, up] = [rng.vector(0.7), rng.vector(0.7)];
+            let corners = [across + up, across - up, up - across, -across - up];
+            let exits = |offset: DVec3| {
+                let dir = middle + offset;
+                normal.dot(dir) > 1e-3 * dir.length() && shape.is_exiting(&Ray::new(point, dir))
+            };
+            if !corners.into_iter().all(exits) {
+                continue;
+            }
+            let inner = rng.vector(1.0);
+            let ray = Ray::new(point, middle + inner.x * across + inner.y * up);
+            between += 1;
+            roots.clear();
+            shape.roots(&ray, &mut roots);
+            let enters = |root: &Root| root.crossing == Crossing::Enter && root.t > 1e-9;
+            assert!(!roots.iter().any(enters), "{word:?} {text}: {ray:?}");
+        }
+    }
+    assert!(between > 1_000, "{between}");
+    for (word, text) in [EXITED[8], EXITED[11], (Word::Superellipsoid, "<3, 1.1>")] {
+        assert!(!read(word, text).0.exits_in_cones(), "{word:?} {text}");
     }
 }
