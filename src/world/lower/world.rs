@@ -121,10 +121,10 @@ impl World {
             for leaf in &mut world.model.leaves {
                 match &mut leaf.shape {
                     Shape::Mesh(mesh) => mesh.use_povray_planes(),
-                    Shape::Sor(sor) => {
-                        if summary.is_opaque || summary.opaque[leaf.surface as usize] {
-                            sor.use_near_shadows();
-                        }
+                    Shape::Sor(sor)
+                        if summary.is_opaque || summary.opaque[leaf.surface as usize] =>
+                    {
+                        sor.use_near_shadows();
                     }
                     _ => {}
                 }
