@@ -67,13 +67,18 @@ impl<'a> Report<'a> {
     }
 }
 
-/// A sentence in which long names are cut.
+/// A sentence in which long names between backquotes are cut; what a scene says by `#error` stays whole.
 fn with_short_names(text: &str) -> String {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut short = String::with_capacity(text.len());
-    let mut len = 0;
+    let (mut len, mut is_quoted) = (0, false);
     for letter in text.chars() {
-        len = if is_part(letter) { len + 1 } else { 0 };
+        is_quoted ^= letter == '`';
+        len = if is_quoted && is_part(letter) {
+            len + 1
+        } else {
+            0
+        };
         match len {
             ..=limits::QUOTED => short.push(letter),
             _ if !short.ends_with("...") => short.push_str("..."),
@@ -93,5 +98,6 @@ mod tests {
         let cut = with_short_names(&format!("`{name}` and `b`"));
         assert_eq!(cut, format!("`{}...` and `b`", &name[..60]));
         assert_eq!(with_short_names("a b..."), "a b...");
+        assert_eq!(with_short_names(&name), name);
     }
 }
