@@ -8,7 +8,8 @@
 //! the ray is first moved to the point nearest to the surface's centre. Caps close the solid at the first and the last
 //! height; `open` makes them invisible.
 //!
-//! What stands alone in a scene shows the hits that POV-Ray finds instead ([`closed_form`]), unless cuts are to be clean.
+//! A surface of revolution outside of CSG objects is hit where POV-Ray finds a hit instead ([`closed_form`]), without
+//! `--clean-cuts` and `sturm`.
 
 use self::closed_form::{Caps, Segment};
 use super::spline;

@@ -101,7 +101,7 @@ fn v_goes_on_over_the_caps() {
     assert_eq!((v(0.5, 1.0, APEX), v(0.0, 1.0, APEX)), (1.0, 2.0));
 }
 
-/// What `trace` of POV-Ray 3.7 returns for rays that climb little: two of four have no hit there.
+/// Hits of `trace` in POV-Ray 3.7 on nearly level rays: two of four have none there.
 #[test]
 fn almost_level_rays_hit_where_povray_finds_a_hit() {
     let mut glass = sor(
