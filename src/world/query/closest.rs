@@ -511,8 +511,17 @@ impl World {
 
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.
     pub(in crate::world) fn rounded_hit(&self, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
+        self.rounded_by(
+            self.model.rounding.forms.get(&hit.spawn_surface.leaf),
+            ray,
+            hit,
+        )
+    }
+
+    /// The same, with the rounded form of its leaf; none for a sphere in world space.
+    fn rounded_by(&self, form: Option<&Rounded>, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
         let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
-        match self.model.rounding.forms.get(&leaf) {
+        match form {
             Some(form) => form.hit(ray, hit.t, face),
             None => Some(self.model.world_sphere(leaf)?.rounded_hit(ray, hit.t)),
         }
@@ -523,9 +532,8 @@ impl World {
     #[inline(never)]
     pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
         let form = self.model.rounding.forms.get(&hit.spawn_surface.leaf);
-        let is_searched = form.is_some_and(Rounded::is_search);
-        match self.rounded_hit(ray, &hit) {
-            Some(RoundedHit { t, point, normal }) if is_searched => Hit {
+        match self.rounded_by(form, ray, &hit) {
+            Some(RoundedHit { t, point, normal }) if form.is_some_and(Rounded::is_search) => Hit {
                 t,
                 point,
                 shading_normal: normal,

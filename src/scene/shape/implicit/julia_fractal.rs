@@ -6,8 +6,8 @@
 //! of Hart, Sandin and Kauffman 1989 ("Ray tracing deterministic 3-D fractals", eq. 8), inside they are
 //! `1 / precision`; where the inside state changes, the step is halved down to [`TOLERANCE`]. POV-Ray does the same,
 //! and surfaces that its steps miss must be missed here: a finer search would draw hairs that POV-Ray does not. The
-//! normal is the gradient of `|z|²` after the last iteration. What is seen, and what leaves the surface, is searched again
-//! to the last bit ([`ExactSearch`]).
+//! normal is the gradient of `|z|²` after the last iteration. Under many iterations hits that are seen, and those of rays
+//! that leave the surface, are searched again to the last bit ([`ExactSearch`]).
 //!
 //! Error bound of quaternions and of the hypercomplex `sqr`, `cube` and `reciprocal`: within [`TOLERANCE`] of a reported
 //! root the state changes (`tests/stability`); missed surfaces have no bound.
@@ -538,7 +538,7 @@ impl Geometry for JuliaFractal {
     }
 
     fn is_searched(&self) -> bool {
-        true
+        self.0.is_exact()
     }
 
     /// Makes callers use `nearest_beside` for rays that leave the surface, so that these do not march through the whole
