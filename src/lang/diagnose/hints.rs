@@ -169,6 +169,12 @@ impl Reader<'_> {
     /// A remedy that rewrites the text around the next token.
     fn rewritten(&self, token: Token, wanted: &str) -> Option<Remedy> {
         let is_statement = wanted.contains("statement");
+        if matches!(token.kind, Kind::Name | Kind::Word)
+            && is_statement
+            && let Some(remedy) = self.declaration_by_type()
+        {
+            return Some(remedy);
+        }
         match token.kind {
             _ if wanted.starts_with("`(` after") => self.argument_without_parentheses(),
             Kind::Mark | Kind::Name | Kind::Word if wanted == "a string" => self
@@ -182,9 +188,6 @@ impl Reader<'_> {
                     self.here_span(),
                     "ttf",
                 ))
-            }
-            Kind::Name | Kind::Word if is_statement && self.declaration_by_type().is_some() => {
-                self.declaration_by_type()
             }
             Kind::Name => (is_statement.then(|| self.assignment()).flatten())
                 .or_else(|| self.keyword_in_capitals(Symbol(token.value), wanted))

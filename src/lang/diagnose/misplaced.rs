@@ -1,6 +1,7 @@
 //! Words in a block that has none of them, and the block that has.
 
 use crate::base::args::Word;
+use crate::lang::diagnose::notation::is_map;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::limits;
@@ -250,11 +251,7 @@ impl Reader<'_> {
         let text = self.source_text(span);
         let is_short = text.len() <= limits::QUOTED && !text.contains(['\n', '\r']);
         // A map needs a pattern before it.
-        let is_map = matches!(
-            word,
-            Word::ColorMap | Word::ColourMap | Word::NormalMap | Word::PigmentMap | Word::SlopeMap
-        );
-        match is_short && !is_map {
+        match is_short && !is_map(word) {
             true => Remedy::fix(hint, span, format!("{name} {{ {text} }}")),
             false => hint.into(),
         }

@@ -579,7 +579,7 @@ impl Reader<'_> {
 }
 
 /// True for blocks of entries in brackets.
-fn is_map(word: Word) -> bool {
+pub(super) fn is_map(word: Word) -> bool {
     matches!(
         word,
         Word::ColorMap
