@@ -118,7 +118,6 @@ impl Lowering {
     }
 
     fn add_leaf(&mut self, shape: &Shape, steps: &[Step], absorb: Absorb, surface: u32) {
-        self.shows_sors |= matches!(shape, Shape::Sor(_));
         let alone = self.shape_alone(shape.clone());
         let (leaf, mut bounds) = Leaf::new(alone, steps, absorb, surface, Extent::Surface);
         if bounds.is_empty() {

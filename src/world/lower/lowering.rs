@@ -37,8 +37,6 @@ pub(crate) struct Lowering {
     pub(crate) rounds: bool,
     /// The rule by which surfaces coincide in CSG.
     pub(crate) widening: Widening,
-    /// True if there is a surface of revolution outside of CSG objects.
-    pub(crate) shows_sors: bool,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) interiors: Interiors,
     /// Scene-wide settings for patterns.

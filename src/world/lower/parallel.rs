@@ -5,7 +5,7 @@ use super::parts::model::PendingItem;
 use super::parts::plain_shapes::{PlainShapes, SurfaceTemplate};
 use crate::base::math::Bounds;
 use crate::base::memory;
-use crate::scene::shape::{Geometry, Shape};
+use crate::scene::shape::Geometry;
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::world::index::index;
 use crate::world::interiors::InteriorId;
@@ -120,8 +120,6 @@ impl Lowering {
             Leaf::new(alone, steps, Absorb::AllItCan, surface, Extent::Surface)
         };
         lists.par_extend(indices.clone().zip(surfaces).map(leaf));
-        let is_sor = |leaf: &Leaf| matches!(leaf.shape, Shape::Sor(_));
-        self.shows_sors |= lists.0[leaves.start as usize..].iter().any(is_sor);
         let parts = &mut self.parts;
         (parts.leaves, parts.bounds) = lists;
         parts

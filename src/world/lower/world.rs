@@ -7,10 +7,10 @@ use crate::scene::Scene;
 use crate::scene::camera::Lens;
 use crate::scene::shape::{Geometry, Rounded, Shape};
 use crate::world::compiled::{Globals, World};
-use crate::world::csg::coincidence::Widening;
 use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
+use crate::world::primitive::Leaf;
 use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -34,7 +34,6 @@ impl World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.single_boxes();
         let povray_boxes = flat.parts.povray_boxes();
-        let shows_sors = flat.shows_sors && flat.widening != Widening::NONE;
         let sends_rays = flat.surfaces.par_iter().any(Surface::sends_rays);
         let may_tie = sends_rays && flat.parts.has_flush_faces();
         let parts = std::mem::take(&mut flat.parts);
@@ -112,6 +111,9 @@ impl World {
             uses_packets: false,
             streams: false,
         };
+        let has_povray_hits =
+            |leaf: &Leaf| matches!(&leaf.shape, Shape::Sor(sor) if sor.has_povray_hits());
+        let shows_sors = world.model.leaves.par_iter().any(has_povray_hits);
         // Not with subsurface light: 12 of its scenes differ more from POV-Ray then.
         if (world.draws_in_order(options) || shows_sors) && world.subsurface.is_none() {
             world.least_distance = TMinRule::PovRay;

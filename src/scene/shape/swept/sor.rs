@@ -107,6 +107,11 @@ impl Sor {
         })
     }
 
+    /// True if rays hit it where POV-Ray finds a hit.
+    pub(crate) fn has_povray_hits(&self) -> bool {
+        self.has_povray_hits
+    }
+
     /// Makes rays hit it where POV-Ray finds a hit.
     pub(crate) fn use_povray_hits(&mut self) {
         self.has_povray_hits = !self.has_sturm;
