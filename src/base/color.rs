@@ -102,23 +102,25 @@ impl Color {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
 
-    /// Linear interpolation from this colour (`share` 0) to `to` (`share` 1). As in POV-Ray, differences are in single
-    /// precision, the rest is in double precision and rounded once.
+    /// Linear interpolation from this colour (`share` 0) to `to` (`share` 1). As in POV-Ray 3.7, the difference, its
+    /// share and the sum are rounded to single precision each.
     #[must_use]
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "colours are single precision, as in POV-Ray"
-    )]
     pub fn blended(&self, to: &Color, share: f64) -> Color {
-        let blend = |a: f32, b: f32| (f64::from(a) + share * f64::from(b - a)) as f32;
         Color {
-            rgb: Rgb {
-                r: blend(self.rgb.r, to.rgb.r),
-                g: blend(self.rgb.g, to.rgb.g),
-                b: blend(self.rgb.b, to.rgb.b),
-            },
-            filter: blend(self.filter, to.filter),
-            transmit: blend(self.transmit, to.transmit),
+            rgb: self.rgb + (to.rgb - self.rgb) * share,
+            filter: self.filter + scaled(to.filter - self.filter, share),
+            transmit: self.transmit + scaled(to.transmit - self.transmit, share),
+        }
+    }
+
+    /// The same as the sum of both shares, each rounded to single precision, as in POV-Ray 3.8.
+    #[must_use]
+    pub fn mixed(&self, to: &Color, share: f64) -> Color {
+        let mix = |from: f32, to: f32| scaled(from, 1.0 - share) + scaled(to, share);
+        Color {
+            rgb: self.rgb * (1.0 - share) + to.rgb * share,
+            filter: mix(self.filter, to.filter),
+            transmit: mix(self.transmit, to.transmit),
         }
     }
 
@@ -181,14 +183,18 @@ impl Mul<f32> for Rgb {
 /// The product is computed in double precision and rounded once, as in POV-Ray.
 impl Mul<f64> for Rgb {
     type Output = Rgb;
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "colours are single precision, as in POV-Ray"
-    )]
     fn mul(self, k: f64) -> Rgb {
-        let scaled = |c: f32| (f64::from(c) * k) as f32;
-        Rgb::new(scaled(self.r), scaled(self.g), scaled(self.b))
+        Rgb::new(scaled(self.r, k), scaled(self.g, k), scaled(self.b, k))
     }
+}
+
+/// A channel times a factor.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision, as in POV-Ray"
+)]
+fn scaled(channel: f32, factor: f64) -> f32 {
+    (f64::from(channel) * factor) as f32
 }
 
 /// As the product.

@@ -107,7 +107,10 @@ impl Rainbow {
         match word {
             Word::Direction => self.direction = args.vector()?,
             Word::Up => self.up = args.vector()?,
-            Word::ColorMap | Word::ColourMap => self.colors = Some(Map::read_colors(args)?),
+            Word::ColorMap | Word::ColourMap => {
+                let map = Map::read_colors(args)?;
+                self.colors = Some(map.rounded_for(args.is_for_3_8()));
+            }
             Word::Angle => self.angle = args.float()?.to_radians(),
             Word::Width => self.width = args.float()?.to_radians(),
             Word::Distance => self.distance = args.float()?,

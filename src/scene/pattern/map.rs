@@ -32,6 +32,8 @@ pub enum Blend {
     /// Linearly in the working space.
     #[default]
     Working,
+    /// The same, rounded as by POV-Ray 3.8.
+    Mixed,
     /// Otherwise, in a space to which the working space is decoded first; `filter` and `transmit` in linear light.
     Decoded {
         /// The working space.
@@ -100,6 +102,7 @@ impl Blend {
     pub fn of(self, from: &Color, to: &Color, share: f64) -> Color {
         match self {
             Blend::Working => from.blended(to, share),
+            Blend::Mixed => from.mixed(to, share),
             Blend::Decoded { working, space } => {
                 let in_light = |from: f32, to: f32| {
                     let [from, to] = [from, to].map(|c| working.decode(c));
@@ -294,6 +297,15 @@ impl<T> Map<T> {
     #[must_use]
     pub fn blend(&self) -> Blend {
         self.blend
+    }
+
+    /// The map with the roundings of version 3.8, if the scene is of that.
+    #[must_use]
+    pub(crate) fn rounded_for(mut self, is_3_8: bool) -> Self {
+        if is_3_8 && self.blend == Blend::Working {
+            self.blend = Blend::Mixed;
+        }
+        self
     }
 
     /// The entries with their positions.

@@ -327,11 +327,13 @@ impl PreparedPigment {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
             PigmentKind::Colors(mapped) => {
                 let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
-                PreparedPigment::Colors(Box::new((pattern, mapped.map.clone())))
+                let map = mapped.map.clone().rounded_for(settings.is_3_8);
+                PreparedPigment::Colors(Box::new((pattern, map)))
             }
             PigmentKind::Pigments(mapped) => {
                 let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
-                PreparedPigment::Pigments(Box::new((pattern, entries(&mapped.map))))
+                let map = entries(&mapped.map).rounded_for(settings.is_3_8);
+                PreparedPigment::Pigments(Box::new((pattern, map)))
             }
             PigmentKind::Average(Some(map)) => {
                 let chain = modifiers.prepare_chain(after, settings);
