@@ -449,10 +449,10 @@ impl Tracer<'_> {
     /// The number of steps of method 3 and their width as a share of the interval. In 3.7 a last step of the same width
     /// follows that is not sampled, and fewer than 2 samples count as 2; from 3.8 on the steps fill the interval (measured).
     fn even_steps(&self, sampling: &Sampling) -> (u32, f64) {
-        let half = sampling.samples[0] / 2;
+        let samples = sampling.samples[0];
         let (steps, parts) = match self.world.globals.is_3_8 {
-            true => (half.max(1), half.max(1)),
-            false => ((half + 1).max(2), (half + 1).max(2) + 1),
+            true => (samples.div_ceil(2).max(1), samples.div_ceil(2).max(1)),
+            false => ((samples / 2 + 1).max(2), (samples / 2 + 1).max(2) + 1),
         };
         (steps, 1.0 / f64::from(parts))
     }

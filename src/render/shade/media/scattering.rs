@@ -126,6 +126,9 @@ impl Tracer<'_> {
                 indices.push(i);
             }
         }
+        if queries.is_empty() {
+            return;
+        }
         let scratch = &mut scratch.query;
         let all = self.world.occlusion_of_stream(&queries, number, scratch);
         for (i, occlusion) in indices.into_iter().zip(all) {
