@@ -85,7 +85,7 @@ impl HeightField {
     /// An image that is missing, damaged, too large or of an unknown kind; a malformed or non-finite parameter.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let heights = match args.sampled_function()? {
-            Some(sampled) => image::Heights::from_function(&sampled),
+            Some(sampled) => image::Heights::from_function(&sampled, args.is_for_3_8()),
             None => read_picture(args)?,
         };
         let mut is_smooth = false;
@@ -178,7 +178,7 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     args.reserve_memory("this image", needed, at)?;
     let samples = Samples {
         gamma: read_gamma(args)?,
-        keeps_grey: args.is_for_3_8(),
+        is_3_8: args.is_for_3_8(),
     };
     let heights = image::heights(kind.decoder, &bytes, samples).map_err(unreadable)?;
     if heights.rows.len() >= MAX_CELLS {

@@ -12,7 +12,7 @@
 
 use crate::base::args::{SampledFunction, Word};
 use crate::base::bitmap::{self, Content, Format};
-use crate::base::color::{Color, Gamma};
+use crate::base::color::{Color, Gamma, Rgb};
 use image::DynamicImage;
 use std::io::Cursor;
 
@@ -83,29 +83,42 @@ pub(super) struct Heights {
 
 impl Heights {
     /// The heights of an image computed from a function: its grey values in 16 bits. The grey of colours is truncated,
-    /// so that white with n steps is n or n - 1 steps high; plain numbers are rounded.
-    pub(super) fn from_function(sampled: &SampledFunction) -> Self {
-        let grey_weights = [0.297, 0.589, 0.114];
+    /// so that white with n steps is n or n - 1 steps high (n in version 3.8); plain numbers are rounded.
+    pub(super) fn from_function(sampled: &SampledFunction, is_3_8: bool) -> Self {
         let height = |color: &Color| {
-            let channels = [color.rgb.r, color.rgb.g, color.rgb.b].map(f64::from);
-            let steps = if sampled.is_grey {
-                (channels[0] * 65535.0).round()
-            } else {
-                let [r, g, b] = [0, 1, 2].map(|channel| grey_weights[channel] * channels[channel]);
-                (r + g + b) * 65535.0
-            };
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "cut, and the cast saturates"
-            )]
-            let height = steps as u16;
-            height
+            let Rgb { r, g, b } = color.rgb;
+            match sampled.is_grey {
+                true => cut((f64::from(r) * f64::from(DEEP)).round(), 1.0, false),
+                false => cut(grey([r, g, b]), DEEP, is_3_8),
+            }
         };
         Heights {
             width: sampled.width,
             rows: sampled.colors.iter().map(height).collect(),
         }
+    }
+}
+
+/// The steps of samples of 16 bits.
+const DEEP: f32 = 65535.0;
+
+/// The grey value of a colour.
+fn grey(rgb: [f32; 3]) -> f64 {
+    let [r, g, b] = rgb.map(f64::from);
+    0.297 * r + 0.589 * g + 0.114 * b
+}
+
+/// The whole steps in a value, which version 3.8 rounds to single precision: grey colours keep theirs.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "cut, and the cast saturates"
+)]
+fn cut(value: f64, steps: f32, is_3_8: bool) -> u16 {
+    if is_3_8 {
+        (value as f32 * steps) as u16
+    } else {
+        (value * f64::from(steps)) as u16
     }
 }
 
@@ -164,8 +177,8 @@ fn from_bytes(high: u8, low: u8) -> u16 {
 pub(super) struct Samples {
     /// The gamma of the samples.
     pub(super) gamma: Gamma,
-    /// True if grey values of 8 bits that no gamma changes stay as they are, as in version 3.8.
-    pub(super) keeps_grey: bool,
+    /// True for the roundings of version 3.8.
+    pub(super) is_3_8: bool,
 }
 
 #[allow(
@@ -214,6 +227,13 @@ impl Samples {
     }
 
     fn deep_color(self, color: [u16; 3]) -> u16 {
+        if self.is_3_8 {
+            return cut(
+                grey(color.map(|sample| self.decoded_deep(sample))),
+                DEEP,
+                true,
+            );
+        }
         let [red, green, blue] = color.map(|sample| {
             if self.is_linear() {
                 f64::from(sample)
@@ -226,10 +246,10 @@ impl Samples {
 
     /// The height of an 8-bit grey value of a PNG, after POV-Ray's conversion to a colour and back.
     fn degraded_grey(self, grey: u8) -> u16 {
-        if self.keeps_grey && self.is_linear() {
-            return self.grey(grey);
-        }
         let g = self.decoded(grey);
+        if self.is_3_8 {
+            return cut(self::grey([g; 3]), 255.0, true) * 257;
+        }
         u16::from((255.0 * (0.297 * g + 0.589 * g + 0.114 * g)) as u8) * 257
     }
 }
@@ -429,7 +449,7 @@ mod tests {
         // Measured with POV-Ray 3.7.
         let linear = Samples {
             gamma: Gamma::LINEAR,
-            keeps_grey: false,
+            is_3_8: false,
         };
         assert_eq!(
             [202, 221, 129, 121, 255].map(|byte| linear.degraded_grey(byte)),
@@ -442,7 +462,7 @@ mod tests {
         // Measured with POV-Ray 3.7.
         let samples = Samples {
             gamma: Gamma::power(2.2),
-            keeps_grey: false,
+            is_3_8: false,
         };
         assert_eq!([50, 100].map(|byte| samples.grey(byte)), [1818, 8357]);
         assert_eq!(samples.degraded_grey(50), 1799);
@@ -456,7 +476,7 @@ mod tests {
         let (gif_width, rows) = indices(bytes).expect("it is a GIF");
         let samples = Samples {
             gamma: Gamma::LINEAR,
-            keeps_grey: false,
+            is_3_8: false,
         };
         let result = heights(Decoder::Pot, bytes, samples).expect("it has heights");
         assert_eq!((gif_width, result.width), (48, 24));
