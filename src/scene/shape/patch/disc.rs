@@ -36,7 +36,6 @@ impl Disc {
     /// Malformed or non-finite parameters. A normal of length zero only gives a warning, since POV-Ray draws nothing.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let centre = read::vector(args, "the centre of the disc")?;
-        args.comma()?;
         let at = args.span();
         let normal = read::vector(args, "the normal of the disc")?;
         let at = at.to(args.last_span());
