@@ -40,6 +40,10 @@ impl Reader<'_> {
                     return Ok(sum);
                 }
                 Some(Word::Color | Word::Colour) => {
+                    if has_word {
+                        let reason = "`color` stands once before a colour";
+                        self.refused_by_povray(self.here_span(), reason, "Remove one of the two.");
+                    }
                     self.pass();
                     has_word = true;
                 }
