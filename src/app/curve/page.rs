@@ -117,12 +117,12 @@ pub(super) fn html(
             page,
             "<figure id=\"{stem}\" style=\"--family: {}\"><a class=\"shot pair\" href=\"#{stem}\"><img alt=\"{name}\" src=\"{}\">\
              <img alt=\"{name}: difference\" src=\"{}\"></a>\
-             <figcaption><b><code>{name}</code></b> {:.3} s, RMSE {:.5}</figcaption></figure>",
+             <figcaption><b><code>{name}</code></b> {} s, RMSE {}</figcaption></figure>",
             color(m.family),
             embedded(&pictures.join(format!("{stem}.png")))?,
             embedded(&pictures.join(format!("{stem}-difference.png")))?,
-            m.processor.median,
-            m.errors.rmse
+            digits(m.processor.median),
+            digits(m.errors.rmse)
         );
     }
     page += "</div>\n";
@@ -157,11 +157,17 @@ fn beside_pov_ray(ours: &[(f64, f64)], theirs: &[(f64, f64)]) -> Option<String> 
     let error = our_error.max(their_error);
     Some(match (cost(error, ours), cost(error, theirs)) {
         (Some(our_cost), Some(their_cost)) => format!(
-            "At equal error povr needs {our_cost:.2} s, POV-Ray {their_cost:.2} s ({:.1} ×)",
+            "At equal error povr needs {} s, POV-Ray {} s ({:.1} ×)",
+            digits(our_cost),
+            digits(their_cost),
             their_cost / our_cost.max(f64::MIN_POSITIVE)
         ),
         _ => format!(
-            "povr reaches an error of {our_error:.4} in {our_cost:.2} s, POV-Ray one of {their_error:.4} in {their_cost:.2} s"
+            "povr reaches an error of {} in {} s, POV-Ray one of {} in {} s",
+            digits(our_error),
+            digits(our_cost),
+            digits(their_error),
+            digits(their_cost)
         ),
     })
 }
@@ -183,29 +189,42 @@ fn row(page: &mut String, m: &Measured, has_spread: bool) {
     let e = &m.errors;
     let estimated = m
         .estimated
-        .map_or_else(|| "–".to_owned(), |(_, rms)| format!("{rms:.5}"));
+        .map_or_else(|| "–".to_owned(), |(_, rms)| digits(rms));
     let seconds = |spread: &Spread| match has_spread {
         true => format!(
-            "<td>{:.3}</td><td>{:.3} – {:.3}</td>",
-            spread.median, spread.least, spread.most
+            "<td>{}</td><td>{} – {}</td>",
+            digits(spread.median),
+            digits(spread.least),
+            digits(spread.most)
         ),
-        false => format!("<td>{:.3}</td>", spread.median),
+        false => format!("<td>{}</td>", digits(spread.median)),
     };
     // Writing to a string cannot fail.
     let _ = writeln!(
         page,
-        "<tr style=\"--family: {}\"><td><code>{}</code></td>{}{}<td>{:.2}</td><td>{:.5}</td><td>{estimated}</td>\
-         <td>{:.4}</td><td>{:.4}</td><td>{:.5}</td></tr>",
+        "<tr style=\"--family: {}\"><td><code>{}</code></td>{}{}<td>{}</td><td>{}</td><td>{estimated}</td>\
+         <td>{}</td><td>{}</td><td>{}</td></tr>",
         color(m.family),
         name(m),
         seconds(&m.processor),
         seconds(&m.wall),
-        m.samples_per_pixel,
-        e.rmse,
-        e.p999,
-        e.max,
-        e.flip
+        digits(m.samples_per_pixel),
+        digits(e.rmse),
+        digits(e.p999),
+        digits(e.max),
+        digits(e.flip)
     );
+}
+
+/// A measurement with three significant digits; repeated runs differ in the third.
+fn digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    let decimals = (0..8).find(|&decimals| rounded.abs() * 10f64.powi(decimals) >= 99.5);
+    let decimals = usize::try_from(decimals.unwrap_or(8)).unwrap_or(8);
+    format!("{rounded:.decimals$}")
 }
 
 fn name(m: &Measured) -> String {
@@ -241,6 +260,13 @@ mod tests {
         assert!((between - 2.0).abs() < 1e-9, "{between}");
         assert_eq!(cost(0.1, &points), Some(1.0));
         assert_eq!((cost(0.2, &points), cost(1e-4, &points)), (None, None));
+    }
+
+    #[test]
+    fn measurements_have_three_significant_digits() {
+        let values = [0.0, 0.000_123_456, 0.009_999, 1.5, 12.345, 1234.5];
+        let shown = ["0", "0.000123", "0.0100", "1.50", "12.3", "1230"];
+        assert_eq!(values.map(digits), shown);
     }
 
     #[test]
