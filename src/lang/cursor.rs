@@ -313,13 +313,18 @@ impl Reader<'_> {
         let span = match (token.kind, self.here.at.checked_sub(1)) {
             (Kind::End, Some(last)) => {
                 let last = self.here.tokens.span(last);
-                Span::new(last.file, last.end, last.end)
+                let end = self.end_of_text(last);
+                Span::new(last.file, end, end)
             }
             _ => self.here_span(),
         };
         let mut diagnostic = Diagnostic::error(span, format!("expected {what}, found {found}"));
         if token.kind == Kind::Name && self.scopes.get(Symbol(token.value)).is_none() {
             diagnostic.code = Some(Code::Undeclared);
+        }
+        if let Some(rule) = self.foreign_format() {
+            self.is_over = true;
+            return self.with_trace(diagnostic.with_hint(rule));
         }
         if let Some(remedy) = self.remedy(token, what) {
             diagnostic = remedy.added_to(diagnostic);
@@ -330,6 +335,16 @@ impl Reader<'_> {
             diagnostic = self.with_block(diagnostic, token, self.span_of(open));
         }
         self.with_trace(diagnostic)
+    }
+
+    /// The end of the text of a file whose last token is known: literal objects behind it have none.
+    fn end_of_text(&self, last: Span) -> u32 {
+        let text = self.sources.text(last.file);
+        let behind = text.get(last.end as usize..).unwrap_or_default().trim();
+        match behind.is_empty() || behind.starts_with("//") || behind.starts_with("/*") {
+            true => last.end,
+            false => u32::try_from(text.trim_end().len()).unwrap_or(last.end),
+        }
     }
 
     /// An error at the next token.
@@ -362,6 +377,7 @@ impl Reader<'_> {
                 None => format!("the undeclared identifier `{}`", text()),
                 Some(value) => format!("`{}`, which is {}", text(), value.kind()),
             },
+            Kind::Mark if token.is_mark('`') => "a backquote".to_owned(),
             Kind::Mark if is_invisible(token.value) => {
                 format!("the invisible character U+{:04X}", token.value)
             }

@@ -29,7 +29,7 @@ use super::limits;
 use super::limits::EQUAL;
 use super::reader::Reader;
 use crate::base::args::{Parse, Word};
-use crate::base::source::Diagnostic;
+use crate::base::source::{Diagnostic, Fix};
 use crate::lang::syntax::{Class, Kind, Symbol};
 use glam::DVec3;
 use std::rc::Rc;
@@ -53,7 +53,8 @@ impl Reader<'_> {
         let span = self.span_from(start);
         let error = Diagnostic::error(span, format!("expected a number, found {}", number.kind()));
         let component = self.raw().is_mark('[').then(|| self.component_by_number());
-        Err(self.with_trace(match component.flatten() {
+        let remedy = component.flatten().or_else(|| self.factor_before(span));
+        Err(self.with_trace(match remedy {
             Some(remedy) => remedy.added_to(error),
             None if self.source_text(span).starts_with('<') => error,
             None => error.with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
@@ -390,8 +391,11 @@ impl Reader<'_> {
                 let mut error = self.expected_here("`>` after five components");
                 error.hints.clear();
                 error.fix = None;
+                let begins_component = self.begins_number()?;
                 let mut error = self.with_opened(error, '>', opened);
-                if error.fix.is_none() && !error.message.is_empty() {
+                let is_cut = |fix: &Fix| begins_component && fix.text == ">";
+                if error.fix.as_deref().is_none_or(is_cut) && !error.message.is_empty() {
+                    error.fix = None;
                     error.hints = vec!["A vector has two to five components.".to_owned()];
                 }
                 return Err(error);
@@ -493,6 +497,9 @@ impl Reader<'_> {
                 array.items[self.array_index(&array.sizes)?].clone()
             };
             value = item.ok_or_else(|| {
+                if self.usage.faulty_arrays.contains(&symbol) {
+                    return self.consequence();
+                }
                 let name = self.names.spelling(symbol).to_owned();
                 self.with_trace(
                     Diagnostic::error(

@@ -27,6 +27,8 @@ pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 pub(super) const STRING: usize = 10_000_000;
 /// Errors after which reading stops.
 pub(super) const ERRORS: usize = 20;
+/// Most errors, with consequences of earlier ones, after which no more of a scene is read.
+pub(super) const ALL_ERRORS: usize = 500;
 /// Calls, loops and includes named in one message.
 pub(super) const TRACE: usize = 6;
 /// Variables shown for each step of the trace.

@@ -285,8 +285,29 @@ impl<'a> Reader<'a> {
 
     /// Records a finding; consequences of earlier ones are dropped.
     pub(super) fn record(&mut self, finding: Diagnostic) {
-        let finding = self.tried(finding);
+        let finding = match self.is_about_declared_word(&finding) {
+            true => *self.consequence(),
+            false => self.tried(finding),
+        };
         self.report.record(finding, self.sources);
+    }
+
+    /// True for an error at or behind a reserved word that the scene declares, which is an error of its own.
+    fn is_about_declared_word(&self, error: &Diagnostic) -> bool {
+        let Some(span) = error.span.filter(|_| !self.usage.declared_words.is_empty()) else {
+            return false;
+        };
+        let text = self.sources.text(span.file);
+        let before = text
+            .get(..span.start as usize)
+            .unwrap_or_default()
+            .trim_end();
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        let last = &before[before.trim_end_matches(is_part).len()..];
+        self.usage.declared_words.iter().any(|&declared| {
+            let word = self.source_text(declared);
+            declared != span && (self.source_text(span) == word || last == word)
+        })
     }
 
     /// Records an error after which its statement goes on, once for each span.

@@ -1,7 +1,7 @@
 //! Findings and messages of a reading, passed to a listener as they occur.
 
 use super::{ReadEvent, limits};
-use crate::base::source::{Diagnostic, Severity, Sources};
+use crate::base::source::{Diagnostic, Severity, Sources, Span};
 
 /// Findings and messages so far.
 pub(super) struct Report<'a> {
@@ -35,9 +35,16 @@ impl<'a> Report<'a> {
         if finding.severity == Severity::Error {
             self.errors += 1;
         }
-        if !finding.message.is_empty() && !self.findings.contains(&finding) {
+        if !finding.message.is_empty() && !self.has_error_at_start_of(&finding) {
             self.push(finding, sources);
         }
+    }
+
+    /// True if nothing more is read because of the number of errors.
+    pub(super) fn is_full(&self) -> bool {
+        let is_error = |known: &&Diagnostic| known.severity == Severity::Error;
+        let reported = self.findings.iter().filter(is_error).count();
+        reported >= limits::ERRORS || self.errors >= limits::ALL_ERRORS
     }
 
     /// Records a warning, once for each span.
@@ -52,6 +59,17 @@ impl<'a> Report<'a> {
         let is_same =
             |known: &Diagnostic| known.span == finding.span && known.message == finding.message;
         self.findings.iter().any(is_same)
+    }
+
+    /// True for a finding that is known, or whose text begins where that of an earlier error does: the same mistake in
+    /// a later call, or a consequence.
+    fn has_error_at_start_of(&self, finding: &Diagnostic) -> bool {
+        let start = |span: Span| (span.file, span.start);
+        let position = finding.span.map(start);
+        self.findings.iter().any(|known| {
+            let is_at_start = position.is_some() && known.span.map(start) == position;
+            known == finding || known.severity == Severity::Error && is_at_start
+        })
     }
 
     fn push(&mut self, finding: Diagnostic, sources: &Sources) {

@@ -11,6 +11,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) struct StatementState {
     /// Its start.
     pub(super) start: Start,
+    /// The start of the text behind a faulty statement.
+    pub(super) recovered: Option<Start>,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
     /// True if the number of a `#version` is being read.
@@ -38,6 +40,7 @@ impl StatementState {
     pub(super) fn new(start: Start) -> StatementState {
         StatementState {
             start,
+            recovered: None,
             declaring: None,
             is_in_version: false,
             has_faulty_directive: false,
@@ -58,6 +61,10 @@ pub(super) struct NameUsage {
     pub(super) undeclared: FxHashSet<Symbol>,
     /// True if an include file is missing, so that any name may be one of its.
     pub(super) lacks_file: bool,
+    /// Arrays with an item whose value could not be read.
+    pub(super) faulty_arrays: FxHashSet<Symbol>,
+    /// Reserved words that a scene declares.
+    pub(super) declared_words: Vec<Span>,
     /// Names that warn when they are used.
     pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
 }

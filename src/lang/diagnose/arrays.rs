@@ -12,10 +12,52 @@ impl Reader<'_> {
         Some(Remedy::fix(hint, self.here_span(), text))
     }
 
+    /// `[1, 2, 3]` where a value is declared.
+    pub(super) fn array_in_brackets(&self) -> Option<Remedy> {
+        let count = self.items_in('[', ']')?;
+        let end = self.end_of_brackets(self.here.at, '[', ']')?;
+        let span = self.tokens_span(self.here.at..end);
+        let items = self
+            .source_text(span)
+            .strip_prefix('[')?
+            .strip_suffix(']')?;
+        let text = format!("array[{count}] {{ {} }}", items.trim());
+        let hint = format!("An array begins with its size: `{text}`.");
+        Some(Remedy::fix(hint, span, text))
+    }
+
+    /// `#declare A[3] = { 1, 2, 3 }`, from its `[` on.
+    pub(super) fn array_by_name_and_size(&self) -> Option<Remedy> {
+        let end = self.end_of_brackets(self.here.at, '[', ']')?;
+        let size = self.tokens_span(self.here.at..end);
+        let array = format!(" = array{}", self.source_text(size));
+        let name = self
+            .here
+            .at
+            .checked_sub(1)
+            .map(|at| self.here.tokens.span(at));
+        let name = name.map_or("", |name| self.source_text(name));
+        let hint = format!("Write the size behind the `=`: `{name}{array}`.");
+        let has_sign = self.token(end)?.is_mark('=');
+        let is_whole = match has_sign {
+            true => self.token(end + 1)?.is_mark('{'),
+            false => self.token(end)?.is_mark(';'),
+        };
+        let span = self.tokens_span(self.here.at..end + usize::from(has_sign));
+        Some(match is_whole {
+            true => Remedy::fix(hint, span, array),
+            false => hint.into(),
+        })
+    }
+
     /// The number of items in the braces that open at the next token, if there are any.
     fn items_in_braces(&self) -> Option<usize> {
+        self.items_in('{', '}')
+    }
+
+    fn items_in(&self, open: char, close: char) -> Option<usize> {
         let at = self.here.at;
-        let end = self.end_of_brackets(at, '{', '}')?;
+        let end = self.end_of_brackets(at, open, close)?;
         let mut depth = 0;
         let mut commas = 0;
         for at in at + 1..end - 1 {

@@ -4,6 +4,8 @@ use crate::base::args::Word;
 use crate::base::nearest::nearest;
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::diagnose::css_colors::{css_color, hexadecimal_color, written_color};
+use crate::lang::diagnose::names::NUMBER_FOR_STRING;
+use crate::lang::diagnose::notation::is_map;
 use crate::lang::diagnose::other_dialects;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
@@ -11,17 +13,21 @@ use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
 
 /// Most include files that are searched for a name.
-const INCLUDE_FILES: usize = 200;
+pub(super) const INCLUDE_FILES: usize = 200;
 
 impl Reader<'_> {
     /// A hint for the next token, which cannot stand where `wanted` is expected.
     pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<Remedy> {
-        if self.is_utf16() {
-            return Some("This file is in UTF-16: save it as UTF-8.".into());
+        if wants_value(wanted)
+            && let Some(remedy) = self.value_after_operator(token)
+        {
+            return Some(remedy);
         }
         let remedy = self
             .name_in_parts(wanted)
             .or_else(|| self.look_alikes())
+            .or_else(|| self.pasted(token, wanted))
+            .or_else(|| self.suffix_of_number(token))
             .or_else(|| self.other_case(token, wanted))
             .or_else(|| self.typography(token))
             .or_else(|| self.foreign_operator(token, wanted))
@@ -54,7 +60,7 @@ impl Reader<'_> {
             }
             Kind::Name => self
                 .color_of_css(token, wanted)
-                .or_else(|| Some(self.remedy_of_name(Symbol(token.value), wanted)?.into())),
+                .or_else(|| self.remedy_of_name(Symbol(token.value), wanted)),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
             Kind::Word => self.remedy_of_word(token.word()?, wanted),
             Kind::String if wanted.starts_with("a colour") => {
@@ -62,6 +68,11 @@ impl Reader<'_> {
                 let digits = name.strip_prefix('#').unwrap_or_default();
                 let color = hexadecimal_color(digits).or_else(|| Some(css_color(name)?.1))?;
                 Some(self.colored(self.here.at, self.here_span(), written_color(color)))
+            }
+            Kind::String if self.statement.is_in_version => {
+                let number = self.source_text(self.here_span()).trim_matches('"');
+                let hint = format!("The version is a number: `{number}`.");
+                Some(Remedy::fix(hint, self.here_span(), number))
             }
             Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.into()),
             Kind::Number if wanted.starts_with("a parameter of `interior`") => {
@@ -74,39 +85,37 @@ impl Reader<'_> {
         }
     }
 
-    /// A declared name that differs from the next token, an undeclared name or a word, by capitals only.
-    fn other_case(&self, token: Token, wanted: &str) -> Option<Remedy> {
-        let is_free = match token.kind {
-            Kind::Name => self.scopes.get(Symbol(token.value)).is_none(),
-            Kind::Word => wants_value(wanted) || wanted.starts_with("a colour"),
-            _ => false,
-        };
-        let name = self.source_text(self.here_span());
-        is_free.then(|| self.declared_in_other_case(name, self.here_span()))?
-    }
-
-    /// A declared name that differs from a text by capitals only.
-    fn declared_in_other_case(&self, name: &str, span: Span) -> Option<Remedy> {
-        let declared = self.scopes.defined();
-        let names = declared.map(|symbol| self.names.spelling(symbol));
-        let mut similar = names.filter(|known| known.eq_ignore_ascii_case(name));
-        let known = similar.next()?;
-        let remedy = Remedy::fix(format!("Names differ by capitals: `{known}`."), span, known);
-        Some(match similar.next() {
-            Some(_) => remedy.uncertain(),
-            None => remedy,
-        })
-    }
-
-    /// True if every other byte around the start of the text is zero.
-    fn is_utf16(&self) -> bool {
-        let text = self.sources.text(self.here.tokens.file).as_bytes();
-        let is_zero = |at: usize| text.get(at) == Some(&0);
-        is_zero(1) && is_zero(3) || is_zero(0) && is_zero(2)
-    }
-
     fn remedy_of_word(&self, word: Word, wanted: &str) -> Option<Remedy> {
         let is_directive = word.class() == Class::Directive;
+        let at = self.here.at;
+        if word == Word::For
+            && self.raw_ahead(1).is_mark('(')
+            && let Some(remedy) = self.loop_of_c(at, at + 1)
+        {
+            return Some(remedy);
+        }
+        if wanted == "a colour in `background`"
+            && let Some(end) = self
+                .end_of_brackets(at + 1, '{', '}')
+                .filter(|&end| end > at + 3)
+        {
+            let color = self.source_text(self.tokens_span(at + 2..end - 1));
+            let hint = format!("The background has a colour and no pigment: `{color}`.");
+            return Some(Remedy::fix(hint, self.tokens_span(at..end), color));
+        }
+        if wanted.contains("statement")
+            && let Some(remedy) = self.texture_of_parts()
+        {
+            return Some(remedy);
+        }
+        if wants_value(wanted) && self.is_in_entry(word) {
+            return Some("An entry begins with its position: `[0.5 rgb 1]`.".into());
+        }
+        if wants_value(wanted)
+            && let Some(remedy) = self.number_of_points()
+        {
+            return Some(remedy);
+        }
         if is_directive && wanted.contains("statement") {
             if let Some(hint) = self.remedy_after_directive(word) {
                 return Some(hint.into());
@@ -120,12 +129,27 @@ impl Reader<'_> {
             return Some(Remedy::fix(hint, self.here_span(), "rgb 0.5"));
         }
         self.remedy_after_directive(word)
-            .or_else(|| hint_of_word(word, wanted))
             .map(Remedy::from)
+            .or_else(|| self.remedy_of_foreign_word(word, wanted))
             .or_else(|| self.misplaced(word, wanted))
             .or_else(|| hint_beside(word, wanted).map(Remedy::from))
             .or_else(|| self.named_parameter(self.raw(), wanted))
             .or_else(|| self.remedy_of_no_value(wanted))
+    }
+
+    /// A directive without `#`, or a reserved word that means something else in other programs.
+    fn remedy_of_foreign_word(&self, word: Word, wanted: &str) -> Option<Remedy> {
+        if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
+            return Some(format!("Directives begin with `#`: `#{word}`.").into());
+        }
+        if let Some(meant) = other_dialects::translated(word.spelling(), false) {
+            return Some(match meant.word {
+                Some(word) => Remedy::fix(meant.hint, self.here_span(), word),
+                None => meant.hint.into(),
+            });
+        }
+        let is_second = wanted.ends_with("comes first, and once");
+        is_second.then(|| "Remove one of the two, or blend them in a `pigment_map`.".into())
     }
 
     /// A colour that CSS knows by the name at the next token.
@@ -152,6 +176,22 @@ impl Reader<'_> {
         Some(Remedy::fix(hint, self.here_span(), color))
     }
 
+    /// A name that a declaration of another language would declare, as `float f(float x) { ... }`, need not be reported
+    /// as undeclared.
+    pub(crate) fn note_name_of_foreign_declaration(&mut self) {
+        let directive = other_dialects::directive(self.source_text(self.here_span()));
+        if matches!(directive, Some("#declare" | "#macro"))
+            && let Some(name) = self.raw_ahead(1).symbol()
+            && self.scopes.get(name).is_none()
+        {
+            self.usage.undeclared.insert(name);
+            // Each declaration is a mistake of its own.
+            if let Some(word) = self.raw().symbol() {
+                self.usage.undeclared.remove(&word);
+            }
+        }
+    }
+
     /// `float A = 1;` for `#declare A = 1;`.
     fn declaration_by_type(&self) -> Option<Remedy> {
         let name = self.source_text(self.here_span());
@@ -160,6 +200,13 @@ impl Reader<'_> {
             "int" => "#declare",
             _ => other_dialects::directive(name)?,
         };
+        if meant == "#declare"
+            && self.raw_ahead(1).symbol().is_some()
+            && self.raw_ahead(2).is_mark('(')
+        {
+            let hint = "A function is `#declare F = function(x) { x*2 };`, a macro `#macro F(x) x*2 #end`.";
+            return Some(hint.into());
+        }
         (is_declaration && meant == "#declare").then(|| {
             let hint = "A name gets its value by `#declare`.";
             Remedy::fix(hint, self.here_span(), meant)
@@ -173,6 +220,9 @@ impl Reader<'_> {
             && is_statement
             && let Some(remedy) = self.declaration_by_type()
         {
+            return Some(remedy);
+        }
+        if is_statement && let Some(remedy) = self.comment_of_other_languages() {
             return Some(remedy);
         }
         match token.kind {
@@ -194,9 +244,6 @@ impl Reader<'_> {
                 .or_else(|| self.vector_by_call(token))
                 .or_else(|| self.named_parameter(token, wanted)),
             Kind::Mark if is_statement && token.is_mark('{') => self.braces_of_other_languages(),
-            Kind::Mark if is_statement && token.is_mark('-') && self.raw_ahead(1).is_mark('-') => {
-                self.comment_of_other_languages()
-            }
             Kind::Mark if wants_value(wanted) => self.vector_in_brackets(self.here.at),
             Kind::Number | Kind::Word if wanted.contains("`}`") => self
                 .axis_and_number()
@@ -269,6 +316,14 @@ impl Reader<'_> {
         {
             return Some(remedy);
         }
+        let remedy = match mark {
+            '(' => self.constant_with_parentheses(),
+            '=' | ':' => self.angle_with_sign(),
+            _ => None,
+        };
+        if remedy.is_some() {
+            return remedy;
+        }
         match mark {
             ';' if wanted.starts_with("an item of the array") => {
                 Some(Remedy::fix("Items are separated by `,`.", self.here_span(), ","))
@@ -278,7 +333,9 @@ impl Reader<'_> {
                     "Only declarations of numbers, and some directives, end with `;`; remove it.",
                 )
             }
-            ',' if wanted == "`}`" && self.is_after_mark(']') => {
+            ',' if wanted == "`}`" && self.is_after_mark(']')
+                || wants_word(wanted) && !self.is_between_numbers() =>
+            {
                 removed("Remove this comma: items in a block are not separated by commas.")
             }
             '}' if wants_value(wanted) && self.is_in_blob() => {
@@ -290,6 +347,20 @@ impl Reader<'_> {
                     .sum_of_strings()
                     .or_else(|| Some("Strings are joined by `concat(a, b)`.".into()))
             }
+            ',' if wanted == "`]` after the index" => {
+                let next = self.here.tokens.span(self.here.at + 1);
+                let span = Span::new(next.file, self.here_span().start, next.start);
+                Some(Remedy::fix("Each index has brackets of its own: `A[0][1]`.", span, "]["))
+            }
+            ')' if wanted.starts_with("an operator or `;`") => {
+                removed("This `)` closes nothing: remove it.")
+            }
+            '=' if wanted.contains("the start of `#for`") => {
+                let open = self.here.at.checked_sub(2)?;
+                let start = open.checked_sub(1)?;
+                self.loop_of_c(start, open)
+                    .or_else(|| Some("Write `#for (I, first, last)`, with commas only.".into()))
+            }
             '=' | ':'
                 if self.word_back(1).is_some_and(|word| !word.is_value())
                     && !wanted.contains("#for") =>
@@ -298,6 +369,13 @@ impl Reader<'_> {
             }
             _ => self.hint_of_mark(mark, wanted).map(Remedy::from),
         }
+    }
+
+    /// True if a colour is the first value of an entry of a map.
+    fn is_in_entry(&self, word: Word) -> bool {
+        word.class() == Class::Color
+            && self.is_after_mark('[')
+            && self.words_of_blocks().next().is_some_and(is_map)
     }
 
     /// A value behind its word and a sign: `location = <0, 0, -5>`.
@@ -352,20 +430,14 @@ impl Reader<'_> {
             '+' | '-' | '*' | '/' if wanted.starts_with("`=` after") => {
                 "Write the name again after `=`: `#declare N = N + 1;`."
             }
-            '=' if wanted.contains("the start of `#for`") => {
-                "Write `#for (I, first, last)`, with commas only."
-            }
             ',' if wants_word(wanted) && self.is_between_numbers() => {
                 "Write a vector as `<1, 2, 3>`."
-            }
-            ',' if wants_word(wanted) => {
-                "Remove this comma: items in a block are not separated by commas."
             }
             '(' if wants_word(wanted) => {
                 "Parameters belong in `{` and `}`, or in no brackets at all."
             }
             '=' | ':' if wants_word(wanted) || self.word_back(1).is_some() => {
-                "A value follows its word without a sign: `ambient 0.2`."
+                "A value follows its word without a sign."
             }
             _ => return None,
         };
@@ -397,128 +469,6 @@ impl Reader<'_> {
     fn is_after_string(&self) -> bool {
         let before = self.here.at.checked_sub(1);
         before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::String)
-    }
-
-    fn remedy_of_name(&self, symbol: Symbol, wanted: &str) -> Option<String> {
-        let name = self.names.spelling(symbol);
-        if let Some(value) = self.scopes.get(symbol) {
-            return remedy_of_value(name, value, wanted);
-        }
-        if self.dialect.is_of_3_8(symbol, &self.names) {
-            return Some(format!(
-                "`{name}` is a word of POV-Ray 3.8: begin the scene with `#version 3.8;`."
-            ));
-        }
-        if other_dialects::is_of_hg_povray(name) {
-            return Some(format!(
-                "`{name}` is a word of HG-POV, which POV-Ray does not read either."
-            ));
-        }
-        if let Some(line) = self.declared_further_down(symbol) {
-            return Some(format!(
-                "`{name}` is declared only in line {line}: move that above this."
-            ));
-        }
-        if let Some(known) = self.sources.library_file_that_declares(name, INCLUDE_FILES) {
-            let file = known.file;
-            let include = format!("`{file}` declares `{name}`: write `#include \"{file}\"` above");
-            let is_color =
-                Word::from_spelling(&known.kind).is_some_and(|word| word.class() == Class::Color);
-            return Some(match is_color && wanted.ends_with("`texture`") {
-                true => format!("{include}, and `pigment {{ {name} }}` here, for it is a colour."),
-                false => format!("{include}."),
-            });
-        }
-        if wanted.contains("statement") && self.raw_ahead(1).is_mark('(') {
-            return Some(match self.similar_name(name, wanted) {
-                Some(near) => format!("Did you mean `{near}`?"),
-                None => format!("Define the macro `{name}` above, or include the file that does."),
-            });
-        }
-        if self.is_loop_variable() {
-            return Some("Write `#for (I, first, last)`.".to_owned());
-        }
-        let translated = other_dialects::translated(name, wants_value(wanted))
-            .or_else(|| other_dialects::translated(name, wanted == "a value"));
-        // A capital begins a name of the author's own.
-        let is_own = name.starts_with(char::is_uppercase);
-        let similar = || {
-            let near = self.similar_name(name, wanted)?;
-            Some(format!("Did you mean `{near}`?"))
-        };
-        let hint = match is_own {
-            true => similar().or(translated),
-            false => translated.or_else(similar),
-        };
-        if hint.is_some() {
-            return hint;
-        }
-        Some(match wants_word(wanted) && !wanted.contains("statement") {
-            true => format!("There is no word `{name}`, and nothing of that name is declared."),
-            false => format!("Declare `{name}` above, or include the file that does."),
-        })
-    }
-
-    /// A keyword with capitals, which is an undeclared name.
-    fn keyword_in_capitals(&self, name: Symbol, wanted: &str) -> Option<Remedy> {
-        let word = Word::from_spelling(&self.names.spelling(name).to_lowercase())?;
-        // `Red` is the colour of that name, not the word `red`.
-        let is_part_of_color = matches!(
-            word,
-            Word::Red | Word::Green | Word::Blue | Word::Gray | Word::Filter | Word::Transmit
-        );
-        if self.scopes.get(name).is_some() || is_part_of_color || !fits(word, wanted) {
-            return None;
-        }
-        let hint = format!("Keywords are lower case: `{word}`.");
-        Some(Remedy::fix(hint, self.here_span(), word.spelling()))
-    }
-
-    /// True if the next token is the variable of a `#for` without `(`.
-    fn is_loop_variable(&self) -> bool {
-        let before = self
-            .here
-            .at
-            .checked_sub(1)
-            .map(|at| self.here.tokens.tokens[at]);
-        before.is_some_and(|before| {
-            before.kind == Kind::Directive
-                && self.here.tokens.directives[before.value as usize].word == Some(Word::For)
-        })
-    }
-
-    /// The line of the same file, below this one, that declares a name.
-    fn declared_further_down(&self, symbol: Symbol) -> Option<usize> {
-        let tokens = &self.here.tokens;
-        let declares = |pair: &[Token]| {
-            let [directive, name] = pair else {
-                return false;
-            };
-            name.symbol() == Some(symbol)
-                && directive.kind == Kind::Directive
-                && matches!(
-                    tokens.directives[directive.value as usize].word,
-                    Some(Word::Declare | Word::Local | Word::Macro)
-                )
-        };
-        let behind = tokens.tokens.get(self.here.at..)?;
-        let at = self.here.at + behind.windows(2).position(declares)?;
-        Some(self.sources.line_column(tokens.span(at)).0)
-    }
-
-    /// A declared name or a reserved word within a letter or two of this one that could stand here.
-    fn similar_name(&self, name: &str, wanted: &str) -> Option<String> {
-        let words = Word::all().filter(|&word| fits(word, wanted));
-        let mut known: Vec<&str> = words.map(Word::spelling).collect();
-        let declared = self.scopes.defined();
-        known.extend(declared.map(|symbol| self.names.spelling(symbol)));
-        nearest(name, known).map(str::to_owned)
-    }
-
-    /// The directive whose spelling is nearest.
-    pub(crate) fn similar_directive(wanted: &str) -> Option<&'static str> {
-        let words = Word::all().filter(|word| word.class() == Class::Directive);
-        nearest(wanted, words.map(Word::spelling))
     }
 
     /// A sign in the parameters of the block at this depth that was probably meant to begin a value: `<0, 0, 0> -1`.
@@ -595,41 +545,6 @@ pub(crate) fn opens_group(word: Word) -> bool {
     )
 }
 
-const NUMBER_FOR_STRING: &str = "A number becomes a string by `str(number, 0, digits)`.";
-
-/// A hint for a value that cannot stand here.
-fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
-    let element = match value {
-        Value::Element(element) => element.name,
-        Value::Object(_) => "object",
-        Value::Number(_) if wanted == "a string" => return Some(NUMBER_FOR_STRING.to_owned()),
-        _ => return None,
-    };
-    let is_part = ["texture", "pigment", "finish", "normal", "interior"]
-        .iter()
-        .any(|part| {
-            wanted.ends_with(&format!("`{part}`")) || wanted.contains(&format!("of `{part}`"))
-        });
-    Some(match element {
-        "object" if is_part => {
-            format!("`{name}` is drawn by `object {{ {name} }}`; it is not part of a texture.")
-        }
-        "object" if wants_value(wanted) => {
-            format!("`{name}` is drawn by `object {{ {name} }}`; a number is expected here.")
-        }
-        "object" if wanted.starts_with("a modifier") || wanted.starts_with("a transform") => {
-            format!(
-                "The operands of a CSG object come before its modifiers: move `{name}` up, or after the `}}`."
-            )
-        }
-        "texture" | "pigment" | "finish" | "normal" if wanted.contains("statement") => {
-            format!("A {element} belongs in an object: `{element} {{ {name} }}`.")
-        }
-        _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
-        _ => return None,
-    })
-}
-
 /// Words of blocks that people write with a sign.
 const BLOCKS: [Word; 5] = [
     Word::Texture,
@@ -640,17 +555,17 @@ const BLOCKS: [Word; 5] = [
 ];
 
 /// True if a word of a block or a statement is expected.
-fn wants_word(wanted: &str) -> bool {
+pub(super) fn wants_word(wanted: &str) -> bool {
     wanted.contains("`}`") || wanted.contains("statement")
 }
 
 /// True if a numeric value is expected.
-fn wants_value(wanted: &str) -> bool {
+pub(super) fn wants_value(wanted: &str) -> bool {
     wanted.starts_with("a number")
 }
 
 /// True if a word may stand where `wanted` is expected, as far as its class shows.
-fn fits(word: Word, wanted: &str) -> bool {
+pub(super) fn fits(word: Word, wanted: &str) -> bool {
     let is_value = word.is_value();
     if wants_value(wanted) {
         is_value
@@ -660,19 +575,6 @@ fn fits(word: Word, wanted: &str) -> bool {
     } else {
         !wants_word(wanted) || !is_value && word.class() != Class::Directive
     }
-}
-
-fn hint_of_word(word: Word, wanted: &str) -> Option<String> {
-    if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
-        return Some(format!("Directives begin with `#`: `#{word}`."));
-    }
-    if let Some(translated) = other_dialects::translated(word.spelling(), false) {
-        return Some(translated);
-    }
-    if wanted.ends_with("comes first, and once") {
-        return Some("Remove one of the two, or blend them in a `pigment_map`.".to_owned());
-    }
-    None
 }
 
 /// A hint for a part of an object in another one.

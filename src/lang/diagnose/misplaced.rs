@@ -152,8 +152,39 @@ impl Reader<'_> {
         Remedy::fix(hint, span, text)
     }
 
+    /// `#declare T = pigment { ... } finish { ... }`, at the second part.
+    pub(super) fn texture_of_parts(&self) -> Option<Remedy> {
+        let at = self.here.at;
+        let is_texture_part = |at: usize| {
+            let word = self.token(at).and_then(|token| token.word());
+            matches!(word, Some(Word::Pigment | Word::Normal | Word::Finish))
+        };
+        let mut depth = 0;
+        let open = (at.saturating_sub(BLOCK_TOKENS)..at).rev().find(|&at| {
+            let is_mark = |mark| self.token(at).is_some_and(|token| token.is_mark(mark));
+            depth += i32::from(is_mark('}')) - i32::from(is_mark('{'));
+            depth == 0
+        })?;
+        let start = open.checked_sub(1)?;
+        let is_declared = self.token(start.checked_sub(1)?)?.is_mark('=');
+        if !is_texture_part(at) || !is_texture_part(start) || !is_declared {
+            return None;
+        }
+        let mut end = at;
+        while is_texture_part(end) {
+            end = self.end_of_long_brackets(end + 1, '{', '}')?;
+        }
+        let span = self.tokens_span(start..end);
+        let text = format!("texture {{ {} }}", self.source_text(span));
+        Some(Remedy::fix(
+            "Parts that are declared together make a `texture`.",
+            span,
+            text,
+        ))
+    }
+
     /// True if the last token was a mark.
-    pub(super) fn is_after_mark(&self, mark: char) -> bool {
+    pub(crate) fn is_after_mark(&self, mark: char) -> bool {
         let before = self.here.at.checked_sub(1).and_then(|at| self.token(at));
         before.is_some_and(|before| before.is_mark(mark))
     }

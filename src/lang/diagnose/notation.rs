@@ -3,6 +3,7 @@
 use crate::base::args::Word;
 use crate::base::source::Span;
 use crate::lang::diagnose::css_colors::{hexadecimal_color, written_color};
+use crate::lang::diagnose::other_dialects;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::limits;
@@ -25,6 +26,12 @@ impl Reader<'_> {
                 "The body of a function stands in braces",
             );
         }
+        if wanted == "`{` after `)`" {
+            let body = self.until_mark(self.here.at, &[';', '{', '}'])?;
+            let text = format!("{{ {} }}", self.source_text(body));
+            let hint = format!("The body of a function stands in braces: `{text}`.");
+            return Some(Remedy::fix(hint, body, text));
+        }
         if let Some(word) = wanted.strip_prefix("`{` after `") {
             return self.block_without_braces(token, Word::from_spelling(word.strip_suffix('`')?)?);
         }
@@ -34,6 +41,12 @@ impl Reader<'_> {
         }
         if wanted.starts_with("a value for `") && token.is_mark('{') {
             return self.array_without_size();
+        }
+        if wanted.starts_with("a value for `") && token.is_mark('[') {
+            return self.array_in_brackets();
+        }
+        if wanted.starts_with("`=` after `#") && token.is_mark('[') {
+            return self.array_by_name_and_size();
         }
         if wanted == "`(` after `#ifdef`" && token.kind == Kind::Name {
             let text = format!("({})", self.source_text(self.here_span()));
@@ -76,6 +89,9 @@ impl Reader<'_> {
         if token.is_mark('(') {
             return self.rebracketed('(', ')', "{", "}", &hint);
         }
+        if token.is_mark('[') && is_map(word) {
+            return self.entries_without_braces(word);
+        }
         if token.is_mark('[') {
             return self.rebracketed('[', ']', "{", "}", &hint);
         }
@@ -99,6 +115,22 @@ impl Reader<'_> {
         let span = self.tokens_span(at..end);
         let text = format!("{{ {} }}", self.source_text(span));
         Some(Remedy::fix(format!("Write `{word} {text}`."), span, text))
+    }
+
+    /// The entries of a map from its `[` on, with a `{` before them; with a `}` behind them, too, if that is missing.
+    fn entries_without_braces(&self, word: Word) -> Option<Remedy> {
+        let mut end = self.here.at;
+        while self.token(end)?.is_mark('[') {
+            end = self.end_of_long_brackets(end, '[', ']')?;
+        }
+        let hint = format!("The entries of `{word}` stand in braces.");
+        let span = self.tokens_span(self.here.at..end);
+        if self.has_more_closing_braces() {
+            let start = Span::new(span.file, span.start, span.start);
+            return Some(Remedy::fix(hint, start, "{ "));
+        }
+        let text = format!("{{ {} }}", self.source_text(span));
+        Some(Remedy::fix(hint, span, text))
     }
 
     /// The token behind the parameters of a picture in the line, from one of them on.
@@ -513,12 +545,20 @@ impl Reader<'_> {
     /// The first `end` without `#` behind a token.
     pub(crate) fn end_without_hash(&self, at: usize) -> Option<Remedy> {
         let behind = self.here.tokens.tokens.get(at..)?;
-        let end = at
-            + behind
-                .iter()
-                .position(|token| token.word() == Some(Word::End))?;
+        let text = |at: usize| self.source_text(self.here.tokens.span(at));
+        let is_end = |index: usize| {
+            let is_behind_hash = index > 0 && self.here.tokens.is_hash(behind[index - 1]);
+            let is_foreign = || other_dialects::directive(text(at + index)) == Some("#end");
+            behind[index].word() == Some(Word::End) || is_behind_hash && is_foreign()
+        };
+        let end = at + (0..behind.len()).find(|&index| is_end(index))?;
         let span = self.here.tokens.span(end);
         let line = self.sources.line_column(span).0;
+        if text(end) != Word::End.spelling() {
+            let hint = format!("Line {line} says `#{}`: write `#end`.", text(end));
+            let both = self.here.tokens.span(end - 1).to(span);
+            return Some(Remedy::fix(hint, both, "#end"));
+        }
         let hint = format!("The `end` of line {line} lacks its `#`.");
         Some(Remedy::fix(hint, span, "#end"))
     }
@@ -604,7 +644,7 @@ const STRING_FUNCTIONS: &[Word] = &[
 ];
 
 /// Types of other languages.
-const TYPES: &[&str] = &[
+pub(crate) const TYPES: &[&str] = &[
     "bool", "const", "double", "float", "int", "let", "string", "var",
 ];
 

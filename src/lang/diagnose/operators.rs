@@ -15,7 +15,8 @@ impl Reader<'_> {
     /// The operator that is meant by the next token, where a value or an operator is expected.
     pub(super) fn foreign_operator(&self, token: Token, wanted: &str) -> Option<Remedy> {
         let is_value = wanted.starts_with("a number") || wanted == "a value";
-        if !is_value && !wanted.contains("operator") {
+        let is_power = token.is_mark('^') || token.is_mark('%');
+        if !is_value && !wanted.contains("operator") && !is_power {
             return None;
         }
         match token.kind {
@@ -40,7 +41,7 @@ impl Reader<'_> {
                 .is_some(),
             _ => char::from_u32(token.value)
                 .filter(|_| token.kind == Kind::Mark)
-                .is_some_and(|mark| !mark.is_ascii() || "%^=&|<>!?:,".contains(mark)),
+                .is_some_and(|mark| !mark.is_ascii() || "%^=&|<>!?:,)".contains(mark)),
         }
     }
 

@@ -1,14 +1,29 @@
 //! Words of other programs and languages that people write into scenes, and their equivalents in the scene language.
 
-/// The equivalent of a foreign word, as a sentence; case and `_` are ignored.
+/// The equivalent of a foreign word.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Meant {
+    /// A sentence that names it.
+    pub(crate) hint: String,
+    /// The word to write instead, if it is one.
+    pub(crate) word: Option<&'static str>,
+}
+
+/// The equivalent of a foreign word; case and `_` are ignored.
 ///
 /// `is_value` is true in expressions, where other words are meant than in a block.
-pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
+pub(crate) fn translated(name: &str, is_value: bool) -> Option<Meant> {
     let instead = equivalent(name, if is_value { VALUES } else { WORDS })?;
     Some(if instead.contains(' ') {
-        format!("{instead}.")
+        Meant {
+            hint: format!("{instead}."),
+            word: None,
+        }
     } else {
-        format!("The scene language says `{instead}`.")
+        Meant {
+            hint: format!("The scene language says `{instead}`."),
+            word: Some(instead),
+        }
     })
 }
 
@@ -90,6 +105,7 @@ const WORDS: &[(&str, &str)] = &[
         "directionallight",
         "`light_source { }` with `parallel` and `point_at` shines in one direction",
     ),
+    ("spot", "spotlight"),
     ("arealight", "`area_light` belongs in `light_source { }`"),
     ("skybox skydome", "sky_sphere"),
     ("subtract subtraction minus", "difference"),
@@ -102,10 +118,10 @@ const WORDS: &[(&str, &str)] = &[
     ("elsif elif elseif", "#elseif"),
     ("foreach repeat loop", "#for"),
     (
-        "def define let var const set float vector string double",
+        "define let var const set float vector string double",
         "#declare",
     ),
-    ("func sub proc", "#macro"),
+    ("def func sub proc module procedure subroutine", "#macro"),
     ("import require use", "#include"),
     ("print printf echo log", "#debug"),
     (
@@ -145,18 +161,19 @@ mod tests {
 
     #[test]
     fn foreign_words_are_translated() {
+        let hint = |name, is_value| Some(translated(name, is_value)?.hint);
         assert_eq!(
-            translated("fieldOfView", false).as_deref(),
+            hint("fieldOfView", false).as_deref(),
             Some("The scene language says `angle`.")
         );
         assert_eq!(
-            translated("Shininess", false).as_deref(),
+            hint("Shininess", false).as_deref(),
             Some("A highlight is `phong 0.8 phong_size 40` or `specular 0.5 roughness 0.02`.")
         );
         assert_eq!(translated("Chair", false), None);
         assert_eq!(translated("power", false), None);
         assert_eq!(
-            translated("power", true).as_deref(),
+            hint("power", true).as_deref(),
             Some("The scene language says `pow`.")
         );
     }

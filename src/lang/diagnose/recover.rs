@@ -10,13 +10,19 @@ use crate::lang::syntax::{Class, Kind};
 impl Reader<'_> {
     /// After an error: leaves the loops and macros it occurred in and goes past the faulty statement.
     pub(crate) fn recover(&mut self) {
+        self.skip_statement();
+        self.statement.recovered = Some(self.start_here());
+    }
+
+    fn skip_statement(&mut self) {
         let open_blocks = self.blocks.len();
         self.blocks.clear();
         self.unwind_loops_and_macros();
         if open_blocks > 0 && self.is_at_new_statement() {
             return;
         }
-        if open_blocks == 0 && self.statement.start == self.start_here() {
+        let is_block = self.raw().is_mark('{');
+        if open_blocks == 0 && self.statement.start == self.start_here() && !is_block {
             self.skip_token();
         }
         let mut depth = open_blocks;
@@ -47,11 +53,33 @@ impl Reader<'_> {
                     }
                     depth = depth.saturating_sub(1);
                 }
+                Kind::Mark if depth == 0 && token.is_mark(';') => {
+                    self.pass();
+                    if self.is_first_in_line() {
+                        return;
+                    }
+                    continue;
+                }
                 _ if depth == 0 && self.is_at_new_statement() => return,
                 _ => {}
             }
             self.pass();
         }
+    }
+
+    /// True if the statement that begins here is the rest of a faulty one: it begins with a token that no statement
+    /// begins with.
+    pub(crate) fn is_rest_of_faulty(&self) -> bool {
+        let token = self.raw();
+        let class = token.word().map(Word::class);
+        self.statement.recovered == Some(self.statement.start)
+            && match token.kind {
+                Kind::Mark | Kind::Number | Kind::String => true,
+                _ => {
+                    token.word().is_some_and(is_part)
+                        || matches!(class, Some(Class::Transform | Class::Value))
+                }
+            }
     }
 
     fn skip_token(&mut self) {
@@ -73,6 +101,14 @@ impl Reader<'_> {
         let text = self.sources.text(self.here.tokens.file);
         let before = &text.as_bytes()[..token.start as usize];
         begins && before.last().is_none_or(|&byte| byte == b'\n')
+    }
+
+    /// True if only blanks precede the next token in its line.
+    fn is_first_in_line(&self) -> bool {
+        let text = self.sources.text(self.here.tokens.file);
+        let before = &text[..self.raw().start as usize];
+        let blanks = |c: char| c == ' ' || c == '\t';
+        before.trim_end_matches(blanks).ends_with(['\n', '\r'])
     }
 
     fn unwind_loops_and_macros(&mut self) {

@@ -23,6 +23,19 @@ impl Remedy {
         }
     }
 
+    /// The same with other brackets around the text that is written, by a rule.
+    pub(super) fn around(self, opening: &str, closing: &str, rule: &str) -> Self {
+        let fix = self.fix.map(|fix| Fix {
+            text: format!("{opening}{}{closing}", fix.text),
+            ..fix
+        });
+        let hint = match &fix {
+            Some(fix) => format!("{rule}: `{}`.", fix.text),
+            None => self.hint,
+        };
+        Remedy { hint, fix }
+    }
+
     /// The same without the change.
     pub(super) fn uncertain(self) -> Self {
         Remedy { fix: None, ..self }

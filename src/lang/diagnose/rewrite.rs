@@ -69,13 +69,19 @@ impl Reader<'_> {
         let at = self.here.at;
         let name = self.source_text(self.here_span());
         let is_mark = |ahead: usize, mark| self.raw_ahead(ahead).is_mark(mark);
+        let mut behind = at + 1;
+        while self.raw().symbol().is_some() && self.token(behind)?.is_mark('[') {
+            behind = self.end_of_brackets(behind, '[', ']')?;
+        }
         let line = self.rest_of_line(at);
         let statement = line.split_inclusive(';').next()?;
         let operator = ['+', '-', '*', '/']
             .into_iter()
             .find(|&mark| is_mark(1, mark));
         let (replaced, text) = match operator {
-            None if is_mark(1, '=') && !is_mark(2, '=') => (0, "#declare ".to_owned()),
+            None if is_mark(behind - at, '=') && !is_mark(behind + 1 - at, '=') => {
+                (0, "#declare ".to_owned())
+            }
             Some(mark) if is_mark(2, '=') => {
                 let operators = self.tokens_span(at..at + 3);
                 let value = statement.get((operators.end - operators.start) as usize..)?;
@@ -137,8 +143,18 @@ impl Reader<'_> {
             },
             _ => return None,
         };
-        let hint = format!("Write `{transform} {vector}`.");
-        Some(Remedy::fix(hint, self.tokens_span(start..at + 1), vector))
+        let mut written = format!("{transform} {vector}");
+        let mut end = at + 1;
+        // `rotate x 90 y 45`
+        while transform != Word::Scale
+            && let (Some(axis), true) = (axis_at(end), is_number(end + 1))
+        {
+            let number = self.source_text(self.here.tokens.span(end + 1));
+            written.push_str(&format!(" {transform} {number}*{axis}"));
+            end += 2;
+        }
+        let hint = format!("Write `{written}`.");
+        Some(Remedy::fix(hint, self.tokens_span(start - 1..end), written))
     }
 
     /// Numbers in a row around the next token that should be one vector, or one number with a decimal comma.
@@ -181,7 +197,8 @@ impl Reader<'_> {
                 sign = "";
             }
         }
-        let mut span = self.tokens_span(start..end.max(start + 1));
+        let closes = self.token(end).is_some_and(|token| token.is_mark('>'));
+        let mut span = self.tokens_span(start..end.max(start + 1) + usize::from(closes));
         let first = start.checked_sub(1)?;
         let before = self.token(first)?.word();
         let is_declared = self.token(first)?.is_mark('=');
@@ -299,6 +316,7 @@ impl Reader<'_> {
         let bare = (is_name(word) && word.contains('.')).then_some((word, word.len()));
         let (text, len) = in_marks('\'', '\'')
             .or_else(|| in_marks('<', '>'))
+            .or_else(|| in_marks('`', '`'))
             .or(bare)?;
         let string = format!("\"{text}\"");
         let hint = format!("Strings stand in double quotes: `{string}`.");
@@ -313,10 +331,17 @@ impl Reader<'_> {
                 .raw()
                 .word()
                 .is_some_and(|word| word.class() == Class::Value);
-        let argument = self.source_text(self.here_span());
-        (function.class() == Class::Function && is_argument).then(|| {
+        let at = self.here.at;
+        let end = match is_argument {
+            true => at + 1,
+            false if self.raw().is_mark('<') => self.end_of_brackets(at, '<', '>')?,
+            false => return None,
+        };
+        let span = self.tokens_span(at..end);
+        let argument = self.source_text(span);
+        (function.class() == Class::Function).then(|| {
             let hint = format!("Arguments stand in parentheses: `{function}({argument})`.");
-            Remedy::fix(hint, self.here_span(), format!("({argument})"))
+            Remedy::fix(hint, span, format!("({argument})"))
         })
     }
 
@@ -343,10 +368,29 @@ impl Reader<'_> {
         Some(Remedy::fix(format!("Write `{text}`."), span, text))
     }
 
-    /// `--` where a statement is expected.
+    /// `--`, `/`, `'` or `;` where a statement is expected, before words of a comment.
     pub(crate) fn comment_of_other_languages(&self) -> Option<Remedy> {
         let (at, hint) = (self.here.at, "Comments begin with `//`.");
-        Some(Remedy::fix(hint, self.tokens_span(at..at + 2), "//"))
+        let is_mark = |ahead: usize, mark| self.raw_ahead(ahead).is_mark(mark);
+        let span = match self.raw() {
+            token if token.is_mark('-') && is_mark(1, '-') => self.tokens_span(at..at + 2),
+            token
+                if ['/', '\'', ';', '%', '!']
+                    .iter()
+                    .any(|&mark| token.is_mark(mark)) =>
+            {
+                self.here_span()
+            }
+            _ => return None,
+        };
+        let is_word = |at: usize| {
+            let token = self.token(at)?;
+            let is_near = self.sources.line_column(self.here.tokens.span(at)).0
+                == self.sources.line_column(span).0;
+            Some(is_near && matches!(token.kind, Kind::Name | Kind::Word))
+        };
+        let is_dashed = span.end - span.start == 2;
+        (is_dashed || is_word(at + 1) == Some(true)).then(|| Remedy::fix(hint, span, "//"))
     }
 
     /// A `{` where a statement is expected: after the head of a directive, or after the name of an object.

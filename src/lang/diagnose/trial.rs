@@ -57,7 +57,7 @@ struct Trial {
 struct Fault {
     /// The position that reading has to pass.
     position: Start,
-    /// The start of the token before it, if there is one in the text that was being read.
+    /// The start of the second token before it, if there is one in the text that was being read.
     before: Option<u32>,
     error: Diagnostic,
 }
@@ -118,7 +118,7 @@ impl Reader<'_> {
         let at = tokens
             .tokens
             .partition_point(|token| token.start < position.start);
-        let before = at.checked_sub(1).filter(|_| tokens.file == position.file);
+        let before = at.checked_sub(2).filter(|_| tokens.file == position.file);
         let before = before.map(|at| tokens.tokens[at].start);
         if let Some(trial) = &mut self.trials.current {
             trial.faults.push(Fault {
@@ -224,6 +224,12 @@ impl Reader<'_> {
                 changed.end.max(position.start),
             ),
             false => (position.start, position.start),
+        };
+        // A change may break what precedes it in the statement.
+        let begun = self.moved_by_all(self.statement.start);
+        let first = match begun.file == position.file {
+            true => first.min(begun.start),
+            false => first,
         };
         for fault in read.faults {
             let both =
@@ -375,23 +381,29 @@ fn merged((first, changed): (&Fix, Span), second: &Fix, text: &str) -> Option<Fi
 
 /// A hint without the text that it proposes: the rule behind it, if it states one.
 fn rule(hint: &str, text: &str) -> Option<String> {
-    let proposal = match text.trim() {
-        "" => "remove",
-        text => text,
+    let proposes = |part: &str| match text.trim() {
+        "" => part.contains("emove"),
+        text if text.len() < 4 => part.contains(&format!("`{text}`")),
+        text => part.contains(text),
     };
-    if !hint.contains(proposal) {
+    if !proposes(hint) {
         return Some(hint.to_owned());
     }
-    if let Some((rule, rest)) = hint.split_once([':', ';'])
-        && !rule.contains(proposal)
-        && rest.contains(proposal)
+    let mut is_quoted = false;
+    let divider = hint.find(|letter| {
+        is_quoted ^= letter == '`';
+        !is_quoted && matches!(letter, ':' | ';')
+    });
+    if let Some((first, rest)) = divider.and_then(|at| hint.split_at_checked(at))
+        && !proposes(first)
+        && proposes(rest)
     {
-        return Some(format!("{rule}."));
+        return Some(format!("{first}."));
     }
-    let proposes = ["Write", "write", "emove"]
+    let is_proposal = ["Write", "write", "emove"]
         .iter()
         .any(|verb| hint.contains(verb));
-    (!proposes).then(|| hint.to_owned())
+    (!is_proposal).then(|| hint.to_owned())
 }
 
 #[cfg(test)]
@@ -475,6 +487,12 @@ mod tests {
             Some("Keywords are lower case.")
         );
         assert_eq!(rule("Write `2*x`.", "2*x"), None);
+        assert_eq!(rule("Remove this comma: blocks have none.", ""), None);
+        let hint = "Only declarations end with `;`; remove it.";
+        assert_eq!(
+            rule(hint, "").as_deref(),
+            Some("Only declarations end with `;`.")
+        );
         let hint = "One `=` compares two values.";
         assert_eq!(rule(hint, ">=").as_deref(), Some(hint));
     }

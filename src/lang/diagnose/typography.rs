@@ -47,6 +47,15 @@ impl Reader<'_> {
                 });
             }
             '²' | '³' => return Some(self.raised(if letter == '²' { 2 } else { 3 })),
+            '¼' | '½' | '¾' => {
+                let number = match letter {
+                    '¼' => "0.25",
+                    '½' => "0.5",
+                    _ => "0.75",
+                };
+                let hint = format!("Write `{letter}` as `{number}`.");
+                return Some(Remedy::fix(hint, self.here_span(), number));
+            }
             '…' => return Some("`…` stands for text that was left out: write that text.".into()),
             _ => {}
         }

@@ -24,12 +24,17 @@ impl Reader<'_> {
         if !error.hints.is_empty() {
             return error;
         }
-        if found.kind == Kind::End {
-            error.with_hint(format!("Write the `}}` of `{name}`."))
-        } else {
-            let new = self.source_text(self.here_span());
-            error.with_hint(format!("Write the `}}` of `{name}` before `{new}`."))
-        }
+        let close = match name {
+            "{" => "Write the `}`".to_owned(),
+            name => format!("Write the `}}` of `{name}`"),
+        };
+        let is_read_again =
+            (open.file, open.start) >= (self.here.tokens.file, self.here_span().start);
+        error.with_hint(match found.kind {
+            Kind::End => format!("{close}."),
+            _ if is_read_again => format!("{close} before the `#end` of this macro or loop."),
+            _ => format!("{close} before `{}`.", self.source_text(self.here_span())),
+        })
     }
 
     /// The word of a block, with its span; the `{` itself where there is none.
@@ -45,7 +50,18 @@ impl Reader<'_> {
                 return (word.to(open), self.source_text(word));
             }
         }
-        (open, self.source_text(open))
+        // Literal objects have no tokens.
+        let text = self.sources.text(open.file);
+        let before = text
+            .get(..open.start as usize)
+            .unwrap_or_default()
+            .trim_end();
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let start = before.trim_end_matches(is_part).len();
+        match u32::try_from(start).map(|start| Span::new(open.file, start, open.end)) {
+            Ok(both) if start < before.len() => (both, &before[start..]),
+            _ => (open, self.source_text(open)),
+        }
     }
 
     /// The `{` after a word is missing.
@@ -53,16 +69,33 @@ impl Reader<'_> {
         let after = self.source_text(element).to_owned();
         let name = self.raw().symbol().and_then(|name| self.scopes.get(name));
         let is_value = matches!(name, Some(Value::Element(element)) if element.name == after);
-        let mut error = self.expected_after(element, &format!("`{{` after `{after}`"));
+        let error = self.expected_after(element, &format!("`{{` after `{after}`"));
         if is_value {
             let block = format!("{{ {} }}", self.source_text(self.here_span()));
             let hint = format!("Write `{after} {block}`.");
             return Box::new(Remedy::fix(hint, self.here_span(), block).added_to(*error));
         }
         if error.hints.is_empty() {
-            error.hints.push(format!("Write `{after} {{`."));
+            let hint = format!("Write `{after} {{`.");
+            let here = self.here_span();
+            let is_same_line = error.span == Some(here);
+            // The `}` is there.
+            return Box::new(match is_same_line && self.has_more_closing_braces() {
+                true => Remedy::fix(hint, Span::new(here.file, here.start, here.start), "{ ")
+                    .added_to(*error),
+                false => error.with_hint(hint),
+            });
         }
         error
+    }
+
+    /// True if the text has more `}` than `{`.
+    pub(super) fn has_more_closing_braces(&self) -> bool {
+        let count = |mark| {
+            let tokens = self.here.tokens.tokens.iter();
+            tokens.filter(|token| token.is_mark(mark)).count()
+        };
+        count('}') > count('{')
     }
 
     /// "expected WHAT, found ...". Where the unexpected token stands in a later line, the error points to the text
@@ -115,14 +148,55 @@ impl Reader<'_> {
                 let remedy = Remedy::fix(hint, self.here_span(), ",");
                 return Box::new(remedy.added_to(error));
             }
-            let found = self.source_text(self.here_span());
-            let line = found.lines().next().unwrap_or_default();
-            error.hints.push(match line {
-                "" => format!("Write the `{mark}`."),
-                line => format!("Write the `{mark}` before `{line}`."),
-            });
+            return Box::new(self.closing(mark, open).added_to(error));
         }
         Box::new(error)
+    }
+
+    /// The mark that closes what was opened at `open`, at the next token or instead of it.
+    fn closing(&self, mark: char, open: Span) -> Remedy {
+        let found = self.source_text(self.here_span());
+        let found = found.lines().next().unwrap_or_default();
+        if self.raw().is_mark(',') {
+            return "Remove this comma, or write what is missing before it.".into();
+        }
+        let other = ['>', ')', ']']
+            .into_iter()
+            .find(|&other| self.raw().is_mark(other));
+        if let Some(other) = other
+            && !self.is_in_bracket(other, open)
+        {
+            let hint = format!("`{mark}` closes this, not `{other}`.");
+            return Remedy::fix(hint, self.here_span(), mark);
+        }
+        let hint = match found {
+            "" => format!("Write the `{mark}`."),
+            found => format!("Write the `{mark}` before `{found}`."),
+        };
+        let before = self
+            .here
+            .at
+            .checked_sub(1)
+            .map(|at| self.here.tokens.span(at));
+        match before.filter(|_| self.raw().kind != Kind::End) {
+            Some(last) if last.file == open.file => {
+                Remedy::fix(hint, Span::new(last.file, last.end, last.end), mark)
+            }
+            _ => hint.into(),
+        }
+    }
+
+    /// True if a bracket that `close` closes is open in the line before what was opened at `open`.
+    fn is_in_bracket(&self, close: char, open: Span) -> bool {
+        let opening = match close {
+            '>' => '<',
+            ')' => '(',
+            _ => '[',
+        };
+        let text = self.sources.text(open.file);
+        let before = text.get(..open.start as usize).unwrap_or_default();
+        let line = before.lines().next_back().unwrap_or_default();
+        line.matches(opening).count() > line.matches(close).count()
     }
 
     /// The opened `{` that the missing `}` belongs to, as far as the indentation shows: a block whose `}` begins a line
@@ -155,7 +229,7 @@ impl Reader<'_> {
 }
 
 /// True if a token begins an object or a statement, or ends the file: a `}` is missing before it.
-fn begins_new(token: Token) -> bool {
+pub(crate) fn begins_new(token: Token) -> bool {
     match token.kind {
         Kind::End => true,
         Kind::Word => token.word().is_some_and(|word| {

@@ -89,7 +89,8 @@ impl Reader<'_> {
             // Without a value the name is undeclared, which need not be said again.
             self.usage.undeclared.insert(symbol);
             if !error.message.is_empty() && error.hints.is_empty() {
-                *error = error.with_hint(format!("Write `{directive} {spelling} = ...`."));
+                let hint = format!("Write `{directive} {spelling} = ...`.");
+                *error = self.missing_equals(hint).added_to(*error);
             }
             return Err(error);
         }

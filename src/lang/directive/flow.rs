@@ -5,7 +5,6 @@ use crate::base::source::{Code, Diagnostic, Span};
 use crate::lang::directive::sealed::Slot;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::frame::{Entered, Frame, Position};
-use crate::lang::limits;
 use crate::lang::limits::EQUAL;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind, Token, Tokens};
@@ -40,7 +39,7 @@ impl Reader<'_> {
                     frames,
                 ),
             // Errors in passing, as a missing `;`, do not end the statement.
-            Ok(()) if self.report.errors >= limits::ERRORS => Err(self.consequence()),
+            Ok(()) if self.report.is_full() => Err(self.consequence()),
             result => result,
         }
     }
@@ -61,7 +60,7 @@ impl Reader<'_> {
         }
         self.frames.truncate(frames);
         self.record(*error);
-        if self.report.errors >= limits::ERRORS {
+        if self.report.is_full() {
             return Err(self.consequence());
         }
         self.here = opener.clone();
@@ -338,7 +337,9 @@ impl Reader<'_> {
         if let Some(number) = self.replay_parentheses(self.here.at)? {
             return Ok(number);
         }
-        self.expect_mark('(', "`(` and a condition or number")?;
+        if !self.take_mark('(')? {
+            return Err(self.no_condition());
+        }
         let open = self.start_taken();
         let value = self.sealed(Slot::Condition, Self::condition_value)?;
         self.expect_end(')', "an operator or `)`", open)?;

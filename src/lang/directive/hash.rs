@@ -45,7 +45,8 @@ impl Reader<'_> {
         let remedy = if let Some(remedy) = self.hexadecimal_color(hash) {
             remedy
         } else if let Some(near) = Self::similar_directive(&found) {
-            format!("Did you mean `#{near}`?").into()
+            let directive = format!("#{near}");
+            Remedy::fix(format!("Did you mean `{directive}`?"), both, directive)
         } else if hash.end < name.start {
             Remedy::fix("Comments begin with `//`.", hash, "//")
         } else if found == "define"

@@ -2,6 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::notation::TYPES;
 use crate::lang::directive::sealed::Slot;
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::replay::recording::Source;
@@ -9,7 +10,7 @@ use crate::lang::frame::{Entered, Macro, Position, Start};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Target;
-use crate::lang::syntax::{Kind, Symbol};
+use crate::lang::syntax::{Class, Kind, Symbol};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
@@ -76,7 +77,14 @@ impl Reader<'_> {
             }
             let is_optional = self.take_raw_word(Word::Optional);
             optional.push(is_optional);
-            parameters.push(self.identifier("a parameter or `)` in `#macro`")?);
+            let parameter = self.identifier("a parameter or `)` in `#macro`");
+            parameters.push(parameter.map_err(|error| {
+                self.usage.undeclared.insert(name);
+                match self.parameter_of_other_languages() {
+                    Some(remedy) if error.hints.is_empty() => Box::new(remedy.added_to(*error)),
+                    _ => error,
+                }
+            })?);
         }
         let defined = Macro {
             tokens: Rc::clone(&self.here.tokens),
@@ -172,7 +180,9 @@ impl Reader<'_> {
             let mut error = self.expected_here(&format!("`(` after the macro `{spelling}`"));
             if !error.message.is_empty() {
                 error.hints = vec![self.call_form(name, called)];
-                *error = error.with_label(called.defined, "defined here");
+                *error = self
+                    .name_behind_end(*error, call)
+                    .with_label(called.defined, "defined here");
             }
             return Err(error);
         }
@@ -230,6 +240,9 @@ impl Reader<'_> {
         let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
         if parameters.contains(&Word::Optional.spelling()) {
             return "Begin the scene with `#version 3.8;` if parameters are `optional`.".to_owned();
+        }
+        if parameters.iter().any(|name| TYPES.contains(name)) {
+            return "Parameters have no types, and are separated by `,`.".to_owned();
         }
         format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
@@ -297,6 +310,10 @@ impl Reader<'_> {
                 Ok(symbol)
             }
             Kind::Word => {
+                let is_value = |word: &Word| matches!(word.class(), Class::Value | Class::Color);
+                if token.word().is_some_and(|word| is_value(&word)) {
+                    self.usage.declared_words.push(self.here_span());
+                }
                 let word = token.word().map_or("", Word::spelling);
                 Err(self.with_trace(
                     Diagnostic::error(

@@ -8,7 +8,6 @@ use crate::lang::diagnose::recover::is_part;
 use crate::lang::fast_path::common_object::Read;
 use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::frame::Entered;
-use crate::lang::limits;
 use crate::lang::reader::{ObjectSpan, Reader};
 use crate::lang::syntax::Kind;
 use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
@@ -81,8 +80,9 @@ impl Reader<'_> {
                     if self.is_over || self.has_tried() {
                         return;
                     }
-                    if self.report.errors >= limits::ERRORS {
-                        let message = format!("nothing is read after {} errors", limits::ERRORS);
+                    if self.report.is_full() {
+                        let message =
+                            format!("nothing is read after {} errors", self.report.errors);
                         self.warning(Diagnostic::warning(None, message));
                         return;
                     }
@@ -135,6 +135,9 @@ impl Reader<'_> {
             Some(Word::Background) => {
                 self.pass();
                 self.open_block()?;
+                if self.peek()?.word() == Some(Word::Pigment) {
+                    return Err(self.expected_here("a colour in `background`"));
+                }
                 self.draft.background = Some(self.color_value()?);
                 Args::close(self)?;
             }
@@ -211,6 +214,9 @@ impl Reader<'_> {
         if let Some(read) = self.replay_object()? {
             return self.add_read(read);
         }
+        if self.raw_ahead(1).is_mark('[') && self.assignment().is_some() {
+            return Err(self.expected_here("an object or a statement"));
+        }
         let object = match self.raw().word() {
             Some(word) => self.object_of_tokens(word)?,
             None => self.object_of_name()?,
@@ -219,9 +225,15 @@ impl Reader<'_> {
             return self.add_object(object);
         }
         let token = self.raw();
+        if self.is_rest_of_faulty() {
+            return Err(self.consequence());
+        }
         match token.word() {
             Some(word) if is_part(word) => {
                 let error = self.expected_here("an object or a statement");
+                if !error.hints.is_empty() {
+                    return Err(error);
+                }
                 let hint = format!("`{word}` belongs in the `{{` and `}}` of an object.");
                 Err(Box::new(error.with_hint(hint)))
             }
@@ -229,7 +241,11 @@ impl Reader<'_> {
                 Diagnostic::error(self.here_span(), "this `}` closes nothing")
                     .with_hint("Remove it, or look for a missing `{` above."),
             )),
-            _ => Err(self.expected_here("an object or a statement")),
+            _ => {
+                let error = self.expected_here("an object or a statement");
+                self.note_name_of_foreign_declaration();
+                Err(error)
+            }
         }
     }
 

@@ -6,6 +6,7 @@ use super::streams::Streams;
 use super::value::{Array, Extent, Value};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
+use crate::lang::diagnose::unclosed::begins_new;
 use crate::lang::directive::sealed::Slot;
 use crate::lang::frame::{Declaring, Position};
 use crate::lang::limits;
@@ -29,6 +30,9 @@ impl Reader<'_> {
         let outer = self.statement.declaring.replace(declaring);
         let value = self.value("a value");
         self.statement.declaring = outer;
+        if value.is_err() {
+            self.usage.faulty_arrays.insert(symbol);
+        }
         let Some(value) = value? else {
             return Err(self.expected_here("a value"));
         };
@@ -444,6 +448,9 @@ impl Reader<'_> {
                 array.grow(index + 1);
             }
             if index == array.sizes[dimension] {
+                if !self.is_after_mark(',') && begins_new(self.raw()) {
+                    return Err(self.expected_here("`}` at the end of the array"));
+                }
                 let error = self.error_here(format!("the array has only {index} items here"));
                 return Err(Box::new(
                     error.with_hint("Give it a larger size, or fewer values."),

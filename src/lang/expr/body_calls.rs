@@ -93,7 +93,12 @@ impl Reader<'_> {
             let message = format!("`{word}` is not allowed in a function");
             return Err(self.with_trace(
                 Diagnostic::error(self.here_span(), message)
-                    .with_hint("Compute it before, and use the name of the result."),
+                    .with_hint(match word {
+                        Word::Vlength => {
+                            "Functions compute with numbers: write `sqrt(x*x + y*y + z*z)` for `vlength(<x, y, z>)`."
+                        }
+                        _ => "Compute it before, and use the name of the result.",
+                    }),
             ));
         };
         self.pass();

@@ -93,6 +93,9 @@ impl Reader<'_> {
     pub(crate) fn end_of_call(&mut self, word: Word, open: Start) -> Parse<()> {
         if self.peek()?.is_mark(',') {
             let error = self.error_here(format!("`{word}` takes no further argument"));
+            if let Some(remedy) = self.vector_argument(word, open) {
+                return Err(Box::new(remedy.added_to(*error)));
+            }
             let hint = "Write `)` before this comma, or remove what follows it.";
             return Err(Box::new(error.with_hint(hint)));
         }

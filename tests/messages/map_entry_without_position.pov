@@ -1,0 +1,4 @@
+// mistake in line 2: entries without positions
+sphere { 0, 1 pigment { bozo color_map { [rgb 0] [rgb 1] } } }
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
