@@ -315,15 +315,15 @@ impl Default for Antialias {
     }
 }
 
-/// The rule for the smallest hit distance of rays that leave a surface.
+/// The rule for the smallest hit distance of rays that leave a surface, and for the largest of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TMinRule {
     /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length. Pictures
     /// with POV-Ray's random numbers follow [`TMinRule::PovRay`] all the same: a ray more or less would shift them.
     #[default]
     Rounding,
-    /// POV-Ray's 1/10000 of a unit, 1/1000 for shadow rays: thinner objects are lost, as in POV-Ray. Shows if two
-    /// pictures differ for this reason alone.
+    /// POV-Ray's 1/10000 of a unit, 1/1000 for shadow rays: thinner objects are lost, as in POV-Ray. So are hits at 1e7
+    /// units and more. Shows if two pictures differ for this reason alone.
     PovRay,
 }
 

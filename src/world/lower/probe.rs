@@ -14,8 +14,6 @@ use glam::DVec3;
 use std::any::Any;
 use std::sync::Arc;
 
-/// POV-Ray's largest distance of a hit.
-const FARTHEST: f64 = 1e7;
 /// Capacity of the cache of compiled objects: a scene queries a few objects repeatedly, or each new one once.
 const CACHED: usize = 32;
 
@@ -31,7 +29,8 @@ impl ProbeModel {
     /// The first hit of a ray on an object: the point, and the unit normal there before any `normal` pattern, out of
     /// the solid. Objects hidden from some rays (`no_image`) are hit.
     ///
-    /// POV-Ray's least distance applies, 1/10000 of a unit, for scenes that trace on from the hit point.
+    /// POV-Ray's distances apply: 1/10000 of a unit for scenes that trace on from the hit point, and 1e7 units for most
+    /// shapes.
     pub fn trace(
         &mut self,
         object: &Arc<Object>,
@@ -47,7 +46,7 @@ impl ProbeModel {
         let query = Query {
             ray: Ray::new(from, dir),
             origin_surface: None,
-            t_max: FARTHEST,
+            t_max: f64::INFINITY,
             kind: RayKind::Camera,
         };
         let hit = world.nearest(&query, &mut self.scratch)?;

@@ -11,6 +11,7 @@ use crate::world::light_buffers::LightBuffers;
 use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
 use crate::world::primitive::Leaf;
+use crate::world::query::closest::POV_RAY_T_MAX;
 use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -93,6 +94,7 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.t_min_rule,
+            t_max: f64::INFINITY,
             summary,
             radiosity,
             subsurface,
@@ -119,6 +121,7 @@ impl World {
             world.least_distance = TMinRule::PovRay;
         }
         if world.has_povray_distances() {
+            world.t_max = POV_RAY_T_MAX * world.globals.unit;
             let summary = &world.summary;
             for leaf in &mut world.model.leaves {
                 match &mut leaf.shape {

@@ -9,7 +9,7 @@ use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
-use crate::scene::shape::{Geometry, Root, Rounded, RoundedHit};
+use crate::scene::shape::{Geometry, Root, Rounded, RoundedHit, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::index::index;
@@ -24,6 +24,8 @@ pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;
 /// POV-Ray's minimum hit distances, in scene units: for shadow rays and for all other rays.
 pub(in crate::world) const POV_RAY_SHADOW: f64 = 1e-3;
 pub(in crate::world) const POV_RAY_T_MIN: f64 = 1e-4;
+/// POV-Ray's maximum hit distance, in scene units.
+pub(in crate::world) const POV_RAY_T_MAX: f64 = 1e7;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
@@ -97,7 +99,8 @@ impl World {
             #[inline(always)]
             |lanes| self.closest_hit(lanes, query, scratch),
         );
-        best.map(|best| self.hit(&query.ray, &best.hit))
+        best.filter(|best| !self.is_too_far(&best.hit))
+            .map(|best| self.hit(&query.ray, &best.hit))
     }
 
     /// Closest hits of a stream of up to eight rays, which need not be coherent.
@@ -453,6 +456,32 @@ impl World {
             (TMinRule::PovRay, RayKind::Shadow) => POV_RAY_SHADOW * self.globals.unit,
             (TMinRule::PovRay, _) => POV_RAY_T_MIN * self.globals.unit,
         }
+    }
+
+    /// Returns true if POV-Ray ignores a hit for its distance, and its distances are followed.
+    #[inline(always)]
+    pub(in crate::world) fn is_too_far(&self, hit: &RawHit) -> bool {
+        hit.root.t >= self.t_max && self.has_maximum_distance(hit.leaf)
+    }
+
+    /// Returns false for the shapes that POV-Ray shows beyond [`POV_RAY_T_MAX`]: its limit for them is 1e9, is in object
+    /// space, or does not exist.
+    #[cold]
+    fn has_maximum_distance(&self, leaf: u32) -> bool {
+        !matches!(
+            self.model.leaves.get(leaf as usize).map(|leaf| &leaf.shape),
+            Some(
+                Shape::Cuboid(_)
+                    | Shape::Cylinder(_)
+                    | Shape::Cone(_)
+                    | Shape::Mesh(_)
+                    | Shape::Polygon(_)
+                    | Shape::HeightField(_)
+                    | Shape::BicubicPatch(_)
+                    | Shape::SphereSweep(_)
+                    | Shape::Isosurface(_)
+            )
+        )
     }
 
     /// Returns true for a self-intersection: the hit lies, within rounding, on the surface that the ray starts on.

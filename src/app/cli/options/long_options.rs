@@ -54,7 +54,7 @@ pub(crate) struct LongOptions {
     /// Stop after this time with the best picture so far: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
     time: Option<Duration>,
-    /// Use POV-Ray's minimum distances, which drop very thin surfaces
+    /// Use POV-Ray's minimum and maximum distances, which drop very thin and very distant surfaces
     #[arg(long)]
     pov_distances: bool,
     /// Cut coincident faces in CSG cleanly, where POV-Ray leaves a skin

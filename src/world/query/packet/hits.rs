@@ -399,8 +399,9 @@ impl World {
         hits: &mut HitPacket4,
         spheres: &mut u32,
     ) -> DVec3 {
-        let Some(Some(ClosestHit { hit, .. })) = bests.get(lane) else {
-            return DVec3::ZERO;
+        let hit = match bests.get(lane) {
+            Some(Some(ClosestHit { hit, .. })) if !self.is_too_far(hit) => hit,
+            _ => return DVec3::ZERO,
         };
         hits.hit_mask |= 1 << lane;
         hits.t[lane] = hit.root.t;
