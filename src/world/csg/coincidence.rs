@@ -1,15 +1,16 @@
 //! Coincident surfaces in CSG.
 //!
 //! Surfaces at the same `t`, up to rounding, are taken together, and each counts as inside or outside the solids of the
-//! others by [`SurfaceSide`]: coincident faces leave a skin as in POV-Ray. Where POV-Ray leaves speckles, and with clean
+//! others by [`SurfaceSide`]: coincident faces leave a skin as in POV-Ray. Faces of boxes without a matrix count as the
+//! rounding of their points decides, mostly the same way all over a face. Where POV-Ray leaves speckles, and with clean
 //! cuts everywhere, one surface is shown if the ray enters or leaves the node as a whole there: no double surface, no
 //! hole. A packet of rays hands every ray with ends near each other to the sweep, see [`Widening::of_packets`].
 
 use super::program::CsgProgram;
-use super::sweep::Sweep;
+use super::sweep::{Event, Sweep, SweepContext};
 use crate::base::math::COINCIDENT;
-use crate::scene::shape::{Crossing, Geometry, SurfaceSide};
-use crate::world::primitive::Leaf;
+use crate::scene::shape::{Crossing, Geometry, Shape, SurfaceSide};
+use std::cmp::Ordering;
 
 /// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +53,13 @@ impl CsgProgram {
 
     /// Handles several roots at the same `t`: hides those not shown, and puts the last operand first, which wins as in
     /// POV-Ray.
-    pub(super) fn step_together(&self, at: usize, end: usize, leaves: &[Leaf], sweep: &mut Sweep) {
+    pub(super) fn step_together(
+        &self,
+        at: usize,
+        end: usize,
+        context: SweepContext,
+        sweep: &mut Sweep,
+    ) {
         sweep.before.clear();
         sweep.before.extend_from_slice(&sweep.state.counts);
         sweep.was_in.clear();
@@ -63,7 +70,7 @@ impl CsgProgram {
         for event in &sweep.events[at..end] {
             self.toggle(event, &mut sweep.state);
         }
-        if self.has_clean_cuts() || !self.show_on_surfaces(at, end, leaves, sweep) {
+        if self.has_clean_cuts() || !self.show_on_surfaces(at, end, context, sweep) {
             self.show_clean_cuts(at, end, sweep);
         }
         let events = &mut sweep.events[at..end];
@@ -76,7 +83,13 @@ impl CsgProgram {
 
     /// Selects the surfaces shown among several at the same `t` as POV-Ray does: those whose points every ancestor lets
     /// through. Returns false if there are none and rounding decides it in POV-Ray, which then leaves speckles.
-    fn show_on_surfaces(&self, at: usize, end: usize, leaves: &[Leaf], sweep: &mut Sweep) -> bool {
+    fn show_on_surfaces(
+        &self,
+        at: usize,
+        end: usize,
+        context: SweepContext,
+        sweep: &mut Sweep,
+    ) -> bool {
         let Sweep {
             events,
             state,
@@ -85,13 +98,18 @@ impl CsgProgram {
         } = sweep;
         let events = &events[at..end];
         let mut is_certain = true;
+        let by_rounding = self.rounded_position(events, context);
         for event in events {
             if event.root.crossing == Crossing::Touch {
                 continue;
             }
-            let side = leaves[(self.first + event.leaf) as usize]
-                .shape
-                .surface_side();
+            let side = match by_rounding {
+                Some(position) => side_of_face(event.root.face, position),
+                None => {
+                    let leaf = &context.leaves[(self.first + event.leaf) as usize];
+                    leaf.shape.surface_side()
+                }
+            };
             is_certain &= side != SurfaceSide::Rounded;
             let is_inverse = self.operands[event.leaf as usize].is_inverse;
             let on_surface = match side {
@@ -112,6 +130,37 @@ impl CsgProgram {
             self.toggle(event, state);
         }
         is_certain
+    }
+
+    /// The position of a ray's point after rounding, relative to the coordinate at which faces of boxes without a
+    /// matrix coincide; `None` for other shapes and where it may differ from ray to ray.
+    ///
+    /// In POV-Ray the point has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the last bit for
+    /// all directions at which a face is looked at squarely and for most others, unless that is a power of two, next to
+    /// which numbers are twice as dense. Rays of the camera start at one point, so that it is the same all over a
+    /// face; for others it must not depend on the last bit of where they start.
+    fn rounded_position(&self, events: &[Event], context: SweepContext) -> Option<Ordering> {
+        let mut common = None;
+        for Event { root, leaf } in events {
+            let leaf = &context.leaves[(self.first + leaf) as usize];
+            let Shape::Cuboid(cuboid) = &leaf.shape else {
+                return None;
+            };
+            let plane = cuboid.plane_of(root.face);
+            if leaf.object_from_world.is_some() || *common.get_or_insert(plane) != plane {
+                return None;
+            }
+        }
+        let (axis, coordinate) = common?;
+        let position = |origin: f64| (origin + (coordinate - origin)).partial_cmp(&coordinate);
+        let origin = context.ray.origin[axis];
+        if is_power_of_two(coordinate - origin) {
+            return None;
+        }
+        let own = position(origin);
+        let is_from_camera = context.departure.is_none() && !context.is_shadow;
+        let is_even = || [origin.next_down(), origin.next_up()].map(position) == [own; 2];
+        own.filter(|_| is_from_camera || is_even())
     }
 
     /// Selects the surfaces shown among several at the same `t` so that they bound the solid: at a node whose other
@@ -140,5 +189,47 @@ impl CsgProgram {
             }
             sweep.shown.push(is_shown);
         }
+    }
+}
+
+/// The side of a box on which a point at this position relative to its face lies.
+fn side_of_face(face: u32, position: Ordering) -> SurfaceSide {
+    let beyond = match face.is_multiple_of(2) {
+        true => Ordering::Less,
+        false => Ordering::Greater,
+    };
+    match position == beyond {
+        true => SurfaceSide::Outside,
+        false => SurfaceSide::Inside,
+    }
+}
+
+/// True for powers of two, their negatives and zero.
+fn is_power_of_two(number: f64) -> bool {
+    number.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_of_two_are_recognized() {
+        for power in [8.0, -1.0, 0.25, 0.0] {
+            assert!(is_power_of_two(power), "{power}");
+        }
+        for other in [3.0, -10.0, 0.3, 8.0_f64.next_down()] {
+            assert!(!is_power_of_two(other), "{other}");
+        }
+    }
+
+    #[test]
+    fn a_point_beyond_a_face_is_outside() {
+        use Ordering::{Equal, Greater, Less};
+        let lower = [Less, Equal, Greater].map(|position| side_of_face(4, position));
+        let upper = [Less, Equal, Greater].map(|position| side_of_face(5, position));
+        let (inside, outside) = (SurfaceSide::Inside, SurfaceSide::Outside);
+        assert_eq!(lower, [outside, inside, inside]);
+        assert_eq!(upper, [inside, inside, outside]);
     }
 }

@@ -133,7 +133,7 @@ impl CsgProgram {
                 }
             } else {
                 self.test_point(at..end, context, sweep);
-                self.step_together(at, end, leaves, sweep);
+                self.step_together(at, end, context, sweep);
             }
             for index in at..end {
                 let Event { root, leaf } = sweep.events[index];

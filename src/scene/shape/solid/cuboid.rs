@@ -92,6 +92,17 @@ impl Cuboid {
         SpanPacket::new(enter, leave, enter.le(leave), is_slanted)
     }
 
+    /// The axis of a face and its coordinate on it.
+    #[must_use]
+    pub(crate) fn plane_of(&self, face: u32) -> (usize, f64) {
+        let corner = if face.is_multiple_of(2) {
+            self.min
+        } else {
+            self.max
+        };
+        (axis(face), corner[axis(face)])
+    }
+
     /// Position between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
     fn fractions(&self, point: DVec3) -> DVec3 {
         let size = self.max - self.min;
@@ -124,6 +135,12 @@ fn squarest(all: DVec3, one: f64, dir: DVec3) -> usize {
     } else {
         2
     }
+}
+
+/// The axis of a face.
+#[inline]
+fn axis(face: u32) -> usize {
+    (face as usize / 2).min(2)
 }
 
 /// The number of the lower or the upper face across an axis.
@@ -197,7 +214,7 @@ impl Geometry for Cuboid {
 
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
         let mut normal = DVec3::ZERO;
-        normal[(face as usize / 2).min(2)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
+        normal[axis(face)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
         normal
     }
 
