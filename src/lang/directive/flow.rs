@@ -151,6 +151,7 @@ impl Reader<'_> {
     /// Runs `declare` or `include` written without `#`.
     pub(crate) fn run_bare_directive(&mut self, token: Token) -> Parse<()> {
         let span = self.here_span();
+        self.changes += 1;
         self.pass();
         let is_include = token.value == Word::Include as u32;
         let word = if is_include {
