@@ -121,10 +121,10 @@ fn draw<'a>(
     let times = range(report.measured.iter().map(time));
     let errors = range(report.measured.iter().map(value));
     let mut chart = ChartBuilder::on(area)
-        .caption(title, (FONT, 17))
+        .caption(title, (FONT, 19))
         .margin(12)
-        .x_label_area_size(46)
-        .y_label_area_size(74)
+        .x_label_area_size(52)
+        .y_label_area_size(82)
         .build_cartesian_2d(
             times.clone().log_scale().with_key_points(grid(&times)),
             errors.clone().log_scale().with_key_points(grid(&errors)),
@@ -132,8 +132,8 @@ fn draw<'a>(
     chart
         .configure_mesh()
         .x_desc("processor seconds of tracing (log scale)")
-        .label_style((FONT, 13))
-        .axis_desc_style((FONT, 14))
+        .label_style((FONT, 15))
+        .axis_desc_style((FONT, 16))
         .x_label_formatter(&|v| label(*v))
         .y_label_formatter(&|v| label(*v))
         .bold_line_style(BLACK.mix(0.18))
@@ -166,7 +166,7 @@ fn draw<'a>(
         .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE.mix(0.85))
         .border_style(BLACK.mix(0.3))
-        .label_font((FONT, 13))
+        .label_font((FONT, 15))
         .draw()?;
     Ok(())
 }
