@@ -49,8 +49,8 @@ Examples:
   povr check scenes                        all scenes of a folder
   povr check scene.pov --message-format short    for editors",
     after_help = "\
-In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
-that a scene writes are kept in memory.
+In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: \
+files that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
 `--timeout` counts for each scene; those behind one that takes longer are read.
 A comment `// povr: allow NAME` in a scene leaves out a kind of warning as --allow does.
