@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import itertools
 import pathlib
 import re
 import shutil
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import traceback
 
 from playwright.sync_api import expect, sync_playwright
@@ -59,6 +61,9 @@ class Live:
         page = self.browser.new_page(**{"viewport": {"width": 1200, "height": 800}, **options})
         page.set_default_timeout(LIMIT)
         page.on("pageerror", lambda error: self.faults.append(str(error)))
+        # A stopped server breaks its connections.
+        page.on("console", lambda line: line.type == "error" and "net::ERR" not in line.text and self.faults.append(line.text))
+        page.on("response", lambda reply: reply.status >= 400 and self.faults.append(f"{reply.status} {reply.url}"))
         page.goto(self.address)
         whole(page)
         return page
@@ -356,6 +361,24 @@ def without_a_scene_the_showcase_is_the_first_page(live):
 
 
 @test
+def a_file_that_changes_all_the_time_is_seen_meanwhile(live):
+    live.start()
+    page = live.page()
+    seen = set()
+    end = time.monotonic() + 4
+    for step in itertools.count():
+        written = live.scene.with_suffix(".new")
+        written.write_text(SCENE.replace("0.3", f"0.3 translate {step} * x * 0.01"))
+        written.replace(live.scene)
+        page.wait_for_timeout(30)
+        if step % 5 == 0:
+            seen.add(picture(page))
+        if time.monotonic() > end:
+            break
+    assert len(seen) > 3, len(seen)
+
+
+@test
 def two_viewers_see_the_same(live):
     live.start()
     one, two = live.page(), live.page()
@@ -412,6 +435,50 @@ def colours_follow_the_scheme_of_the_system(live):
     light = page.evaluate(colour)
     page.emulate_media(color_scheme="dark")
     assert page.evaluate(colour) != light
+
+
+# The texts whose contrast (WCAG 2.1, 1.4.3) is below 4.5.
+FAINT = """() => {
+  const context = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  const channels = color => {
+    context.clearRect(0, 0, 1, 1);
+    context.fillStyle = color;
+    context.fillRect(0, 0, 1, 1);
+    return [...context.getImageData(0, 0, 1, 1).data];
+  };
+  const luminance = ([r, g, b]) => {
+    const linear = [r, g, b].map(c => c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+  };
+  const behind = element => {
+    for (let at = element; at; at = at.parentElement) {
+      const color = channels(getComputedStyle(at).backgroundColor);
+      if (color[3] === 255) return color;
+    }
+    return channels(getComputedStyle(document.documentElement).colorScheme === 'dark' ? '#121212' : '#fff');
+  };
+  const contrast = element => {
+    const [a, b] = [channels(getComputedStyle(element).color), behind(element)].map(luminance);
+    return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  };
+  const texts = [...document.querySelectorAll('body *')].filter(one => one.checkVisibility() && !one.disabled
+    && !one.closest('script, style')
+    && [...one.childNodes].some(node => node.nodeType === 3 && node.textContent.trim()));
+  return { count: texts.length, faint: texts.filter(one => contrast(one) < 4.5)
+    .map(one => `${one.tagName} ${one.textContent.slice(0, 20)} ${contrast(one).toFixed(2)}`) };
+}"""
+
+
+@test
+def every_window_is_readable_and_scrolls_down_only(live):
+    live.start()
+    for width in (1400, 420):
+        for scheme in ("light", "dark"):
+            page = live.page(viewport={"width": width, "height": 900}, color_scheme=scheme)
+            texts = page.evaluate(FAINT)
+            assert texts["count"] > 3 and texts["faint"] == [], (width, scheme, texts)
+            assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), (width, scheme)
+            page.close()
 
 
 @test

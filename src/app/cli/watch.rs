@@ -64,6 +64,11 @@ fn live_options() -> clap::Command {
         .name("povr live")
         .about("Shows a scene on a page that moves its camera and changes its numbers")
         .override_usage("povr live [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE")
+        .before_help(
+            "Examples:
+  povr live scene.pov                      prints the address of its page
+  povr live scenes                         of a list of the scenes of a folder",
+        )
         .after_help(
             "All options and switches of drawing count: `povr live scene.pov +W640 +H480 +A0.3`. A folder instead of a \
              scene shows a list of its scenes, and neither of them those that povr brings along. No browser is opened: \
@@ -127,6 +132,9 @@ fn secret(text: &str) -> Result<String, &'static str> {
     }
 }
 
+/// After a change of a file the preview in progress is finished, so that one is seen however often a file changes, unless
+/// it takes longer than this.
+const PREVIEW_PATIENCE: Duration = Duration::from_millis(300);
 /// Polling interval for file systems that report no changes.
 const LOOK: Duration = Duration::from_millis(500);
 /// An editor may write a file in several steps: it is read after this time without changes,
@@ -564,6 +572,7 @@ impl Watch<'_> {
         self.painter.shown.set_drawing(true);
         self.drawn = order.wished.number;
         let mut is_changed = false;
+        let mut changed_at = None;
         // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
         let (painter, sender, receiver) = (&self.painter, self.sender.clone(), &self.receiver);
@@ -575,13 +584,18 @@ impl Watch<'_> {
                 let _ = sender.send(WatchEvent::End);
             });
             loop {
-                let happened = receiver.recv_timeout(LOOK);
+                let is_late = changed_at.is_some();
+                let happened = receiver.recv_timeout(if is_late { PREVIEW_PATIENCE } else { LOOK });
                 if let Some(now) = drawing.take_read() {
                     known = now;
                 }
                 is_changed |= known.changed().or(self.text_known.changed()).is_some();
                 if is_changed {
-                    drawing.cancel();
+                    let since = *changed_at.get_or_insert_with(Instant::now);
+                    match since.elapsed() < PREVIEW_PATIENCE {
+                        true => drawing.supersede(),
+                        false => drawing.cancel(),
+                    }
                 } else if painter.wishes.number() != order.wished.number {
                     drawing.supersede();
                 }

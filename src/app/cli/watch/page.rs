@@ -64,20 +64,15 @@ pub(super) fn serve(
     serve_routes(listener, token, routes, Limits::default())
 }
 
+/// A picture; nothing where there is none yet, or no longer, of which the page learns with the next event.
 fn png(png: Option<hyper::body::Bytes>) -> Answer {
-    match png {
-        Some(png) => Answer::Content("image/png", png),
-        None => Answer::Refusal(StatusCode::NOT_FOUND, "no such picture".to_owned()),
-    }
+    png.map_or(Answer::Done, |png| Answer::Content("image/png", png))
 }
 
-/// The text of the number in the query, if that is the current one.
+/// The text of the number in the query; nothing if that is not the current one: the page asks again as it learns of it.
 fn scene(call: &Call<'_>, source: &SceneText) -> Answer {
     match &source.text {
-        _ if call.query.parse() != Ok(source.number) => Answer::Refusal(
-            StatusCode::NOT_FOUND,
-            "the scene has changed meanwhile".to_owned(),
-        ),
+        _ if call.query.parse() != Ok(source.number) => Answer::Done,
         Some(text) => Answer::Content("text/plain; charset=utf-8", text.clone().into()),
         None => Answer::Refusal(
             StatusCode::NOT_FOUND,

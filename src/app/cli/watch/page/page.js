@@ -76,7 +76,7 @@ function paint() {
 }
 async function bitmapOf(path) {
   const reply = await fetch(path);
-  return reply.ok ? createImageBitmap(await reply.blob()) : null;
+  return reply.status === 200 ? createImageBitmap(await reply.blob()) : null;
 }
 let loadedView = null;
 const UNITS = { rays: 'rays', time: 'µs', error: 'steps of 1/255' };
