@@ -20,7 +20,10 @@ pub(crate) fn nearest<T: AsRef<str>>(
         .filter(|(name, _)| begins_alike(name))
         .map(|(name, candidate)| (distance(&word, &name), name, candidate))
         .filter(|(distance, ..)| *distance <= limit)
-        .min_by(|(a, first, _), (b, second, _)| (a, first).cmp(&(b, second)))
+        .min_by_key(|(distance, name, _)| {
+            // Letters are rather changed than left out.
+            (*distance, name.len().abs_diff(word.len()), name.clone())
+        })
         .map(|(_, _, candidate)| candidate)
 }
 

@@ -72,6 +72,9 @@ impl Reader<'_> {
             .partition_point(|token| token.start < span.start);
         let before = at.checked_sub(1).filter(|_| tokens.file == span.file)?;
         let last = tokens.span(before);
+        if self.token(before)?.is_mark('<') && self.token(at)?.is_mark('<') {
+            return Some(Remedy::fix("One `<` is enough: remove this one.", last, ""));
+        }
         let touches = self.token(before)?.kind == Kind::Number && last.end == span.start;
         let factor = tokens.span(at);
         touches.then(|| {
@@ -101,9 +104,16 @@ impl Reader<'_> {
     /// A value that an operator lacks: `1 + ;`.
     pub(super) fn value_after_operator(&self, token: Token) -> Option<Remedy> {
         let last = self.token(self.here.at.checked_sub(1)?)?;
+        let at = self.here.at;
         let operator = ['+', '-', '*', '/']
             .into_iter()
             .find(|&mark| last.is_mark(mark))?;
+        let is_doubled = at >= 2 && self.token(at - 2)?.is_mark(operator);
+        if is_doubled && matches!(operator, '+' | '-') {
+            let hint = format!("`{operator}{operator}` is not an operator: write `{operator} 1`.");
+            let span = self.tokens_span(at - 2..at);
+            return Some(Remedy::fix(hint, span, format!(" {operator} 1")));
+        }
         let ends = token.kind == Kind::End
             || [';', ',', ')', '}', ']', '>']
                 .into_iter()

@@ -117,8 +117,8 @@ impl Reader<'_> {
             return Some(remedy);
         }
         if is_directive && wanted.contains("statement") {
-            if let Some(hint) = self.remedy_after_directive(word) {
-                return Some(hint.into());
+            if let Some(remedy) = self.remedy_after_directive(word) {
+                return Some(remedy);
             }
             let directive = format!("#{word}");
             let hint = format!("Directives begin with `#`: `{directive}`.");
@@ -129,7 +129,8 @@ impl Reader<'_> {
             return Some(Remedy::fix(hint, self.here_span(), "rgb 0.5"));
         }
         self.remedy_after_directive(word)
-            .map(Remedy::from)
+            .or_else(|| self.pattern_behind_modifier(word, wanted))
+            .or_else(|| self.color_in_texture_map(word))
             .or_else(|| self.remedy_of_foreign_word(word, wanted))
             .or_else(|| self.misplaced(word, wanted))
             .or_else(|| hint_beside(word, wanted).map(Remedy::from))
@@ -244,7 +245,9 @@ impl Reader<'_> {
                 .or_else(|| self.vector_by_call(token))
                 .or_else(|| self.named_parameter(token, wanted)),
             Kind::Mark if is_statement && token.is_mark('{') => self.braces_of_other_languages(),
-            Kind::Mark if wants_value(wanted) => self.vector_in_brackets(self.here.at),
+            Kind::Mark if wants_value(wanted) && !self.is_doubled_brace() => {
+                self.vector_in_brackets(self.here.at)
+            }
             Kind::Number | Kind::Word if wanted.contains("`}`") => self
                 .axis_and_number()
                 .or_else(|| self.transform_in_parts(token))
@@ -279,11 +282,14 @@ impl Reader<'_> {
     }
 
     /// `#else if` for `#elseif`.
-    fn remedy_after_directive(&self, word: Word) -> Option<String> {
+    fn remedy_after_directive(&self, word: Word) -> Option<Remedy> {
         let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?];
         let is_else = before.kind == Kind::Directive
             && self.here.tokens.directives[before.value as usize].word == Some(Word::Else);
-        (is_else && word == Word::If).then(|| "Write `#elseif`.".to_owned())
+        (is_else && word == Word::If).then(|| {
+            let span = self.tokens_span(self.here.at - 1..self.here.at + 1);
+            Remedy::fix("Write `#elseif`.", span, "#elseif")
+        })
     }
 
     /// A word whose value is missing: `rotate }`.
@@ -316,8 +322,12 @@ impl Reader<'_> {
         {
             return Some(remedy);
         }
+        if let Some(remedy) = self.foreign_mark(mark, wanted) {
+            return Some(remedy);
+        }
         let remedy = match mark {
             '(' => self.constant_with_parentheses(),
+            ')' if wants_value(wanted) => self.missing_arguments(),
             '=' | ':' => self.angle_with_sign(),
             _ => None,
         };

@@ -73,6 +73,16 @@ impl Reader<'_> {
                 format!("`{block}` has no size or place: write `{word}` after its `}}`.").into(),
             );
         }
+        if word.class() == Class::Transform
+            && let Some(map) = block.filter(|&block| is_map(block))
+        {
+            let hint = format!("`{map}` has entries only: write `{word}` after its `}}`.");
+            return Some(hint.into());
+        }
+        if is_part(word) && block == Some(Word::Material) {
+            let hint = format!("`{word}` belongs in `texture {{ }}` of this `material`.");
+            return Some(hint.into());
+        }
         if (word, block) == (Word::Texture, Some(Word::Texture)) && self.is_after_mark('{') {
             return Some("One `texture` is enough: remove this word with its `{` and `}`.".into());
         }

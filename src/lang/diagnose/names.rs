@@ -93,7 +93,8 @@ impl Reader<'_> {
             true => similar().or_else(meant),
             false => meant().or_else(similar),
         };
-        remedy.or_else(|| {
+        let in_string = || self.name_in_string(name, wanted);
+        remedy.or_else(in_string).or_else(|| {
             let hint = match wants_word(wanted) && !wanted.contains("statement") {
                 _ if is_call => {
                     format!("Define the macro `{name}` above, or include the file that does.")
@@ -102,6 +103,20 @@ impl Reader<'_> {
                 false => format!("Declare `{name}` above, or include the file that does."),
             };
             Some(hint.into())
+        })
+    }
+
+    /// A word that lacks its quotes, or stands behind a quote within a string.
+    fn name_in_string(&self, name: &str, wanted: &str) -> Option<Remedy> {
+        let before = self.here.at.checked_sub(1)?;
+        let touches = self.here.tokens.span(before).end == self.here_span().start;
+        if self.token(before)?.kind == Kind::String && touches {
+            return Some("A quote within a string is written `\\\"`.".into());
+        }
+        (wanted == "a string").then(|| {
+            let string = format!("\"{name}\"");
+            let hint = format!("Strings stand in double quotes: `{string}`.");
+            Remedy::fix(hint, self.here_span(), string)
         })
     }
 

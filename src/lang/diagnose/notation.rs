@@ -33,7 +33,8 @@ impl Reader<'_> {
             return Some(Remedy::fix(hint, body, text));
         }
         if let Some(word) = wanted.strip_prefix("`{` after `") {
-            return self.block_without_braces(token, Word::from_spelling(word.strip_suffix('`')?)?);
+            let word = word.trim_start_matches('#').strip_suffix('`')?;
+            return self.block_without_braces(token, Word::from_spelling(word)?);
         }
         let is_in_map = || self.words_of_blocks().next().is_some_and(is_map);
         if wanted.starts_with("`[` and an entry of") || wanted == "`}`" && is_in_map() {
@@ -109,7 +110,7 @@ impl Reader<'_> {
             {
                 self.end_of_picture(at + 2)
             }
-            (Word::Background, Kind::Word) => self.end_of_value(at)?,
+            (_, Kind::Word) => return self.block_of_one_value(word),
             _ => return None,
         };
         let span = self.tokens_span(at..end);

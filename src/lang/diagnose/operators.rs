@@ -115,7 +115,7 @@ impl Reader<'_> {
                 self.call_of_operands(at - 1..at + 1, "pow", "A power is `pow(a, b)`.")
             }
             (_, '^') => self.call_of_operands(at..at + 1, "pow", "A power is `pow(a, b)`."),
-            (_, '%') => self.call_of_operands(
+            (_, '%') if self.is_operand(at + 1) => self.call_of_operands(
                 at..at + 1,
                 "mod",
                 "The remainder of a division is `mod(a, b)`.",

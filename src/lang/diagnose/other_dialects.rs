@@ -76,6 +76,14 @@ const WORDS: &[(&str, &str)] = &[
         "A colour belongs in `pigment { }`",
     ),
     (
+        "hsl hsv",
+        "`colors.inc` has the macros `CHSL2RGB` and `CHSV2RGB` for such colours",
+    ),
+    (
+        "inner",
+        "A spotlight has `radius` and `falloff`, in degrees",
+    ),
+    (
         "bump bumpiness",
         "Bumps are a pattern: `normal { bumps 0.5 }`",
     ),

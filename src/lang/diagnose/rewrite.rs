@@ -37,7 +37,12 @@ impl Reader<'_> {
                     let inner = inner.get(1..inner.len() - 1)?.trim();
                     let is_short = inner.len() <= limits::QUOTED && !inner.contains(['\n', '\r']);
                     return ((1..=4).contains(&commas) && is_short).then(|| {
-                        let vector = format!("<{inner}>");
+                        let scale = if self.holds_bytes(open, inner) {
+                            "/255"
+                        } else {
+                            ""
+                        };
+                        let vector = format!("<{inner}>{scale}");
                         Remedy::fix(format!("Write a vector as `{vector}`."), span, vector)
                     });
                 }
@@ -51,6 +56,17 @@ impl Reader<'_> {
             }
         }
         None
+    }
+
+    /// True for the components of a colour from 0 to 255, in brackets that open at a token.
+    fn holds_bytes(&self, open: usize, components: &str) -> bool {
+        let before = open.checked_sub(1).and_then(|at| self.token(at)?.word());
+        let numbers: Option<Vec<u8>> = components
+            .split(',')
+            .map(|number| number.trim().parse().ok())
+            .collect();
+        before.is_some_and(|word| word.class() == Class::Color)
+            && numbers.is_some_and(|numbers| numbers.iter().any(|&number| number > 1))
     }
 
     /// The same for the `(` of a span in the current text.
@@ -202,7 +218,11 @@ impl Reader<'_> {
         let first = start.checked_sub(1)?;
         let before = self.token(first)?.word();
         let is_declared = self.token(first)?.is_mark('=');
-        if !(3..=5).contains(&numbers.len()) || before.is_none() && !is_after_comma && !is_declared
+        let is_pair =
+            numbers.len() == 2 && self.words_of_blocks().next() == Some(Word::Superellipsoid);
+        if !is_pair
+            && (!(3..=5).contains(&numbers.len())
+                || before.is_none() && !is_after_comma && !is_declared)
         {
             return None;
         }
@@ -228,7 +248,7 @@ impl Reader<'_> {
         };
         let remedy = Remedy::fix(hint, span, vector);
         Some(match before {
-            _ if is_declared && !has_difference => remedy,
+            _ if (is_declared || is_pair) && !has_difference => remedy,
             Some(word)
                 if numbers.len() == 3
                     && (is_component(word) || !word.is_value())
@@ -288,7 +308,8 @@ impl Reader<'_> {
         };
         let is_vector = (2..=5).contains(&parts.len())
             && parts.iter().all(is_number)
-            && parts.iter().any(|part| part.contains(','));
+            && parts.iter().any(|part| part.contains(','))
+            && (parts.len() > 2 || parts.iter().all(|part| part.contains(',')));
         is_vector.then(|| {
             let vector = format!("<{}>", parts.join("; ").replace(',', ".").replace(';', ","));
             let end = open.start + u32::try_from(inner.len()).unwrap_or(0) + 2;

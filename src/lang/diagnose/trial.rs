@@ -243,8 +243,9 @@ impl Reader<'_> {
             let is_near = || {
                 let text = read.sources.text(position.file);
                 let between = text.get(passed as usize..next.start as usize);
+                let ends = next.start as usize >= text.trim_end().len();
                 fault.before.is_some_and(|before| before < passed)
-                    && between.is_none_or(is_one_line)
+                    && (ends || between.is_none_or(is_one_line))
             };
             let is_stuck = next.file == position.file
                 && next.start >= first

@@ -1,5 +1,6 @@
 //! Messages about a `{`, `(` or `<` that is missing, or open where it should not be.
 
+use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
@@ -24,6 +25,10 @@ impl Reader<'_> {
         if !error.hints.is_empty() {
             return error;
         }
+        let error = match self.declaration_within(open) {
+            Some(directive) => error.with_label(directive, "the `}` may be missing before this"),
+            None => error,
+        };
         let close = match name {
             "{" => "Write the `}`".to_owned(),
             name => format!("Write the `}}` of `{name}`"),
@@ -91,11 +96,17 @@ impl Reader<'_> {
 
     /// True if the text has more `}` than `{`.
     pub(super) fn has_more_closing_braces(&self) -> bool {
-        let count = |mark| {
-            let tokens = self.here.tokens.tokens.iter();
-            tokens.filter(|token| token.is_mark(mark)).count()
-        };
-        count('}') > count('{')
+        self.count_of('}') > self.count_of('{')
+    }
+
+    /// True if the text has more `{` than `}`.
+    pub(super) fn lacks_closing_brace(&self) -> bool {
+        self.count_of('{') > self.count_of('}')
+    }
+
+    fn count_of(&self, mark: char) -> usize {
+        let tokens = self.here.tokens.tokens.iter();
+        tokens.filter(|token| token.is_mark(mark)).count()
     }
 
     /// "expected WHAT, found ...". Where the unexpected token stands in a later line, the error points to the text
@@ -169,6 +180,12 @@ impl Reader<'_> {
             let hint = format!("`{mark}` closes this, not `{other}`.");
             return Remedy::fix(hint, self.here_span(), mark);
         }
+        if mark == '>'
+            && let Some(comma) = self.comma_behind_point(open)
+        {
+            let hint = "A point has three components: write the `>` behind the third.";
+            return Remedy::fix(hint, Span::new(comma.file, comma.start, comma.start), mark);
+        }
         let hint = match found {
             "" => format!("Write the `{mark}`."),
             found => format!("Write the `{mark}` before `{found}`."),
@@ -186,6 +203,25 @@ impl Reader<'_> {
         }
     }
 
+    /// The third comma behind a `<` that begins a parameter of a shape.
+    fn comma_behind_point(&self, open: Span) -> Option<Span> {
+        let tokens = &self.here.tokens;
+        let at = tokens
+            .tokens
+            .partition_point(|token| token.start < open.start);
+        let before = self.token(at.checked_sub(1)?)?;
+        let is_in_shape = self
+            .words_of_blocks()
+            .next()
+            .is_some_and(|word| word.class() == Class::Shape);
+        let is_parameter =
+            tokens.file == open.file && is_in_shape && (before.is_mark('{') || before.is_mark(','));
+        let commas = || (at..self.here.at).filter(|&at| tokens.tokens[at].is_mark(','));
+        is_parameter
+            .then(|| commas().nth(2).map(|at| tokens.span(at)))
+            .flatten()
+    }
+
     /// True if a bracket that `close` closes is open in the line before what was opened at `open`.
     fn is_in_bracket(&self, close: char, open: Span) -> bool {
         let opening = match close {
@@ -197,6 +233,31 @@ impl Reader<'_> {
         let before = text.get(..open.start as usize).unwrap_or_default();
         let line = before.lines().next_back().unwrap_or_default();
         line.matches(opening).count() > line.matches(close).count()
+    }
+
+    /// A declaration in an open block that begins a line with no more indentation than the line of the block.
+    fn declaration_within(&self, open: Span) -> Option<Span> {
+        let tokens = &self.here.tokens;
+        if open.file != tokens.file || open.start > self.here_span().start {
+            return None;
+        }
+        let text = self.sources.text(open.file);
+        let (opened, _) = indentation(text, open.start as usize);
+        let first = tokens
+            .tokens
+            .partition_point(|token| token.start <= open.start);
+        let mut depth = 0;
+        (first..self.here.at).find_map(|at| {
+            let token = tokens.tokens[at];
+            depth += i32::from(token.is_mark('{')) - i32::from(token.is_mark('}'));
+            let declares = token.kind == Kind::Directive
+                && matches!(
+                    tokens.directives[token.value as usize].word,
+                    Some(Word::Declare | Word::Macro)
+                );
+            let (indent, is_first) = indentation(text, token.start as usize);
+            (depth == 0 && declares && is_first && indent <= opened).then(|| tokens.span(at))
+        })
     }
 
     /// The opened `{` that the missing `}` belongs to, as far as the indentation shows: a block whose `}` begins a line

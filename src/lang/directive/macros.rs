@@ -326,7 +326,18 @@ impl Reader<'_> {
                     )),
                 ))
             }
-            Kind::Directive | Kind::End => {
+            Kind::Directive => {
+                let found = self.describe(token);
+                let error = self.error_here(format!("expected {what}, found {found}"));
+                let last = self.here.at.saturating_sub(1);
+                let last = self.source_text(self.here.tokens.span(last));
+                let is_doubled = found.trim_matches('`') == last;
+                Err(match is_doubled {
+                    true => Box::new(error.with_hint("Remove one of the two.")),
+                    false => error,
+                })
+            }
+            Kind::End => {
                 self.peek()?;
                 Err(self.expected_here(what))
             }

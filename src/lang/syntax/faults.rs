@@ -21,6 +21,13 @@ pub(super) fn unclosed(before: &Tokens, at: usize) -> Diagnostic {
 pub(super) fn bad_number(text: &str, span: Span) -> Diagnostic {
     let number = &text[span.start as usize..span.end as usize];
     let error = Diagnostic::error(span, format!("`{number}` has two decimal points"));
+    let before = text[..span.start as usize].trim_end();
+    if before.ends_with(" in") {
+        return error.with_hint("A loop over numbers is `#for (I, first, last)`.");
+    }
+    if number.contains(['e', 'E']) {
+        return error.with_hint("An exponent is a whole number; `pow(10, x)` takes others.");
+    }
     match number.split_once("..") {
         Some((before, after)) if !before.contains('.') && !after.contains('.') => {
             error.with_hint(format!("Write `{before}.{after}`."))

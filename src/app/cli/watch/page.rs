@@ -69,7 +69,8 @@ fn png(png: Option<hyper::body::Bytes>) -> Answer {
     png.map_or(Answer::Done, |png| Answer::Content("image/png", png))
 }
 
-/// The text of the number in the query; nothing if that is not the current one: the page asks again as it learns of it.
+/// The text of the number in the query; nothing if that is not the current one, of which the page learns
+/// with the next event.
 fn scene(call: &Call<'_>, source: &SceneText) -> Answer {
     match &source.text {
         _ if call.query.parse() != Ok(source.number) => Answer::Done,

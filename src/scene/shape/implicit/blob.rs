@@ -92,6 +92,9 @@ impl Blob {
             }
         }
         if components.is_empty() {
+            if args.at_mark(',')? {
+                return Err(args.expected("a component or `}` in `blob`"));
+            }
             let error = Diagnostic::error(args.span(), "need at least one component in a blob")
                 .with_hint("Write `sphere { <centre>, radius, strength }` after the threshold.");
             return Err(Box::new(error));

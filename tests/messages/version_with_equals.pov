@@ -1,0 +1,5 @@
+// mistake in line 2: a sign before the version
+#version = 3.7;
+sphere { 0, 1 pigment { rgb 1 } }
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
