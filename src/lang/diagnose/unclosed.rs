@@ -2,11 +2,12 @@
 
 use crate::base::args::Word;
 use crate::base::source::{Diagnostic, Span};
+use crate::lang::diagnose::hints::opens_group;
 use crate::lang::diagnose::remedy::Remedy;
 use crate::lang::expr::value::Value;
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
-use crate::lang::syntax::{Class, Kind, Token};
+use crate::lang::syntax::{Class, Kind, Token, Tokens};
 
 impl Reader<'_> {
     /// Adds the enclosing block to an error: at a token that begins something new, the block that is still open; for
@@ -233,6 +234,40 @@ impl Reader<'_> {
         let before = text.get(..open.start as usize).unwrap_or_default();
         let line = before.lines().next_back().unwrap_or_default();
         line.matches(opening).count() > line.matches(close).count()
+    }
+
+    /// Names the directive that an `#end` may be missing for, where the indentation shows it: one whose `#end` begins a
+    /// line with less indentation than the line of the directive.
+    pub(crate) fn with_swallowed_directive(
+        &self,
+        tokens: &Tokens,
+        error: Diagnostic,
+    ) -> Diagnostic {
+        let text = self.sources.text(tokens.file);
+        let mut open: Vec<usize> = Vec::new();
+        for (at, token) in tokens.tokens.iter().enumerate() {
+            if token.kind != Kind::Directive {
+                continue;
+            }
+            match tokens.directives[token.value as usize].word {
+                Some(Word::End) => {
+                    let Some(start) = open.pop() else {
+                        return error;
+                    };
+                    let (start, end) = (tokens.span(start), tokens.span(at));
+                    let (opened, _) = indentation(text, start.start as usize);
+                    let (closed, is_first) = indentation(text, end.start as usize);
+                    if is_first && closed < opened {
+                        return error
+                            .with_label(start, "the `#end` of this may be the one that is missing")
+                            .with_label(end, "it ends here");
+                    }
+                }
+                Some(word) if opens_group(word) => open.push(at),
+                _ => {}
+            }
+        }
+        error
     }
 
     /// A declaration in an open block that begins a line with no more indentation than the line of the block.

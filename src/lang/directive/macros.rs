@@ -45,7 +45,9 @@ impl Reader<'_> {
         if end == u32::MAX {
             // The macro takes the rest of the file.
             self.here.at = self.here.tokens.tokens.len() - 1;
+            let tokens = Rc::clone(&self.here.tokens);
             let error = Diagnostic::error(span, "this `#macro` has no matching `#end`");
+            let error = self.with_swallowed_directive(&tokens, error);
             let remedy = self
                 .end_without_hash(index)
                 .or_else(|| self.braces_of_macro(index));

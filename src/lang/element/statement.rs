@@ -15,6 +15,7 @@ use crate::scene::camera::Camera;
 use crate::scene::interior::Media;
 use crate::scene::texture::{Finish, Layer, Texture};
 use crate::scene::{ColorOrTexture, Entry, Object, PlainObject};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Collects the objects of the scene itself.
@@ -304,13 +305,15 @@ impl Reader<'_> {
             Entered::Switch { .. } => "`#switch`",
             _ => "`#if`",
         };
-        let start = Self::unclosed_directive(&open.home);
+        let home = Rc::clone(&open.home);
+        let start = Self::unclosed_directive(&home);
         self.frames.clear();
         let message = format!("the scene ends inside {name}: its `#end` is missing");
         let error = match start {
             Some(start) => Diagnostic::error(start, message),
             None => *self.error_here(message),
         };
+        let error = self.with_swallowed_directive(&home, error);
         Err(self.with_trace(error.with_hint("Write `#end` where it is to end.")))
     }
 

@@ -1,7 +1,7 @@
 //! Messages about text that cannot be tokenized.
 
 use super::token::Tokens;
-use crate::base::source::{Diagnostic, FileId, Span};
+use crate::base::source::{Diagnostic, FileId, Fix, Span};
 
 /// The error for the text at `at`, which cannot be tokenized: a string or a comment that is not closed. `before` holds
 /// the tokens before it.
@@ -56,7 +56,23 @@ fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
             .with_label(span, "so that this one has no end")
             .with_hint("Write `\"` at the end of the string.");
     } else {
-        error = error.with_hint("Write `\"` at the end of the string.");
+        let start = text[..at]
+            .rfind(char::is_whitespace)
+            .map_or(0, |blank| blank + 1);
+        let word = &text[start..at];
+        let is_end = text[at + 1..line_end(text, at)].trim().is_empty();
+        error = match is_end && word.contains('.') {
+            true => {
+                let name = Span::new(file, offset(start), offset(at + 1));
+                let string = format!("\"{word}\"");
+                let fix = Fix {
+                    span: name,
+                    text: string.clone(),
+                };
+                error.with_fix(format!("A string begins with `\"`, too: `{string}`."), fix)
+            }
+            false => error.with_hint("Write `\"` at the end of the string."),
+        };
     }
     error
 }
