@@ -86,7 +86,9 @@ impl Reader<'_> {
             let here = self.here_span();
             let is_same_line = error.span == Some(here);
             // The `}` is there.
+            let is_bracket = self.raw().is_mark('(') || self.raw().is_mark('[');
             return Box::new(match is_same_line && self.has_more_closing_braces() {
+                true if is_bracket => Remedy::fix(hint, here, "{").added_to(*error),
                 true => Remedy::fix(hint, Span::new(here.file, here.start, here.start), "{ ")
                     .added_to(*error),
                 false => error.with_hint(hint),
@@ -191,6 +193,17 @@ impl Reader<'_> {
             "" => format!("Write the `{mark}`."),
             found => format!("Write the `{mark}` before `{found}`."),
         };
+        let (last, here) = (open.end, self.here_span());
+        // A vector has two components at least.
+        let is_cut = mark == '>'
+            && here.file == open.file
+            && last <= here.start
+            && !self
+                .source_text(Span::new(open.file, last, here.start))
+                .contains(',');
+        if is_cut {
+            return hint.into();
+        }
         let before = self
             .here
             .at
