@@ -394,6 +394,119 @@ fn the_words_that_need_version_3_8_are_named() {
     assert!(out.contains(hint), "{out}");
 }
 
+/// Words of POV-Ray 3.8, each in a statement.
+const OF_3_8: &[(&str, &str)] = &[
+    (
+        "blend_gamma",
+        "sphere { 0, 1 pigment { gradient x color_map { blend_gamma 2.2 [0 rgb 0] [1 rgb 1] } } }",
+    ),
+    (
+        "blend_mode",
+        "sphere { 0, 1 pigment { gradient x color_map { blend_mode 2 [0 rgb 0] [1 rgb 1] } } }",
+    ),
+    (
+        "brilliance",
+        "global_settings { radiosity { brilliance on } }",
+    ),
+    ("bt2020", "global_settings { assumed_gamma bt2020 }"),
+    ("bt709", "global_settings { assumed_gamma bt709 }"),
+    ("dictionary", "#declare D = dictionary { [\"a\"]: 1 };"),
+    ("distance", "ovus { 1, 0.5 distance 0.5 }"),
+    ("fresnel", "sphere { 0, 1 finish { fresnel 1 } }"),
+    ("global.", "#declare A = 1; #declare B = global.A;"),
+    ("grey", "#declare C = rgb 1; #declare V = C.grey;"),
+    (
+        "grey_threshold",
+        "global_settings { radiosity { grey_threshold 0 } }",
+    ),
+    ("hf_grey_16", "global_settings { hf_grey_16 on }"),
+    ("lemon", "lemon { 0, 0, y, 0, 1 }"),
+    (
+        "local.",
+        "#macro M(A) sphere { 0, local.A pigment { rgb 1 } } #end M(1)",
+    ),
+    (
+        "map_type",
+        "sphere { 0, 1 pigment { image_map { function 2, 2 { x } map_type 7 } } }",
+    ),
+    ("mixed", "#declare A = array mixed [2] { 1, y };"),
+    (
+        "optional",
+        "#macro M(A, optional B) sphere { A, 1 } #end M(0,)",
+    ),
+    (
+        "polarity",
+        "isosurface { function { x*x - 1 } polarity 1 contained_by { box { -2, 2 } } }",
+    ),
+    (
+        "potential",
+        "#declare B = sphere { 0, 1 } sphere { 0, 1 pigment { potential { B } } }",
+    ),
+    ("radius", "ovus { 1, 0.5 radius 2 }"),
+    ("repeat", "sphere { 0, 1 pigment { crackle repeat 3 } }"),
+    ("tau", "#declare A = tau / 2;"),
+    ("union", "torus { 0.3, 0.5 union }"),
+    ("use_alpha", "sphere { 0, 1 finish { use_alpha } }"),
+    (
+        "user_defined",
+        "sphere { 0, 1 pigment { user_defined { function { x } } } }",
+    ),
+    (
+        "user_defined",
+        "camera { user_defined location { function { x } } }",
+    ),
+];
+
+/// Words of HG-POV: of cameras, and others.
+const OF_HG_POV: [&str; 2] = [
+    "aitoff_hammer balthasart behrmann eckert_iv eckert_vi edwards gall hobo_dyer icosa lambert_azimuthal mercator \
+     mollweide octa parallaxe peters smyth_craster stereo tetra van_der_grinten",
+    "galley gts_load gts_save nurbs rational_bezier_patch stl_save tesselation uv_reference",
+];
+
+/// The report on a scene of a version whose fourth line is this.
+fn report_on(folder: &Path, version: &str, line: &str) -> String {
+    let text = format!("#version {version};\nlight_source {{ -9*z, rgb 1 }}\n\n{line}\n");
+    fs::write(folder.join("words.pov"), text).expect("a file");
+    let ended = povr(
+        folder,
+        &["check", "--message-format=short", "words.pov"],
+        "",
+    );
+    ended.out + &ended.err
+}
+
+#[test]
+fn every_word_of_version_3_8_is_named_with_its_line_in_older_scenes() {
+    let folder = folder();
+    for (word, line) in OF_3_8 {
+        let report = report_on(folder.path(), "3.7", line);
+        let about = report.lines().find(|line| line.contains("3.8"));
+        let about = about.unwrap_or_else(|| panic!("{word}: {report}"));
+        assert!(about.contains(word), "{word}: {report}");
+        assert!(about.starts_with("words.pov:4:"), "{word}: {report}");
+    }
+}
+
+#[test]
+fn every_word_of_hg_pov_is_named_with_its_line() {
+    let folder = folder();
+    for version in ["3.7", "3.8"] {
+        let of_cameras = OF_HG_POV[0].split_whitespace();
+        let of_cameras =
+            of_cameras.map(|word| (word, format!("camera {{ {word} location -4*z }}")));
+        let others = OF_HG_POV[1].split_whitespace();
+        let others = others.map(|word| (word, format!("sphere {{ 0, 1 {word} 1 }}")));
+        for (word, line) in of_cameras.chain(others) {
+            let report = report_on(folder.path(), version, &line);
+            let named = format!("`{word}` is a word of HG-POV");
+            let about = report.lines().find(|line| line.contains(&named));
+            let about = about.unwrap_or_else(|| panic!("{word}: {report}"));
+            assert!(about.starts_with("words.pov:4:"), "{word}: {report}");
+        }
+    }
+}
+
 #[test]
 fn scenes_behind_one_that_takes_too_long_are_read() {
     let folder = folder();

@@ -91,7 +91,7 @@ impl Mapping {
             self.map_type = matching_entry.map_or(MapType::Planar, |entry| entry.1);
             let valid_numbers = match has_angular {
                 true => "0, 1, 2, 5 or 7",
-                false => "0, 1, 2 or 5",
+                false => "0, 1, 2 or 5 (7 needs `#version 3.8`)",
             };
             (matching_entry.is_some(), valid_numbers, "it is planar")
         } else {

@@ -73,6 +73,10 @@ impl Reader<'_> {
     /// The size of an array without brackets, in others, or missing, behind the word `array`.
     pub(crate) fn size_of_array(&self) -> Option<Remedy> {
         let token = self.raw();
+        let of_3_8 = token.symbol().and_then(|name| self.word_of_3_8(name));
+        if of_3_8.is_some() {
+            return of_3_8;
+        }
         let hint = "The size of an array stands in brackets";
         match token.kind {
             Kind::Mark if token.is_mark('(') => self.rebracketed('(', ')', "[", "]", hint),

@@ -55,7 +55,10 @@ impl Reader<'_> {
                         "Components are `.x`, `.y`, `.z`, `.red`, `.green` and `.blue`.".into(),
                     );
                 };
-                let hint = format!("The component is called `.{meant}`.");
+                let hint = match name {
+                    "grey" => "`grey` is a word of POV-Ray 3.8: write `.gray`, or begin the scene with `#version 3.8;`.".to_owned(),
+                    _ => format!("The component is called `.{meant}`."),
+                };
                 Some(Remedy::fix(hint, self.here_span(), meant))
             }
             Kind::Name => self

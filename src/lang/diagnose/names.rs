@@ -37,16 +37,23 @@ impl Reader<'_> {
         })
     }
 
+    /// A remedy for a word of version 3.8 in an older scene.
+    pub(super) fn word_of_3_8(&self, symbol: Symbol) -> Option<Remedy> {
+        let name = self.names.spelling(symbol);
+        self.dialect.is_of_3_8(symbol, &self.names).then(|| {
+            let hint = "begin the scene with `#version 3.8;`.";
+            format!("`{name}` is a word of POV-Ray 3.8: {hint}").into()
+        })
+    }
+
     /// A remedy for a name that cannot stand where `wanted` is expected.
     pub(super) fn remedy_of_name(&self, symbol: Symbol, wanted: &str) -> Option<Remedy> {
         let name = self.names.spelling(symbol);
         if let Some(value) = self.scopes.get(symbol) {
             return self.remedy_of_value(name, value, wanted);
         }
-        if self.dialect.is_of_3_8(symbol, &self.names) {
-            let hint =
-                format!("`{name}` is a word of POV-Ray 3.8: begin the scene with `#version 3.8;`.");
-            return Some(hint.into());
+        if let Some(remedy) = self.word_of_3_8(symbol) {
+            return Some(remedy);
         }
         if other_dialects::is_of_hg_povray(name) {
             let hint = format!("`{name}` is a word of HG-POV, which POV-Ray does not read either.");
