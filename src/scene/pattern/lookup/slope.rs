@@ -67,19 +67,21 @@ pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Range {
+    /// Reads the ends, with or without commas; both may be left out, or the second, which is 0 then.
     fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
-        if args.comma()? {
+        args.comma()?;
+        if args.at_expression()? {
             self.from = args.float()?;
             args.comma()?;
-            self.to = args.float()?;
+            self.to = args.float_or(0.0)?;
         }
         Ok(())
     }
 
-    /// Position of a number within the range, 0 at `from` and 1 at `to`. The number itself if `to` is 0, which stands
+    /// Position of a number within the range, 0 at `from` and 1 at `to`. The number itself if both are 0, which stands
     /// for no range.
     fn relative(&self, number: f64) -> f64 {
-        if self.to == 0.0 {
+        if self.from == 0.0 && self.to == 0.0 {
             number
         } else {
             (number - self.from) / (self.to - self.from)
