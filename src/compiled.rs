@@ -2,6 +2,7 @@
 
 use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
+use crate::base::math::conditioning::Normalization;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
 };
@@ -215,7 +216,12 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
         let distance = hit.from.distance(hit.point);
         let mut model = world::ProbeModel::default();
         let mut has_point = |object: &Arc<Object>| {
-            let seen = model.trace(object, hit.from, hit.point - hit.from);
+            let seen = model.trace(
+                object,
+                hit.from,
+                hit.point - hit.from,
+                Normalization::default(),
+            );
             seen.is_some_and(|(point, _)| point.distance(hit.point) <= SAME_POINT * distance)
         };
         let margin = DVec3::splat(SAME_POINT * (distance + hit.point.abs().max_element()));

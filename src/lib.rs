@@ -40,6 +40,7 @@ pub mod world;
 
 pub use compiled::{CompiledScene, SceneHit, object_at};
 
+use crate::base::math::conditioning::Normalization;
 use base::file::Folders;
 use base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
@@ -464,8 +465,14 @@ fn save_photons(
 struct OwnObjects(world::ProbeModel);
 
 impl lang::Probe for OwnObjects {
-    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
-        self.0.trace(object, from, dir)
+    fn trace(
+        &mut self,
+        object: &Arc<Object>,
+        from: DVec3,
+        dir: DVec3,
+        normalization: Normalization,
+    ) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir, normalization)
     }
 
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {

@@ -6,6 +6,7 @@ mod support;
 use glam::DVec3;
 use libtest_mimic::{Arguments, Failed, Trial};
 use povr::base::film::Film;
+use povr::base::math::Normalization;
 use povr::base::options::{ReadOptions, RenderOptions};
 use povr::base::source::Sources;
 use povr::lang::{Probe, Texts};
@@ -123,8 +124,14 @@ fn drawn(scene: Scene) -> Film {
 struct OwnObjects(povr::world::ProbeModel);
 
 impl Probe for OwnObjects {
-    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
-        self.0.trace(object, from, dir)
+    fn trace(
+        &mut self,
+        object: &Arc<Object>,
+        from: DVec3,
+        dir: DVec3,
+        normalization: Normalization,
+    ) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir, normalization)
     }
 
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {

@@ -1,5 +1,6 @@
 //! `trace` and `inside`: ray and point queries on the scene's own objects while it is read.
 
+use crate::base::math::conditioning::Normalization;
 use crate::scene::Object;
 use crate::scene::pattern::SolidOf;
 use glam::DVec3;
@@ -9,8 +10,15 @@ use std::sync::Arc;
 /// that contain the object: world space at top level.
 pub trait Probe {
     /// The first surface on the ray from `from` along `dir`, which need not be normalised: the point, and the normal of
-    /// length 1 that the object gives there, smoothed where the object is, not turned towards the ray.
-    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)>;
+    /// length 1 that the object gives there, smoothed where the object is, not turned towards the ray. Last digits are
+    /// those of this normalization.
+    fn trace(
+        &mut self,
+        object: &Arc<Object>,
+        from: DVec3,
+        dir: DVec3,
+        normalization: Normalization,
+    ) -> Option<(DVec3, DVec3)>;
 
     /// True if a point lies in a solid object.
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool;
@@ -26,7 +34,13 @@ pub trait Probe {
 pub struct NoProbe;
 
 impl Probe for NoProbe {
-    fn trace(&mut self, _: &Arc<Object>, _: DVec3, _: DVec3) -> Option<(DVec3, DVec3)> {
+    fn trace(
+        &mut self,
+        _: &Arc<Object>,
+        _: DVec3,
+        _: DVec3,
+        _: Normalization,
+    ) -> Option<(DVec3, DVec3)> {
         None
     }
 

@@ -3,6 +3,7 @@
 use super::candidates::Candidates;
 use super::{Located, doubt};
 use crate::base::math::Ray;
+use crate::base::math::conditioning::Normalization;
 use crate::base::source::{Code, Diagnostic};
 use crate::scene::light::Beam;
 use crate::scene::shape::Shape;
@@ -121,7 +122,10 @@ impl View<'_> {
                 continue;
             }
             let object = &self.visible[at].object;
-            if let Some((point, _)) = self.probe.trace(object, ray.origin, ray.dir) {
+            if let Some((point, _)) =
+                self.probe
+                    .trace(object, ray.origin, ray.dir, Normalization::default())
+            {
                 nearest.add(((point - ray.origin).dot(ray.dir), at));
             }
         }
@@ -246,7 +250,12 @@ impl View<'_> {
             let (sin, cos) = (golden_angle * index).sin_cos();
             DVec3::new(radius * cos, height, radius * sin)
         });
-        is_unbounded || directions.all(|dir| self.probe.trace(object, light, dir).is_some())
+        is_unbounded
+            || directions.all(|dir| {
+                self.probe
+                    .trace(object, light, dir, Normalization::default())
+                    .is_some()
+            })
     }
 }
 

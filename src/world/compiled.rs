@@ -11,6 +11,7 @@ use super::slabs::{SingleBox, SlabTree};
 use super::surface::{Surface, SurfaceSummary};
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::math::Bounds;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::noise::NoiseGenerator;
 use crate::base::options::TMinRule;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
@@ -53,6 +54,14 @@ pub struct Globals {
     pub has_alpha: bool,
     /// The working space; `None` without gamma handling.
     pub working_gamma: Option<Gamma>,
+}
+
+impl Globals {
+    /// The rounding of unit vectors.
+    #[must_use]
+    pub fn normalization(&self) -> Normalization {
+        Normalization::of_version(self.is_3_8)
+    }
 }
 
 /// A compiled scene.

@@ -33,19 +33,56 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some(near_one / near_one.length())
 }
 
-/// A vector times the reciprocal of its length: as POV-Ray rounds unit vectors.
-pub(crate) fn to_unit(v: DVec3) -> DVec3 {
-    v * v.length().recip()
+/// The rounding of a vector that is divided by a length, in which the versions of POV-Ray differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Normalization {
+    /// Times the reciprocal of the length, up to version 3.7.
+    #[default]
+    Reciprocal,
+    /// The quotient, from version 3.8 on.
+    Quotient,
 }
 
-/// [`to_unit`] at any scale; `None` for the zero vector and for one that is not finite.
-pub(crate) fn unit_by_reciprocal(v: DVec3) -> Option<DVec3> {
-    let size = v.abs().max_element();
-    if size == 0.0 || !v.is_finite() {
-        return None;
+impl Normalization {
+    /// That of scenes of version 3.8, or of older ones.
+    #[must_use]
+    pub fn of_version(is_3_8: bool) -> Self {
+        match is_3_8 {
+            true => Normalization::Quotient,
+            false => Normalization::Reciprocal,
+        }
     }
-    let near_one = v / power_of_two(size);
-    Some(to_unit(near_one))
+
+    /// The vector divided by a length.
+    #[inline]
+    pub(crate) fn divided(self, v: DVec3, length: f64) -> DVec3 {
+        match self {
+            Normalization::Reciprocal => v * length.recip(),
+            Normalization::Quotient => v / length,
+        }
+    }
+
+    /// The vector divided by its length.
+    #[inline]
+    pub(crate) fn unit(self, v: DVec3) -> DVec3 {
+        self.divided(v, v.length())
+    }
+
+    /// [`Normalization::unit`], or zero where that is not finite.
+    #[inline]
+    pub(crate) fn unit_or_zero(self, v: DVec3) -> DVec3 {
+        let unit = self.unit(v);
+        if unit.is_finite() { unit } else { DVec3::ZERO }
+    }
+
+    /// [`Normalization::unit`] at any scale; `None` for the zero vector and for one that is not finite.
+    pub(crate) fn unit_at_any_scale(self, v: DVec3) -> Option<DVec3> {
+        let size = v.abs().max_element();
+        if size == 0.0 || !v.is_finite() {
+            return None;
+        }
+        Some(self.unit(v / power_of_two(size)))
+    }
 }
 
 /// True if a shape of this size can be intersected with a ray without rescaling. `dir_sq` is the squared length of the

@@ -19,6 +19,7 @@ pub(crate) mod watertight;
 
 pub use bounds::{Bounds, COINCIDENT};
 pub(crate) use complex::Complex;
+pub use conditioning::Normalization;
 pub use ray::Ray;
 pub use sampling::halton::halton;
 pub use sampling::jitter::jitter;

@@ -2,16 +2,17 @@
 
 use super::value::Number;
 use crate::base::args::Word;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::roots::hyperbolic;
 use crate::base::math::{axis_rotation, rotation};
 use crate::lang::limits::EQUAL;
 use glam::DVec3;
 
 /// A function of one vector.
-pub(crate) fn vector(word: Word, v: DVec3) -> Number {
+pub(crate) fn vector(word: Word, v: DVec3, normalization: Normalization) -> Number {
     match word {
         Word::Vlength => Number::float(v.length()),
-        _ => Number::vector(v.normalize_or_zero()),
+        _ => Number::vector(normalization.unit_or_zero(v)),
     }
 }
 

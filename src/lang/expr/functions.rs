@@ -7,6 +7,7 @@ use super::builtins::{
 use super::streams::Call;
 use super::value::{Element, Number, STRING, Value};
 use crate::base::args::{Parse, Word};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::noise::{Octaves, vector_turbulence};
 use crate::base::source::Diagnostic;
 use crate::lang::fast_path::replay::op::Op;
@@ -22,7 +23,7 @@ impl Reader<'_> {
     /// The value of a call, whose function word is next.
     pub(crate) fn call_function(&mut self, word: Word) -> Parse<Number> {
         self.pass();
-        let op = Op::of_call(word);
+        let op = Op::of_call(word, self.normalization());
         if op.is_none() && !matches!(word, Word::Min | Word::Max) {
             self.discard_recording();
         }
@@ -53,7 +54,7 @@ impl Reader<'_> {
             Word::Select => self.select()?,
             Word::Rand => self.rand()?,
             Word::Seed => self.seed()?,
-            Word::Vlength => vector(word, self.vector3()?),
+            Word::Vlength => vector(word, self.vector3()?, Normalization::default()),
             Word::Vnormalize => self.vnormalize()?,
             Word::Vdot | Word::Vcross | Word::Vrotate => {
                 let (a, b) = self.two_vectors()?;
@@ -239,6 +240,11 @@ impl Reader<'_> {
         Ok(Number::vector(vector_turbulence(point, &octaves)))
     }
 
+    /// The rounding of unit vectors in this scene.
+    pub(crate) fn normalization(&self) -> Normalization {
+        Normalization::of_version(self.draft.globals.is_for_3_8)
+    }
+
     fn vnormalize(&mut self) -> Parse<Number> {
         let v = self.vector3()?;
         if v == DVec3::ZERO {
@@ -247,7 +253,7 @@ impl Reader<'_> {
                 "the zero vector has no direction; it stays zero",
             ));
         }
-        Ok(vector(Word::Vnormalize, v))
+        Ok(vector(Word::Vnormalize, v, self.normalization()))
     }
 
     fn extremum(&mut self, word: Word) -> Parse<Number> {

@@ -22,7 +22,7 @@ impl Reader<'_> {
         } else {
             None
         };
-        let hit = self.probe.trace(&object, from, dir);
+        let hit = self.probe.trace(&object, from, dir, self.normalization());
         let (point, normal) = hit.unwrap_or((DVec3::ZERO, DVec3::ZERO));
         if let Some(target) = target {
             self.set_normal(&target, Value::Number(Number::vector(normal)))?;

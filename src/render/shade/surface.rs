@@ -8,6 +8,7 @@ use super::subsurface::SubsurfaceTransport;
 use super::{InteriorStack, Path, Sample, Scratch, Tracer};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::Ray;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::powers::exact_power;
 use crate::scene::interior::Interior;
 use crate::scene::pattern::SurfacePoint;
@@ -397,7 +398,8 @@ impl<'w> Tracer<'w> {
             shaded.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let ior = || self.relative_ior(&path.inside, surface.interior);
-                let mut mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, ior);
+                let rule = self.world.globals.normalization();
+                let mut mirror = mirror(rule, &lit.at, flat, &layer.finish, color.rgb, ior);
                 // The weight falls although the layers above do not darken the reflection.
                 mirror.weight *= f64::from(filter.grey());
                 if layer.finish.use_alpha {
@@ -549,6 +551,7 @@ pub(super) fn surface_point(hit: &Hit, dir: DVec3) -> SurfacePoint {
 /// The reflection of a layer with this pigment colour; `ior` gives the relative index of refraction behind the surface,
 /// `flat` is the normal without bump mapping.
 pub(super) fn mirror<'f>(
+    normalization: Normalization,
     at: &ViewPoint,
     flat: DVec3,
     finish: &'f Finish,
@@ -580,14 +583,19 @@ pub(super) fn mirror<'f>(
         reflectivity,
         weight: f64::from(weight),
         finish,
-        dir: mirrored_off(at.view, at.normal, flat),
+        dir: mirrored_off(normalization, at.view, at.normal, flat),
     }
 }
 
 /// The mirror image of a direction about a bumped normal. If it points below the flat surface it is mirrored again
 /// there, or mirrored by the flat normal alone if it points below the bumped surface too (docs/povray-facts.md,
 /// section 4.5).
-pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
+pub(super) fn mirrored_off(
+    normalization: Normalization,
+    dir: DVec3,
+    tilted: DVec3,
+    flat: DVec3,
+) -> DVec3 {
     let image = mirrored(dir, tilted);
     let image = if tilted == flat || image.dot(flat) >= 0.0 {
         image
@@ -596,7 +604,7 @@ pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     } else {
         mirrored(image, flat)
     };
-    image.normalize_or_zero()
+    normalization.unit_or_zero(image)
 }
 
 /// Transmission without refraction.

@@ -313,7 +313,8 @@ impl Tracer<'_> {
         if finish.has_reflection() {
             let interior = self.world.surfaces[spawn_point.surface as usize].interior;
             let ior = || self.relative_ior(&wavefront.interior_stacks[incoming.inside], interior);
-            let mirror = mirror(&at, at.normal, finish, secondary.pigment, ior);
+            let rule = self.world.globals.normalization();
+            let mirror = mirror(rule, &at, at.normal, finish, secondary.pigment, ior);
             if finish.conserve_energy {
                 filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
             }
@@ -396,7 +397,12 @@ impl Tracer<'_> {
                     pending.factor = transmission.total_reflection;
                     pending.transmit = 0.0;
                     mirror = None;
-                    let dir = mirrored_off(at.view, at.normal, from.flat);
+                    let dir = mirrored_off(
+                        self.world.globals.normalization(),
+                        at.view,
+                        at.normal,
+                        from.flat,
+                    );
                     if let Some(film) = light.film.filter(|film| film.amount > 0.0) {
                         let film = self.film(film, at, dir);
                         filters.get_or_insert(Filters::NONE).on_behind = film;

@@ -332,7 +332,8 @@ impl Lens {
         let half = 0.5 * self.aperture;
         let deflection = half * (point.x + spread * jx) * self.across
             - half * (point.y + spread * jy) * self.upwards;
-        let ray = ray(centre + deflection, dir * self.focus - deflection)?;
+        let dir = dir * self.focus - deflection;
+        let ray = ray(centre + deflection, dir, camera.normalization)?;
         Some(match &camera.bumps {
             None => ray,
             Some(bumps) => {

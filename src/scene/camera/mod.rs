@@ -26,7 +26,7 @@ pub use focal_blur::{FocalBlur, Lens, LensRay, Spread};
 pub use view::{Movement, View};
 
 use crate::base::args::Word;
-use crate::base::math::conditioning::unit;
+use crate::base::math::conditioning::{Normalization, unit};
 use crate::base::math::{Ray, Transform};
 use crate::scene::pattern::Settings;
 use bumps::Bumps;
@@ -95,6 +95,8 @@ pub struct Camera {
     meshes: Option<MeshCamera>,
     /// The functions of a `user_defined` camera.
     functions: Option<Arc<CameraFunctions>>,
+    /// The rounding of the directions of rays.
+    normalization: Normalization,
 }
 
 /// The camera frame: location and the three vectors of the view.
@@ -134,6 +136,7 @@ impl Default for Camera {
             bumps: None,
             meshes: None,
             functions: None,
+            normalization: Normalization::default(),
         }
     }
 }
@@ -166,7 +169,7 @@ impl Camera {
     #[inline]
     pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
         let (origin, dir) = self.start(x, y, width, height)?;
-        let ray = ray(origin, dir)?;
+        let ray = ray(origin, dir, self.normalization)?;
         Some(match &self.bumps {
             None => ray,
             Some(bumps) => bumps.bend(self.bump_point(Screen::new(x, y, width, height)), ray),
@@ -198,7 +201,7 @@ impl Camera {
             return self.primary_ray(x, y, width, height);
         };
         let (origin, dir) = meshes.start(index, RasterPoint::new(x, y, width, height))?;
-        ray(origin, dir)
+        ray(origin, dir, self.normalization)
     }
 
     /// The point at which bumps are evaluated: the coordinates from which the projection computes a direction, so each
@@ -350,6 +353,7 @@ impl Camera {
     #[must_use]
     pub fn prepared(&self, settings: &Settings) -> Camera {
         let mut camera = self.clone();
+        camera.normalization = Normalization::of_version(settings.is_3_8);
         if let Some(bumps) = &mut camera.bumps {
             bumps.prepare(settings);
         }
@@ -412,13 +416,12 @@ fn polar_angle(x: f64, y: f64) -> f64 {
     if x < 0.0 { PI - rise } else { rise }
 }
 
-/// The ray from a point in a nonzero direction of any length. The direction is multiplied by the reciprocal of its
-/// length: rounded like this it equals POV-Ray's to the bit, unlike the quotient (measured by how often media intervals
-/// fall short).
-fn ray(origin: DVec3, dir: DVec3) -> Option<Ray> {
+/// The ray from a point in a nonzero direction of any length. Its direction equals POV-Ray's to the bit (measured for 3.7 by
+/// how often media intervals fall short).
+fn ray(origin: DVec3, dir: DVec3, normalization: Normalization) -> Option<Ray> {
     let length = dir.length();
     if length.is_normal() {
-        return Some(Ray::new(origin, dir * length.recip()));
+        return Some(Ray::new(origin, normalization.divided(dir, length)));
     }
     // The squares overflow or underflow, but the direction may still be valid.
     unit(dir).map(|dir| Ray::new(origin, dir))

@@ -2,6 +2,7 @@
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::simd::vec3::{Vec3Lanes, abs, add, dot, scale, splat, to_arrays};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 
@@ -11,6 +12,7 @@ type DirPacket = [[f64; 4]; 3];
 /// Kernel that computes the ray directions of pixel positions, four at a time.
 struct DirKernel<'a, T> {
     frame: &'a Frame,
+    normalization: Normalization,
     /// Column and row of each position.
     positions: &'a [(f64, f64)],
     width: f64,
@@ -60,7 +62,11 @@ impl<T> DirKernel<'_, T> {
         ];
         let length = dot(dir, dir).sqrt();
         let is_normal = F::splat(f64::MIN_POSITIVE).le(length) & length.lt(F::splat(f64::INFINITY));
-        (scale(dir, F::splat(1.0) / length), is_normal)
+        let dir = match self.normalization {
+            Normalization::Reciprocal => scale(dir, F::splat(1.0) / length),
+            Normalization::Quotient => dir.map(|component| component / length),
+        };
+        (dir, is_normal)
     }
 }
 
@@ -81,6 +87,7 @@ impl Camera {
         }
         let kernel = DirKernel {
             frame: &self.frame,
+            normalization: self.normalization,
             positions,
             width: f64::from(width),
             height: f64::from(height),

@@ -2,6 +2,7 @@
 
 use super::{FaceTexture, Rounded, TextureWeights, first_visible};
 use crate::base::math::{Bounds, Ray, Step};
+use crate::scene::shape::Steps;
 use glam::{DAffine3, DMat3, DVec3};
 
 /// Direction in which a ray crosses the surface of a solid.
@@ -223,7 +224,7 @@ pub trait Geometry {
 
     /// The shape moved by `steps`, with POV-Ray's rounding; `None` where that is not known, or planes and boxes, whose roots
     /// are rounded alike.
-    fn rounded(&self, _steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, _steps: &Steps<'_>) -> Option<Rounded> {
         None
     }
 

@@ -76,7 +76,7 @@ pub use patch::polygon::Polygon;
 pub use patch::smooth_triangle::SmoothTriangle;
 pub use patch::triangle::Triangle;
 pub(crate) use ray_packet::RayPacket;
-pub use rounded::{Rounded, RoundedHit};
+pub use rounded::{Rounded, RoundedHit, Steps};
 pub use solid::cone::Cone;
 pub use solid::cuboid::Cuboid;
 pub use solid::cylinder::Cylinder;
@@ -222,7 +222,7 @@ macro_rules! shapes {
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }
             }
-            fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+            fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
                 match self { $(Shape::$name(shape) => shape.rounded(steps)),+ }
             }
             fn is_searched(&self) -> bool {

@@ -6,7 +6,7 @@
 use super::implicit::julia_fractal::ExactSearch;
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
-use crate::base::math::conditioning::to_unit;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
@@ -16,7 +16,28 @@ const TINY: f64 = 1e-10;
 
 /// A shape with all its transforms, as POV-Ray stores it.
 #[derive(Clone, Debug)]
-pub struct Rounded(Form);
+pub struct Rounded {
+    form: Form,
+    normalization: Normalization,
+}
+
+/// The transforms of a shape, and the rounding of what is divided by a length.
+#[derive(Clone, Copy, Debug)]
+pub struct Steps<'a> {
+    /// The transforms, in order.
+    pub steps: &'a [Step],
+    /// The rounding.
+    pub normalization: Normalization,
+}
+
+impl Steps<'_> {
+    fn rounded(&self, form: Form) -> Rounded {
+        Rounded {
+            form,
+            normalization: self.normalization,
+        }
+    }
+}
 
 /// A hit with the rounding of POV-Ray.
 #[derive(Clone, Copy, Debug)]
@@ -62,61 +83,62 @@ struct Quadratic {
 }
 
 impl Rounded {
-    /// A sphere with these transforms.
-    pub(super) fn of_sphere(sphere: Sphere, steps: &[Step]) -> Self {
-        Rounded(moved_sphere(sphere, steps))
+    /// A sphere with these steps.
+    pub(super) fn of_sphere(sphere: Sphere, steps: &Steps<'_>) -> Self {
+        steps.rounded(moved_sphere(sphere, steps.steps))
     }
 
-    /// A cylinder with these transforms.
-    pub(super) fn of_cylinder(cylinder: &Cylinder, steps: &[Step]) -> Self {
+    /// A cylinder with these steps.
+    pub(super) fn of_cylinder(cylinder: &Cylinder, steps: &Steps<'_>) -> Self {
         let (first, second, radius) = cylinder.ends_and_radius();
-        Rounded(axial_along(first, second, radius, steps))
+        steps.rounded(axial_along(first, second, radius, steps))
     }
 
-    /// A cone with these transforms; `None` for an hourglass.
-    pub(super) fn of_cone(cone: &Cone, steps: &[Step]) -> Option<Self> {
-        moved_cone(cone, steps).map(Rounded)
+    /// A cone with these steps; `None` for an hourglass.
+    pub(super) fn of_cone(cone: &Cone, steps: &Steps<'_>) -> Option<Self> {
+        Some(steps.rounded(moved_cone(cone, steps)?))
     }
 
-    /// A disc with these transforms.
-    pub(super) fn of_disc(disc: &Disc, steps: &[Step]) -> Self {
-        Rounded(moved_disc(disc, steps))
+    /// A disc with these steps.
+    pub(super) fn of_disc(disc: &Disc, steps: &Steps<'_>) -> Self {
+        steps.rounded(moved_disc(disc, steps))
     }
 
-    /// A triangle with these transforms.
-    pub(super) fn of_triangle(triangle: &Triangle, steps: &[Step]) -> Self {
-        Rounded(moved_triangle(triangle, steps))
+    /// A triangle with these steps.
+    pub(super) fn of_triangle(triangle: &Triangle, steps: &Steps<'_>) -> Self {
+        steps.rounded(moved_triangle(triangle, steps))
     }
 
-    /// A quadric with these transforms.
-    pub(super) fn of_quadric(quadric: &Quadric, steps: &[Step]) -> Self {
-        Rounded(Form::Quadric(Box::new(moved_quadric(quadric, steps))))
+    /// A quadric with these steps.
+    pub(super) fn of_quadric(quadric: &Quadric, steps: &Steps<'_>) -> Self {
+        steps.rounded(Form::Quadric(Box::new(moved_quadric(quadric, steps.steps))))
     }
 
     /// The search of a fractal.
-    pub(super) fn of_search(search: ExactSearch) -> Self {
-        Rounded(Form::Search(Box::new(search)))
+    pub(super) fn of_search(search: ExactSearch, steps: &Steps<'_>) -> Self {
+        steps.rounded(Form::Search(Box::new(search)))
     }
 
     /// True if its hits are those of another search, with their own normals.
     #[must_use]
     pub fn is_search(&self) -> bool {
-        matches!(self.0, Form::Search(_))
+        matches!(self.form, Form::Search(_))
     }
 
     /// The hit of a ray on a face near `t`; `None` in doubt.
     #[must_use]
     pub fn hit(&self, ray: &Ray, t: f64, face: u32) -> Option<RoundedHit> {
-        let hit = match &self.0 {
-            Form::Sphere(sphere) => sphere.rounded_hit(ray, t),
+        let normalization = self.normalization;
+        let hit = match &self.form {
+            Form::Sphere(sphere) => sphere.rounded_hit(ray, t, normalization),
             Form::Ellipsoid(sphere, stored) => {
-                let (local, length) = to_stored(ray, &stored.object_from_world);
+                let (local, length) = to_stored(ray, &stored.object_from_world, normalization);
                 let local_t = sphere.rounded_root(&local, t * length);
                 let forward = &stored.world_from_object;
                 let point = forward.transform_point3(local.at(local_t));
                 let back = &stored.object_from_world;
                 let normal = stored.normal(back.transform_point3(point) - sphere.centre);
-                let normal = to_unit(normal);
+                let normal = normalization.unit(normal);
                 let t = local_t / length;
                 RoundedHit { t, point, normal }
             }
@@ -126,7 +148,7 @@ impl Rounded {
                 is_cone,
                 wide,
             } => {
-                let (local, length) = to_stored(ray, stored);
+                let (local, length) = to_stored(ray, stored, normalization);
                 let end = |z: f64| (z - local.origin.z) / local.dir.z;
                 let local_t = match face {
                     SIDE => side(&local, *is_cone, t * length),
@@ -146,11 +168,11 @@ impl Rounded {
                 RoundedHit {
                     t,
                     point,
-                    normal: to_unit(normal_from_inverse(stored, normal)),
+                    normal: normalization.unit(normal_from_inverse(stored, normal)),
                 }
             }
             Form::Disc(stored, normal) => {
-                let (local, length) = to_stored(ray, stored);
+                let (local, length) = to_stored(ray, stored, normalization);
                 let t = -local.origin.z / local.dir.z / length;
                 RoundedHit {
                     t,
@@ -173,7 +195,7 @@ impl Rounded {
                 RoundedHit {
                     t,
                     point,
-                    normal: to_unit(quadratic.gradient(point)),
+                    normal: normalization.unit(quadratic.gradient(point)),
                 }
             }
         };
@@ -225,10 +247,11 @@ fn nearer(roots: [f64; 2], t: f64) -> f64 {
 }
 
 /// A ray in the space of a stored shape, with a direction of length 1, and the factor of distances there.
-fn to_stored(ray: &Ray, stored: &DAffine3) -> (Ray, f64) {
+fn to_stored(ray: &Ray, stored: &DAffine3, normalization: Normalization) -> (Ray, f64) {
     let local = ray.to_object(stored);
     let length = local.dir.length();
-    (Ray::new(local.origin, local.dir * length.recip()), length)
+    let dir = normalization.divided(local.dir, length);
+    (Ray::new(local.origin, dir), length)
 }
 
 /// The root next to `t` on the side of a cylinder of radius 1 along z, or of a cone of the radius z.
@@ -274,11 +297,16 @@ fn moved_sphere(mut sphere: Sphere, steps: &[Step]) -> Form {
 }
 
 /// The transform from a space along z to one along a unit vector: scaling, rotation about an axis across z, translation.
-fn along_axis(dir: DVec3, origin: DVec3, radius: f64, length: f64) -> Transform {
+fn along_axis(
+    dir: DVec3,
+    origin: DVec3,
+    [radius, length]: [f64; 2],
+    normalization: Normalization,
+) -> Transform {
     let (axis, z) = if dir.z.abs() > 1.0 - TINY {
         (DVec3::X, dir.z.signum())
     } else {
-        (to_unit(DVec3::new(-dir.y, dir.x, 0.0)), dir.z)
+        (normalization.unit(DVec3::new(-dir.y, dir.x, 0.0)), dir.z)
     };
     let (sin, cos) = z.acos().sin_cos();
     let (x, y) = (axis.x, axis.y);
@@ -305,19 +333,21 @@ fn with_steps(stored: &Transform, steps: &[Step]) -> Box<DAffine3> {
     }))
 }
 
-fn axial_along(first: DVec3, second: DVec3, radius: f64, steps: &[Step]) -> Form {
+fn axial_along(first: DVec3, second: DVec3, radius: f64, steps: &Steps<'_>) -> Form {
     let axis = first - second;
     let length = axis.length();
-    let stored = along_axis(axis * length.recip(), second, radius, length);
+    let normalization = steps.normalization;
+    let dir = normalization.divided(axis, length);
+    let stored = along_axis(dir, second, [radius, length], normalization);
     Form::Axial {
-        stored: with_steps(&stored, steps),
+        stored: with_steps(&stored, steps.steps),
         start: 0.0,
         is_cone: false,
         wide: BASE,
     }
 }
 
-fn moved_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
+fn moved_cone(cone: &Cone, steps: &Steps<'_>) -> Option<Form> {
     let [(first, first_radius), (second, second_radius)] = cone.ends();
     if second_radius < 0.0 {
         return None;
@@ -332,23 +362,28 @@ fn moved_cone(cone: &Cone, steps: &[Step]) -> Option<Form> {
     };
     let axis = wide - narrow;
     let length = axis.length();
-    let dir = axis * length.recip();
+    let normalization = steps.normalization;
+    let dir = normalization.divided(axis, length);
     let beyond = other * length / (radius - other);
     let whole = length + beyond;
-    let stored = along_axis(dir, narrow - dir * beyond, radius, whole);
+    let stored = along_axis(dir, narrow - dir * beyond, [radius, whole], normalization);
     Some(Form::Axial {
-        stored: with_steps(&stored, steps),
+        stored: with_steps(&stored, steps.steps),
         start: beyond / whole,
         is_cone: true,
         wide: face,
     })
 }
 
-fn moved_disc(disc: &Disc, steps: &[Step]) -> Form {
-    let stored = along_axis(disc.normal, disc.centre, 1.0, 1.0);
+fn moved_disc(disc: &Disc, steps: &Steps<'_>) -> Form {
+    let &Steps {
+        steps,
+        normalization,
+    } = steps;
+    let stored = along_axis(disc.normal, disc.centre, [1.0, 1.0], normalization);
     let mut normal = disc.normal;
     for step in steps {
-        normal = to_unit(step.transform().normal(normal));
+        normal = normalization.unit(step.transform().normal(normal));
     }
     Form::Disc(with_steps(&stored, steps), normal)
 }
@@ -388,9 +423,13 @@ fn moved_quadric(quadric: &Quadric, steps: &[Step]) -> Quadratic {
 }
 
 /// POV-Ray may exchange the first two corners whenever it computes the plane, so with each step.
-fn moved_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
+fn moved_triangle(triangle: &Triangle, steps: &Steps<'_>) -> Form {
+    let &Steps {
+        steps,
+        normalization,
+    } = steps;
     let mut corners = triangle.corners;
-    let mut normal = plane_of(&mut corners);
+    let mut normal = plane_of(&mut corners, normalization);
     for step in steps {
         corners = corners.map(|corner| match step {
             Step::Translate(by) => corner + *by,
@@ -399,7 +438,7 @@ fn moved_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
                 step.transform().world_from_object.transform_point3(corner)
             }
         });
-        normal = plane_of(&mut corners);
+        normal = plane_of(&mut corners, normalization);
     }
     Form::Triangle {
         normal: normal.0,
@@ -408,9 +447,9 @@ fn moved_triangle(triangle: &Triangle, steps: &[Step]) -> Form {
 }
 
 /// The plane of three corners, the first two of which are exchanged where their projection turns the other way.
-fn plane_of(corners: &mut [DVec3; 3]) -> (DVec3, f64) {
+fn plane_of(corners: &mut [DVec3; 3], normalization: Normalization) -> (DVec3, f64) {
     let [a, b, c] = *corners;
-    let normal = to_unit((a - b).cross(c - b));
+    let normal = normalization.unit((a - b).cross(c - b));
     let distance = -normal.dot(a);
     let size = normal.abs();
     let turn = |i: usize, j: usize| (b[i] - c[i]) * (b[j] - a[j]) < (b[j] - c[j]) * (b[i] - a[i]);

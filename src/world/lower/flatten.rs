@@ -7,10 +7,11 @@ use super::parts::inherited::Inherited;
 use super::parts::model::PendingItem;
 use super::parts::targets::Targets;
 use super::visibility_box::is_seen_whole;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
 use crate::scene::pattern::Settings;
-use crate::scene::shape::{Geometry, Rounded, Shape};
+use crate::scene::shape::{Geometry, Rounded, Shape, Steps};
 use crate::scene::{ColorOrTexture, ExtentBox, Kind, Object, OwnedObject, PlainObject};
 use crate::world::csg::coincidence::Widening;
 use crate::world::index::index;
@@ -155,9 +156,13 @@ impl Lowering {
         leaf: &Leaf,
         tying: usize,
     ) -> Option<(Rounded, Option<Bounds>)> {
-        let form = self
-            .may_round(leaf, tying)
-            .then(|| shape.rounded(steps))??;
+        let normalization = Normalization::of_version(self.settings.is_3_8);
+        let form = self.may_round(leaf, tying).then(|| {
+            shape.rounded(&Steps {
+                steps,
+                normalization,
+            })
+        })??;
         let own_box = || ExtentBox::of_shape(shape, steps);
         Some((form, shape.decides_ties().then(own_box)))
     }

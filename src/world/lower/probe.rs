@@ -1,8 +1,9 @@
 //! Ray and point queries on single objects while the scene is read: `trace`, `inside` and `object` patterns.
 
 use crate::base::math::Ray;
+use crate::base::math::conditioning::Normalization;
 use crate::base::options::{RenderOptions, TMinRule};
-use crate::scene::pattern::Solid;
+use crate::scene::pattern::{Settings, Solid};
 use crate::scene::shape::Geometry;
 use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
@@ -36,12 +37,13 @@ impl ProbeModel {
         object: &Arc<Object>,
         from: DVec3,
         dir: DVec3,
+        normalization: Normalization,
     ) -> Option<(DVec3, DVec3)> {
-        let dir = dir.try_normalize()?;
-        if !from.is_finite() {
+        let dir = normalization.unit_or_zero(dir);
+        if dir == DVec3::ZERO || !from.is_finite() {
             return None;
         }
-        self.prepare(object);
+        self.prepare(object, normalization);
         let (_, world) = self.worlds.last()?;
         let query = Query {
             ray: Ray::new(from, dir),
@@ -61,21 +63,21 @@ impl ProbeModel {
 
     /// Returns true if a point lies in an object.
     pub fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
-        self.prepare(object);
+        self.prepare(object, Normalization::default());
         let world = self.worlds.last();
         point.is_finite() && world.is_some_and(|(_, world)| world.holds(point))
     }
 
     /// Returns true if no part of an object transmits light.
     pub fn is_opaque(&mut self, object: &Arc<Object>) -> bool {
-        self.prepare(object);
+        self.prepare(object, Normalization::default());
         self.worlds
             .last()
             .is_some_and(|(_, world)| world.is_opaque())
     }
 
     /// Moves the object to the end of the cache, and compiles it if needed.
-    fn prepare(&mut self, object: &Arc<Object>) {
+    fn prepare(&mut self, object: &Arc<Object>, normalization: Normalization) {
         let known = |(known, _): &(Arc<Object>, World)| Arc::ptr_eq(known, object);
         match self.worlds.iter().rposition(known) {
             Some(at) if at + 1 == self.worlds.len() => {}
@@ -84,7 +86,8 @@ impl ProbeModel {
                 if self.worlds.len() == CACHED {
                     self.worlds.remove(0);
                 }
-                self.worlds.push((Arc::clone(object), compiled(object)));
+                let world = compiled(object, normalization);
+                self.worlds.push((Arc::clone(object), world));
             }
         }
     }
@@ -108,19 +111,24 @@ pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
 
 /// The solid of an object.
 pub(super) fn solid(object: &Arc<Object>) -> Arc<dyn Solid> {
-    Arc::new(ProbedObject(compiled(object)))
+    Arc::new(ProbedObject(compiled(object, Normalization::default())))
 }
 
 /// A world of one object, visible to all rays.
-fn compiled(object: &Arc<Object>) -> World {
+fn compiled(object: &Arc<Object>, normalization: Normalization) -> World {
+    let is_3_8 = normalization == Normalization::Quotient;
     let mut flat = Lowering {
         needs_insides: true,
         rounds: true,
-        ..Lowering::default()
+        ..Lowering::new(Settings {
+            is_3_8,
+            ..Settings::default()
+        })
     };
     flat.add(object);
     flat.surfaces.iter_mut().for_each(Surface::show);
-    let scene = Scene::default();
+    let mut scene = Scene::default();
+    scene.globals.is_for_3_8 = is_3_8;
     let options = RenderOptions {
         t_min_rule: TMinRule::PovRay,
         ..RenderOptions::default()

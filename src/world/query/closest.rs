@@ -552,7 +552,10 @@ impl World {
         let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
         match form {
             Some(form) => form.hit(ray, hit.t, face),
-            None => Some(self.model.world_sphere(leaf)?.rounded_hit(ray, hit.t)),
+            None => {
+                let sphere = self.model.world_sphere(leaf)?;
+                Some(sphere.rounded_hit(ray, hit.t, self.globals.normalization()))
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The steps of recorded expressions.
 
 use crate::base::args::Word;
+use crate::base::math::conditioning::Normalization;
 use crate::lang::expr::builtins;
 use crate::lang::limits::EQUAL;
 use crate::lang::syntax::Symbol;
@@ -110,10 +111,11 @@ pub(super) fn fused(ops: Vec<Op>) -> Box<[Op]> {
 }
 
 impl Op {
-    /// The step of a call, if calls of this function can be replayed; `min` and `max` record theirs themselves.
-    pub(in crate::lang) fn of_call(word: Word) -> Option<Op> {
+    /// The step of a call, if calls of this function can be replayed, which unit vectors of version 3.8 are not; `min` and `max` record theirs themselves.
+    pub(in crate::lang) fn of_call(word: Word, normalization: Normalization) -> Option<Op> {
         match word {
             Word::Rand => Some(Op::Rand),
+            Word::Vnormalize if normalization != Normalization::Reciprocal => None,
             Word::Vlength
             | Word::Vnormalize
             | Word::Vdot

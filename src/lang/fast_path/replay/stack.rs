@@ -2,6 +2,7 @@
 
 use super::op::{Binary, Op};
 use crate::base::args::Word;
+use crate::base::math::conditioning::Normalization;
 use crate::lang::expr::builtins;
 use crate::lang::expr::builtins::whole_index;
 use crate::lang::expr::streams::Streams;
@@ -209,7 +210,7 @@ impl Stack {
                         return Some(());
                     }
                 };
-                self.push_all(&builtins::vector(word, a.xyz()));
+                self.push_all(&builtins::vector(word, a.xyz(), Normalization::Reciprocal));
             }
             Op::Rand => {
                 let handle = self.pop();

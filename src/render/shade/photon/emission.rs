@@ -5,6 +5,7 @@
 
 use super::path::{PhotonPath, PhotonTally};
 use crate::base::math::Ray;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::sampling::mersenne::Stream;
 use crate::base::memory;
 use crate::render::photons::{self, Map, Photon, PhotonMaps};
@@ -36,6 +37,7 @@ struct PhotonAim {
     /// A unit direction across it.
     left: DVec3,
     distance: f64,
+    normalization: Normalization,
 }
 
 /// The position of a photon on a ring.
@@ -56,10 +58,13 @@ struct Rings {
 }
 
 impl PhotonAim {
-    fn new(light: &Light, from: DVec3, middle: DVec3) -> PhotonAim {
+    fn new(light: &Light, from: DVec3, middle: DVec3, normalization: Normalization) -> PhotonAim {
         let to_middle = middle - from;
         let distance = to_middle.length();
-        let forward = to_middle.try_normalize().unwrap_or(DVec3::Z);
+        let forward = match normalization.unit_or_zero(to_middle) {
+            DVec3::ZERO => DVec3::Z,
+            forward => forward,
+        };
         let aside = if (forward.z.abs() - 1.0).abs() < ALONG_AXIS {
             DVec3::Y
         } else {
@@ -74,8 +79,9 @@ impl PhotonAim {
             from,
             middle,
             forward,
-            left: along.cross(aside).normalize_or_zero(),
+            left: normalization.unit_or_zero(along.cross(aside)),
             distance,
+            normalization,
         }
     }
 
@@ -85,11 +91,11 @@ impl PhotonAim {
         if light.is_parallel {
             let dir = light.parallel_dir();
             let start = middle - self.distance * self.forward.dot(dir) * dir;
-            let turn = turn_about(dir, around);
+            let turn = turn_about(dir, around, self.normalization);
             return Ray::new(start + turn * (self.left * off), dir);
         }
         let (sine, cosine) = off.sin_cos();
-        let turn = turn_about(self.forward, around);
+        let turn = turn_about(self.forward, around, self.normalization);
         let dir = turn * (-sine * self.left + cosine * self.forward);
         Ray::new(from, dir)
     }
@@ -122,8 +128,8 @@ impl Rings {
 }
 
 /// A rotation around a unit vector, with the rounding of POV-Ray.
-fn turn_about(axis: DVec3, angle: f64) -> DMat3 {
-    let axis = axis.normalize_or_zero();
+fn turn_about(axis: DVec3, angle: f64, normalization: Normalization) -> DMat3 {
+    let axis = normalization.unit_or_zero(axis);
     let squares = axis * axis;
     let diagonal = squares + angle.cos() * (1.0 - squares);
     let mut turn = DMat3::from_axis_angle(axis, angle);
@@ -229,7 +235,12 @@ impl<'w> Tracer<'w> {
         let light = self.world.lights.get(number);
         let settings = &tally.photons.settings;
         let (middle, radius) = bounding_sphere(&tally.photons.targets[target as usize]);
-        let aim = PhotonAim::new(light, light.centre, middle);
+        let aim = PhotonAim::new(
+            light,
+            light.centre,
+            middle,
+            self.world.globals.normalization(),
+        );
         let of_target = &tally.photons.targets[target as usize];
         let rings = Rings::new(light, of_target, spacing, &aim, radius);
         if !(rings.step > 0.0 && rings.end.is_finite()) {
@@ -300,7 +311,7 @@ impl<'w> Tracer<'w> {
             for v in 0..rows {
                 let offset = area.rectangle_offset(f64::from(u), f64::from(v));
                 let from = light.centre + offset;
-                let aim = PhotonAim::new(light, from, aim.middle);
+                let aim = PhotonAim::new(light, from, aim.middle, aim.normalization);
                 let ray = aim.ray(light, at);
                 let share = light.attenuation_along_ray(&ray, aim.distance) / count;
                 self.trace_from(light, ray, share, inside, tally, scratch);

@@ -261,6 +261,7 @@ impl<'w> Tracer<'w> {
         let (_, spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
+        let rule = self.world.globals.normalization();
         for layer in look.texture.layers() {
             lit.at.normal = self.normal(layer, look.point, &spot);
             top.get_or_insert(lit.at.normal);
@@ -269,7 +270,7 @@ impl<'w> Tracer<'w> {
             color.rgb *= filter;
             filter *= color.transmission();
             if layer.finish.has_reflection() {
-                let mirror = mirror(&lit.at, flat, &layer.finish, color.rgb, || {
+                let mirror = mirror(rule, &lit.at, flat, &layer.finish, color.rgb, || {
                     let surface = &self.world.surfaces[hit.surface as usize];
                     self.relative_ior(&path.inside, surface.interior)
                 });
@@ -299,7 +300,7 @@ impl<'w> Tracer<'w> {
             return;
         }
         // All layers mirror about the normal of the lowest one.
-        let dir = mirrored_off(path.ray.dir, lowest, flat);
+        let dir = mirrored_off(rule, path.ray.dir, lowest, flat);
         for (mirror, normal) in &mirrors {
             if is_total && (*normal - top).abs().max_element() < SAME_NORMAL {
                 continue;
@@ -342,7 +343,12 @@ impl<'w> Tracer<'w> {
                 Refraction::To(dir) => dir,
                 Refraction::Total => {
                     let flat = facing_normal(interaction.hit, path.ray.dir);
-                    mirrored_off(path.ray.dir, normal, flat)
+                    mirrored_off(
+                        self.world.globals.normalization(),
+                        path.ray.dir,
+                        normal,
+                        flat,
+                    )
                 }
             };
             let inside = InteriorStack::from_slice(inside);

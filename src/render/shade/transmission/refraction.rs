@@ -177,7 +177,8 @@ impl Tracer<'_> {
     ) -> Rgb {
         let path = lit.path;
         let flat = facing_normal(hit, path.ray.dir);
-        let dir = mirrored_off(path.ray.dir, lit.at.normal, flat);
+        let rule = self.world.globals.normalization();
+        let dir = mirrored_off(rule, path.ray.dir, lit.at.normal, flat);
         let onward = Path {
             ray: Ray::new(hit.point, dir),
             from: Some(hit.spawn_surface),

@@ -26,8 +26,10 @@ mod left_orbit;
 mod packet;
 
 use crate::base::args::{Args, Parse, Word};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::Steps;
 use crate::scene::shape::{
     Crossing, Geometry, Root, Rounded, Start, SurfaceSide, first_visible, read, uniform_scale,
 };
@@ -85,6 +87,8 @@ struct Fractal {
     unit: f64,
     /// True if rays go through a transform other than a scale by a power of two.
     is_moved: bool,
+    /// The rounding of unit vectors.
+    normalization: Normalization,
 }
 
 /// The function of an iteration.
@@ -165,6 +169,7 @@ impl JuliaFractal {
                 && !args.is_for_3_8(),
             unit: 1.0,
             is_moved: false,
+            normalization: Normalization::of_version(args.is_for_3_8()),
         })))
     }
 }
@@ -382,7 +387,8 @@ impl Fractal {
         let power = f64::from_bits((length * SQRT_2).to_bits() & !MANTISSA);
         let is_unit = !self.is_moved && (length / power - 1.0).abs() < UNIT_LOSS;
         let length = if is_unit { power } else { length };
-        (Ray::new(ray.origin, ray.dir * length.recip()), length)
+        let dir = self.normalization.divided(ray.dir, length);
+        (Ray::new(ray.origin, dir), length)
     }
 
     /// Interval of a ray of unit direction in the bounding sphere.
@@ -533,8 +539,9 @@ impl Geometry for JuliaFractal {
         self.0.is_moved = !steps.iter().all(only_scales);
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
-        ExactSearch::new(self, steps).map(Rounded::of_search)
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
+        let search = ExactSearch::new(self, steps.steps)?;
+        Some(Rounded::of_search(search, steps))
     }
 
     fn is_searched(&self) -> bool {

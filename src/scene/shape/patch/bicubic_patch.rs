@@ -12,7 +12,7 @@ use self::halving::{SubPatch, Tessellator};
 use super::smooth_triangle::weights;
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word, trailing_comma};
-use crate::base::math::conditioning::unit_by_reciprocal;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::watertight::RayFrame;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
@@ -235,7 +235,9 @@ impl Net {
                 tangents[1] += self.points[i][j] * (u[i] * dv[j]);
             }
         }
-        unit_by_reciprocal(tangents[0].cross(tangents[1])).unwrap_or(DVec3::X)
+        let normal = tangents[0].cross(tangents[1]);
+        let unit = Normalization::Reciprocal.unit_at_any_scale(normal);
+        unit.unwrap_or(DVec3::X)
     }
 
     /// True if all points lie near the plane of three corners, or if these have no plane.

@@ -5,9 +5,10 @@
 //! disc leaves nothing (checked with POV-Ray).
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::conditioning::unit_by_reciprocal;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::Steps;
 use crate::scene::shape::{
     Geometry, Plane, Root, Rounded, Start, along, first_visible, read, uniform_scale,
 };
@@ -42,7 +43,9 @@ impl Disc {
         let radius = read::number(args, "the radius of the disc")?.abs();
         args.comma()?;
         let hole = args.float_or(0.0)?.abs();
-        if unit_by_reciprocal(normal).is_none() {
+        let normalization = Normalization::of_version(args.is_for_3_8());
+        let unit = normalization.unit_at_any_scale(normal);
+        if unit.is_none() {
             args.warn(Diagnostic::warning(
                 at,
                 "the normal of the disc has no direction; the disc is not drawn",
@@ -50,7 +53,7 @@ impl Disc {
         }
         Ok(Disc {
             centre,
-            normal: unit_by_reciprocal(normal).unwrap_or(DVec3::ZERO),
+            normal: unit.unwrap_or(DVec3::ZERO),
             radius,
             hole,
         })
@@ -120,7 +123,7 @@ impl Geometry for Disc {
         Some((stored, along(self.normal, self.centre)))
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_disc(self, steps))
     }
 

@@ -9,6 +9,7 @@ use crate::base::math::conditioning::power_of_two;
 use crate::base::math::watertight::{RayFrame, TriangleHit};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::Steps;
 use crate::scene::shape::{Crossing, Geometry, Root, Rounded, Start, first_visible, read};
 use glam::DVec3;
 
@@ -107,7 +108,7 @@ impl Geometry for Triangle {
         Bounds::new(a, b).with_point(c)
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_triangle(self, steps))
     }
 

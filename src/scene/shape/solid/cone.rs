@@ -18,6 +18,7 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::{add, scale};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::Steps;
 use crate::scene::shape::packet::{self, SpanPacket, across, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
@@ -345,7 +346,7 @@ impl Geometry for Cone {
         Some(self.axis.held_box(self.base_radius, self.apex_radius))
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Rounded::of_cone(self, steps)
     }
 

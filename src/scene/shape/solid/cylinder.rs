@@ -14,6 +14,7 @@ use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
+use crate::scene::shape::Steps;
 use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
@@ -215,7 +216,7 @@ impl Geometry for Cylinder {
         Some(self.axis.held_box(self.radius, self.radius))
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_cylinder(self, steps))
     }
 

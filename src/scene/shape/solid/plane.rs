@@ -4,7 +4,7 @@
 //! problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::conditioning::{power_of_two, unit, unit_by_reciprocal};
+use crate::base::math::conditioning::{Normalization, power_of_two, unit};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::base::source::Diagnostic;
@@ -31,7 +31,8 @@ impl Plane {
         let at = args.span();
         let normal = read::vector(args, "the normal of the plane")?;
         let at = at.to(args.last_span());
-        let Some(normal) = unit_by_reciprocal(normal) else {
+        let normalization = Normalization::of_version(args.is_for_3_8());
+        let Some(normal) = normalization.unit_at_any_scale(normal) else {
             let error = Diagnostic::error(at, "degenerate plane normal: it has no direction");
             return Err(Box::new(error));
         };

@@ -14,6 +14,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::{Bounds, Ray, Step};
+use crate::scene::shape::Steps;
 use crate::scene::shape::{Geometry, Root, Rounded, Start, alternate_into, read};
 use glam::{DMat3, DVec3};
 
@@ -357,7 +358,7 @@ impl Geometry for Quadric {
         self.matrix.x_axis.x < 0.0
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_quadric(self, steps))
     }
 

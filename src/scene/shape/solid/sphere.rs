@@ -8,10 +8,13 @@
 //! the surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::base::math::conditioning::{
+    Normalization, RescaledRay, is_comfortable, is_comfortable_size,
+};
 use crate::base::math::roots::ray_sphere::{MARGIN, sphere_span};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, rotation};
+use crate::scene::shape::Steps;
 use crate::scene::shape::packet::{
     NearestPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, splat, sub,
 };
@@ -154,10 +157,15 @@ impl Sphere {
     }
 
     /// The hit of a ray with a unit direction next to `t`, with POV-Ray's rounding.
-    pub(crate) fn rounded_hit(&self, ray: &Ray, t: f64) -> RoundedHit {
+    pub(crate) fn rounded_hit(
+        &self,
+        ray: &Ray,
+        t: f64,
+        normalization: Normalization,
+    ) -> RoundedHit {
         let t = self.rounded_root(ray, t);
         let point = ray.at(t);
-        let normal = (point - self.centre) * self.radius.recip();
+        let normal = normalization.divided(point - self.centre, self.radius);
         RoundedHit { t, point, normal }
     }
 
@@ -245,7 +253,7 @@ impl Geometry for Sphere {
         Bounds::new(self.centre - self.radius, self.centre + self.radius)
     }
 
-    fn rounded(&self, steps: &[Step]) -> Option<Rounded> {
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_sphere(*self, steps))
     }
 

@@ -14,7 +14,7 @@
 use self::closed_form::{Caps, Segment};
 use super::spline;
 use crate::base::args::{Args, Parse, Word};
-use crate::base::math::conditioning::power_of_two;
+use crate::base::math::conditioning::{Normalization, power_of_two};
 use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between};
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
@@ -42,6 +42,8 @@ pub struct Sor {
     has_near_shadows: bool,
     /// Length of a unit of the scene.
     unit: f64,
+    /// The rounding of unit vectors.
+    normalization: Normalization,
 }
 
 #[derive(Debug, PartialEq)]
@@ -104,6 +106,7 @@ impl Sor {
             has_sturm: false,
             has_near_shadows: false,
             unit: 1.0,
+            normalization: Normalization::of_version(args.is_for_3_8()),
         })
     }
 
@@ -126,7 +129,7 @@ impl Sor {
     fn povray_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         let profile = &self.profile;
         let length = ray.dir.length();
-        let along = Ray::new(ray.origin, ray.dir * (1.0 / length));
+        let along = Ray::new(ray.origin, self.normalization.divided(ray.dir, length));
         let caps = Caps {
             heights: [profile.low, profile.high],
             radii_sq: profile.ends_sq,

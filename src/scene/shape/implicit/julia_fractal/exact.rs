@@ -7,7 +7,6 @@
 use super::complex::Function;
 use super::inside_test::to_complex_pair;
 use super::{Fractal, JuliaFractal, Rule, TOLERANCE};
-use crate::base::math::conditioning::to_unit;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse};
 use crate::scene::shape::{Crossing, Geometry, RoundedHit};
 use glam::{DVec3, DVec4};
@@ -55,12 +54,14 @@ impl ExactSearch {
             Some(transform) => RoundedHit {
                 t: depth / length,
                 point: transform.world_from_object.transform_point3(point),
-                normal: to_unit(normal_from_inverse(&transform.object_from_world, normal)),
+                normal: fractal
+                    .normalization
+                    .unit(normal_from_inverse(&transform.object_from_world, normal)),
             },
             None => RoundedHit {
                 t: depth / length,
                 point,
-                normal: to_unit(normal),
+                normal: fractal.normalization.unit(normal),
             },
         };
         let is_unit = (hit.normal.length_squared() - 1.0).abs() < TOLERANCE;

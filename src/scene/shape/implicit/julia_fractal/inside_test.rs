@@ -533,6 +533,7 @@ mod tests {
                 tests_y_as_z: false,
                 unit: 1.0,
                 is_moved: false,
+                normalization: crate::base::math::Normalization::default(),
             };
             let ray = Ray::new(DVec3::new(-1.5, 0.1, 0.2), DVec3::new(0.6, 0.0, 0.8));
             let depths = [0, 1, 2, 3, 4, 5, 6, 7].map(|number| 0.4 * f64::from(number));
