@@ -106,13 +106,13 @@ pub(super) struct SlabTree {
     /// The children of all inner nodes.
     children: Vec<u32>,
     root: u32,
-    /// Number of items without a finite box.
-    unbounded: usize,
+    /// The items without a finite box.
+    unbounded: Vec<u32>,
 }
 
-/// The node that holds all unbounded items, and any of these, in the heap.
+/// The node that holds all unbounded items, and the first of these, in the heap.
 const UNBOUNDED_ITEMS: u32 = u32::MAX;
-const UNBOUNDED_ITEM: u32 = u32::MAX - 1;
+const FIRST_UNBOUNDED: u32 = 1 << 31;
 
 #[derive(Clone, Debug)]
 struct Node {
@@ -135,7 +135,7 @@ impl SlabTree {
             nodes: Vec::new(),
             children: Vec::new(),
             root: 0,
-            unbounded: 0,
+            unbounded: Vec::new(),
         };
         for (number, slabs) in (0..).zip(boxes) {
             if slabs.is_finite() {
@@ -144,7 +144,7 @@ impl SlabTree {
                     content: Content::Item(number),
                 });
             } else {
-                tree.unbounded += 1;
+                tree.unbounded.push(number);
             }
         }
         let mut start = 0;
@@ -277,36 +277,50 @@ impl SlabTree {
     /// Visits items in POV-Ray's order until `visit` returns false, or many boxes are tested.
     fn visit_items(&self, ray: &Ray, mut visit: impl FnMut(u32) -> bool) {
         let mut heap = Heap::default();
-        // The node of unbounded items is the first child of the root. They never tie with others here, but where they were
-        // in the heap decides which of equal nodes rises.
-        if self.unbounded > 0 {
+        // The node of unbounded items is the first child of the root.
+        if !self.unbounded.is_empty() {
             heap.push(f64::NEG_INFINITY, UNBOUNDED_ITEMS);
         }
-        let mut next = Some(self.root);
+        let root = self.nodes.get(self.root as usize).map(|node| &node.content);
         let mut tests = 0;
-        while let Some(node) = next {
+        match root {
+            Some(Content::Inner(range)) => tests += self.push_hit(range.clone(), ray, &mut heap),
+            Some(Content::Item(_)) => self.push_if_hit(self.root, ray, &mut heap),
+            None => {}
+        }
+        while let Some(node) = heap.pop().filter(|_| tests <= MOST_TESTS) {
             if node == UNBOUNDED_ITEMS {
-                tests += self.unbounded;
-                for _ in 0..self.unbounded.min(MOST_TESTS) {
-                    heap.push(f64::NEG_INFINITY, UNBOUNDED_ITEM);
+                tests += self.unbounded.len();
+                for position in (FIRST_UNBOUNDED..).take(self.unbounded.len().min(MOST_TESTS)) {
+                    heap.push(f64::NEG_INFINITY, position);
                 }
+                continue;
             }
-            match self.nodes.get(node as usize).map(|node| &node.content) {
-                Some(Content::Item(item)) if !visit(*item) => return,
+            let item = match self.nodes.get(node as usize).map(|node| &node.content) {
+                Some(Content::Item(item)) => *item,
                 Some(Content::Inner(range)) => {
-                    tests += range.len();
-                    if tests > MOST_TESTS {
-                        return;
-                    }
-                    for &child in &self.children[range.clone()] {
-                        if let Some(entry) = self.nodes[child as usize].slabs.hit_at(ray) {
-                            heap.push(entry, child);
-                        }
-                    }
+                    tests += self.push_hit(range.clone(), ray, &mut heap);
+                    continue;
                 }
-                _ => {}
+                None => self.unbounded[(node - FIRST_UNBOUNDED) as usize],
+            };
+            if !visit(item) {
+                return;
             }
-            next = heap.pop();
+        }
+    }
+
+    /// Pushes the hit ones of some children. Returns their number with the others.
+    fn push_hit(&self, children: Range<usize>, ray: &Ray, heap: &mut Heap) -> usize {
+        for &child in &self.children[children.clone()] {
+            self.push_if_hit(child, ray, heap);
+        }
+        children.len()
+    }
+
+    fn push_if_hit(&self, node: u32, ray: &Ray, heap: &mut Heap) {
+        if let Some(entry) = self.nodes[node as usize].slabs.hit_at(ray) {
+            heap.push(entry, node);
         }
     }
 

@@ -522,19 +522,16 @@ impl World {
         }
     }
 
-    /// Sorts hits at one distance as POV-Ray comes to their items: unbounded ones first, then as its tree of boxes
-    /// delivers them, mostly by the distance at which the ray enters the box (docs/povray-shapes.md, section 5.2).
+    /// Sorts hits at one distance as POV-Ray comes to their items: as its tree of boxes delivers them, unbounded ones
+    /// first, then mostly by the distance at which the ray enters the box (docs/povray-shapes.md, section 5.2).
     #[cold]
     fn sort_as_povray(&self, tied: &mut [ClosestHit], ray: &Ray) {
-        let is_bounded = |item: u32| self.ties_by_box && self.povray_box(item).is_finite();
-        tied.sort_by_key(|of| (is_bounded(of.item), of.item));
-        let unbounded = tied.partition_point(|of| !is_bounded(of.item));
-        let bounded = &mut tied[unbounded..];
-        if bounded.len() > 1 {
+        tied.sort_by_key(|of| of.item);
+        if self.ties_by_box && tied.len() > 1 {
             let tree = self.slab_tree.get_or_init(|| {
                 SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
             });
-            tree.sort(bounded, |of| (of.item, self.box_entry(of.item, ray)), ray);
+            tree.sort(tied, |of| (of.item, self.box_entry(of.item, ray)), ray);
         }
     }
 
