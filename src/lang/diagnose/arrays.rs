@@ -85,11 +85,6 @@ impl Reader<'_> {
                 let hint = format!("An array begins with its size: `array{text}`.");
                 Some(Remedy::fix(hint, self.here_span(), text))
             }
-            Kind::Name if self.source_text(self.here_span()) == "mixed" => {
-                let hint =
-                    "`mixed` arrays are of POV-Ray 3.8: begin the scene with `#version 3.8;`.";
-                Some(hint.into())
-            }
             Kind::Number | Kind::Name => {
                 let text = format!("[{}]", self.source_text(self.here_span()));
                 Some(Remedy::fix(
