@@ -251,22 +251,30 @@ impl SlabTree {
     /// Sorts items, each with its number and the distance at which the ray enters its box, as POV-Ray comes to them,
     /// which takes nodes by that distance. At equal ones its heap decides, and a ray may enter a node a rounding behind
     /// the item in it. Distances far apart, and all behind many boxes, decide alone.
-    pub(super) fn sort<T>(&self, items: &mut [T], entry: impl Fn(&T) -> (u32, f64), ray: &Ray) {
-        items.sort_by(|a, b| {
-            let ((a, entry_a), (b, entry_b)) = (entry(a), entry(b));
-            entry_a.total_cmp(&entry_b).then(a.cmp(&b))
+    pub(super) fn sort<T: Copy>(
+        &self,
+        items: &mut [T],
+        number: impl Fn(&T) -> u32,
+        entry: impl Fn(&T) -> f64,
+        ray: &Ray,
+    ) {
+        let with_entry = |item: &T| (entry(item), *item);
+        let mut entered: SmallVec<[(f64, T); 4]> = items.iter().map(with_entry).collect();
+        entered.sort_by(|(entry_a, a), (entry_b, b)| {
+            entry_a.total_cmp(entry_b).then(number(a).cmp(&number(b)))
         });
+        for (item, (_, sorted)) in items.iter_mut().zip(&entered) {
+            *item = *sorted;
+        }
         let blur = self.blur(ray);
-        if items
-            .windows(2)
-            .all(|pair| entry(&pair[1]).1 - entry(&pair[0]).1 > blur)
-        {
+        let is_far = |pair: &[(f64, T)]| pair[1].0 - pair[0].0 > blur;
+        if entered.windows(2).all(is_far) {
             return;
         }
         let mut sorted = 0;
         self.visit_items(ray, |item| {
             let waiting = &mut items[sorted..];
-            if let Some(at) = waiting.iter().position(|other| entry(other).0 == item) {
+            if let Some(at) = waiting.iter().position(|other| number(other) == item) {
                 waiting[..=at].rotate_right(1);
                 sorted += 1;
             }

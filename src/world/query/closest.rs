@@ -531,7 +531,7 @@ impl World {
             let tree = self.slab_tree.get_or_init(|| {
                 SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
             });
-            tree.sort(tied, |of| (of.item, self.box_entry(of.item, ray)), ray);
+            tree.sort(tied, |of| of.item, |of| self.box_entry(of.item, ray), ray);
         }
     }
 
