@@ -51,8 +51,8 @@ impl CsgProgram {
         self.widening == Widening::NONE
     }
 
-    /// Handles several roots at the same `t`: hides those not shown, and puts the last operand first, which wins as in
-    /// POV-Ray.
+    /// Handles several roots at the same `t`: hides those not shown, and puts the operand first that wins in POV-Ray,
+    /// which is the last one unless combinations are nested.
     pub(super) fn step_together(
         &self,
         at: usize,
@@ -78,7 +78,11 @@ impl CsgProgram {
             event.root.is_visible &= is_shown;
         }
         events.reverse();
-        events.sort_by(|a, b| b.leaf.cmp(&a.leaf).then(a.root.t.total_cmp(&b.root.t)));
+        let rank = |event: &Event| match self.tie_ranks.get(event.leaf as usize) {
+            Some(&rank) => rank,
+            None => event.leaf,
+        };
+        events.sort_by(|a, b| rank(b).cmp(&rank(a)).then(a.root.t.total_cmp(&b.root.t)));
     }
 
     /// Selects the surfaces shown among several at the same `t` as POV-Ray does: those whose points every ancestor lets

@@ -111,6 +111,7 @@ impl Lowering {
             ..CsgProgram::default()
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
+        let outer_order = std::mem::take(&mut self.hit_order);
         let outer_gates = std::mem::take(&mut self.gates);
         let outer_boxed = std::mem::take(&mut self.boxed);
         let above = Inherited {
@@ -126,6 +127,8 @@ impl Lowering {
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
         program.prepare_as(&mut self.memo, &self.parts.leaves, &of_operands, boxed);
+        let hit_order = std::mem::replace(&mut self.hit_order, outer_order);
+        program.tie_ranks = tie_ranks(&hit_order);
         for gate in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&gate.object, &gate.above);
             program.gates.push(BoundGate {
@@ -245,6 +248,7 @@ impl Lowering {
                     self.parts.round(number, rounded, own_box);
                 }
                 self.operand_bounds.push(bounds);
+                self.hit_order.push(index(program.operands.len()));
                 program.nodes[parent as usize].children += 1;
                 program.operands.push(Operand {
                     parent,
@@ -357,7 +361,9 @@ impl Lowering {
                     ..
                 }
             );
+            let first_hit = self.hit_order.len();
             let child = self.add_node(child, below, program, slot);
+            self.hit_order[first_hit..].reverse();
             if is_unseen {
                 // A light cuts nothing: intersections and differences ignore it.
                 continue;
@@ -416,6 +422,19 @@ fn factors(program: &CsgProgram, node: u32, starts: &Starts) -> Factors {
     let children = starts.iter().copied().filter(|&at| at < operands.len());
     let direct = children.filter(|&at| operands[at].parent == node);
     direct.map(factor).collect()
+}
+
+/// The rank of each operand among operands that are hit at one distance, the highest of which is shown; none if they rank
+/// by their numbers.
+fn tie_ranks(hit_order: &[u32]) -> Vec<u32> {
+    if hit_order.is_sorted() {
+        return Vec::new();
+    }
+    let mut ranks = vec![0; hit_order.len()];
+    for (rank, &operand) in (0..).zip(hit_order) {
+        ranks[operand as usize] = rank;
+    }
+    ranks
 }
 
 fn push_node(program: &mut CsgProgram, combine: Combine, parent: u32) -> u32 {
