@@ -304,6 +304,14 @@ impl<'a> Reader<'a> {
             .trim_end();
         let is_part = |c: char| c.is_alphanumeric() || c == '_';
         let last = &before[before.trim_end_matches(is_part).len()..];
+        // The axis of a transform is a mistake of its own.
+        let behind = before[..before.len() - last.len()].trim_end();
+        if ["rotate", "scale", "translate"]
+            .iter()
+            .any(|word| behind.ends_with(word))
+        {
+            return false;
+        }
         self.usage.declared_words.iter().any(|&declared| {
             let word = self.source_text(declared);
             declared != span && (self.source_text(span) == word || last == word)

@@ -10,6 +10,8 @@ pub(super) struct Report<'a> {
     pub(super) findings: Vec<Diagnostic>,
     /// Features that rendering does not support.
     pub(super) undrawn: Vec<Diagnostic>,
+    /// Number of reported errors.
+    pub(super) reported: usize,
     /// Number of errors, with consequences of earlier ones.
     pub(super) errors: usize,
 }
@@ -22,6 +24,7 @@ impl<'a> Report<'a> {
             messages: String::new(),
             findings: Vec::new(),
             undrawn: Vec::new(),
+            reported: 0,
             errors: 0,
         }
     }
@@ -42,9 +45,7 @@ impl<'a> Report<'a> {
 
     /// True if nothing more is read because of the number of errors.
     pub(super) fn is_full(&self) -> bool {
-        let is_error = |known: &&Diagnostic| known.severity == Severity::Error;
-        let reported = self.findings.iter().filter(is_error).count();
-        reported >= limits::ERRORS || self.errors >= limits::ALL_ERRORS
+        self.reported >= limits::ERRORS || self.errors >= limits::ALL_ERRORS
     }
 
     /// Records a warning, once for each span.
@@ -73,6 +74,7 @@ impl<'a> Report<'a> {
     }
 
     fn push(&mut self, finding: Diagnostic, sources: &Sources) {
+        self.reported += usize::from(finding.severity == Severity::Error);
         (self.listener)(ReadEvent::Finding(&finding, sources));
         self.findings.push(finding);
     }

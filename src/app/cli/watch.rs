@@ -132,8 +132,8 @@ fn secret(text: &str) -> Result<String, &'static str> {
     }
 }
 
-/// After a change of a file the preview in progress is finished, so that one is seen however often a file changes, unless
-/// it takes longer than this.
+/// Longest time for which the preview in progress goes on after a change of a file, so that one is seen however often a
+/// file changes.
 const PREVIEW_PATIENCE: Duration = Duration::from_millis(300);
 /// Polling interval for file systems that report no changes.
 const LOOK: Duration = Duration::from_millis(500);

@@ -221,6 +221,9 @@ fn digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
+    if value.abs() < 1e-6 {
+        return format!("{value:.2e}");
+    }
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     let decimals = (0..8).find(|&decimals| rounded.abs() * 10f64.powi(decimals) >= 99.5);
     let decimals = usize::try_from(decimals.unwrap_or(8)).unwrap_or(8);
@@ -264,8 +267,8 @@ mod tests {
 
     #[test]
     fn measurements_have_three_significant_digits() {
-        let values = [0.0, 0.000_123_456, 0.009_999, 1.5, 12.345, 1234.5];
-        let shown = ["0", "0.000123", "0.0100", "1.50", "12.3", "1230"];
+        let values = [0.0, 1.234e-7, 0.000_123_456, 0.009_999, 1.5, 12.345, 1234.5];
+        let shown = ["0", "1.23e-7", "0.000123", "0.0100", "1.50", "12.3", "1230"];
         assert_eq!(values.map(digits), shown);
     }
 

@@ -180,8 +180,8 @@ impl Reader<'_> {
         Some(Remedy::fix(hint, self.here_span(), color))
     }
 
-    /// A name that a declaration of another language would declare, as `float f(float x) { ... }`, need not be reported
-    /// as undeclared.
+    /// Notes the name that a declaration of another language would declare, as `float f(float x) { ... }`, so that it is
+    /// not reported as undeclared.
     pub(crate) fn note_name_of_foreign_declaration(&mut self) {
         let directive = other_dialects::directive(self.source_text(self.here_span()));
         if matches!(directive, Some("#declare" | "#macro"))

@@ -31,7 +31,7 @@ impl Reader<'_> {
         let is_by_one = step.strip_prefix(name).map(str::trim) == Some("++")
             || step.strip_prefix("++") == Some(name);
         let last = match (is_below, bound.parse::<i64>()) {
-            (true, Ok(bound)) => (bound - 1).to_string(),
+            (true, Ok(bound)) => bound.checked_sub(1)?.to_string(),
             (true, Err(_)) => format!("{bound} - 1"),
             _ => bound.to_owned(),
         };

@@ -31,32 +31,22 @@ const TAGS: &[&str] = &[
     "ul",
 ];
 
+const PICTURE: &str = "This is a picture, not a scene.";
+const PAGE: &str = "This is a page of HTML: save the scene itself, not the page that shows it.";
 /// First bytes of files that are no scenes, and what they are.
 const FORMATS: &[(&[u8], &str)] = &[
-    (b"\xc2\x89PNG", "This is a picture, not a scene."),
-    (
-        b"\xc3\xbf\xc3\x98\xc3\xbf",
-        "This is a picture, not a scene.",
-    ),
-    (b"GIF8", "This is a picture, not a scene."),
+    (b"\xc2\x89PNG", PICTURE),
+    (b"\xc3\xbf\xc3\x98\xc3\xbf", PICTURE),
+    (b"GIF8", PICTURE),
     (b"\x1f\xc2\x8b", "This file is compressed: unpack it."),
     (b"PK\x03\x04", "This file is an archive: unpack it."),
     (
         b"{\\rtf",
         "This is a document of a word processor: save it as plain text.",
     ),
-    (
-        b"<!DOCTYPE",
-        "This is a page of HTML: save the scene itself, not the page that shows it.",
-    ),
-    (
-        b"<!doctype",
-        "This is a page of HTML: save the scene itself, not the page that shows it.",
-    ),
-    (
-        b"<html",
-        "This is a page of HTML: save the scene itself, not the page that shows it.",
-    ),
+    (b"<!DOCTYPE", PAGE),
+    (b"<!doctype", PAGE),
+    (b"<html", PAGE),
     (b"<?xml", "This is a document in XML, not a scene."),
 ];
 
@@ -104,8 +94,11 @@ impl Reader<'_> {
         let end = line.find('>')? + 1;
         let tag = &line[..end];
         let name = tag.trim_start_matches(['<', '/']);
-        let name = &name[..name.find(|c: char| !c.is_ascii_alphanumeric())?];
-        TAGS.contains(&name.to_ascii_lowercase().as_str()).then(|| {
+        let (name, rest) = name.split_at(name.find(|c: char| !c.is_ascii_alphanumeric())?);
+        // Not a vector.
+        let is_tag =
+            matches!(rest, ">" | "/>" | " />") || rest.starts_with(' ') && rest.contains('=');
+        (is_tag && TAGS.contains(&name.to_ascii_lowercase().as_str())).then(|| {
             let hint = format!("`{tag}` is HTML: remove it.");
             Remedy::fix(hint, self.bytes_from(self.here.at, end), "")
         })

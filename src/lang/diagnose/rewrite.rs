@@ -4,6 +4,7 @@
 use crate::base::args::Word;
 use crate::base::source::Span;
 use crate::lang::diagnose::remedy::Remedy;
+use crate::lang::diagnose::unclosed::begins_new;
 use crate::lang::expr::value::Value;
 use crate::lang::limits;
 use crate::lang::reader::Reader;
@@ -389,7 +390,8 @@ impl Reader<'_> {
         Some(Remedy::fix(format!("Write `{text}`."), span, text))
     }
 
-    /// `--`, `/`, `'` or `;` where a statement is expected, before words of a comment.
+    /// `--`, `/`, `'`, `;`, `%` or `!` where a statement is expected, before words of a comment: of those on the same line
+    /// the first begins no statement.
     pub(crate) fn comment_of_other_languages(&self) -> Option<Remedy> {
         let (at, hint) = (self.here.at, "Comments begin with `//`.");
         let is_mark = |ahead: usize, mark| self.raw_ahead(ahead).is_mark(mark);
@@ -408,7 +410,13 @@ impl Reader<'_> {
             let token = self.token(at)?;
             let is_near = self.sources.line_column(self.here.tokens.span(at)).0
                 == self.sources.line_column(span).0;
-            Some(is_near && matches!(token.kind, Kind::Name | Kind::Word))
+            let is_undeclared = |name| self.scopes.get(name).is_none();
+            let is_word = match token.kind {
+                Kind::Name => token.symbol().is_some_and(is_undeclared),
+                Kind::Word => !begins_new(token),
+                _ => false,
+            };
+            Some(is_near && is_word)
         };
         let is_dashed = span.end - span.start == 2;
         (is_dashed || is_word(at + 1) == Some(true)).then(|| Remedy::fix(hint, span, "//"))

@@ -64,8 +64,12 @@ impl Reader<'_> {
             .trim_end();
         let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let start = before.trim_end_matches(is_part).len();
+        let is_comment = before
+            .rsplit('\n')
+            .next()
+            .is_some_and(|line| line.contains("//"));
         match u32::try_from(start).map(|start| Span::new(open.file, start, open.end)) {
-            Ok(both) if start < before.len() => (both, &before[start..]),
+            Ok(both) if start < before.len() && !is_comment => (both, &before[start..]),
             _ => (open, self.source_text(open)),
         }
     }
@@ -303,8 +307,11 @@ impl Reader<'_> {
                     tokens.directives[token.value as usize].word,
                     Some(Word::Declare | Word::Macro)
                 );
-            let (indent, is_first) = indentation(text, token.start as usize);
-            (depth == 0 && declares && is_first && indent <= opened).then(|| tokens.span(at))
+            let is_outside = || {
+                let (indent, is_first) = indentation(text, token.start as usize);
+                is_first && indent <= opened
+            };
+            (depth == 0 && declares && is_outside()).then(|| tokens.span(at))
         })
     }
 
@@ -348,10 +355,18 @@ pub(crate) fn begins_new(token: Token) -> bool {
     }
 }
 
+/// Length up to which a line is searched for its indentation. Files of one line have none.
+const LONGEST_LINE: usize = 1000;
+
 /// Indentation of the line of a byte, and whether the byte is its first.
 fn indentation(text: &str, at: usize) -> (usize, bool) {
-    let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
-    let before = &text[line..at];
-    let indent = before.len() - before.trim_start().len();
-    (indent, indent == before.len())
+    let near = &text.as_bytes()[at.saturating_sub(LONGEST_LINE)..at];
+    let is_end = |&byte: &u8| matches!(byte, b'\n' | b'\r');
+    let line = match near.iter().rposition(is_end) {
+        Some(end) => &near[end + 1..],
+        None if near.len() < LONGEST_LINE => near,
+        None => return (0, false),
+    };
+    let indent = line.len() - line.trim_ascii_start().len();
+    (indent, indent == line.len())
 }

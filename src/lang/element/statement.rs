@@ -83,7 +83,7 @@ impl Reader<'_> {
                     }
                     if self.report.is_full() {
                         let message =
-                            format!("nothing is read after {} errors", self.report.errors);
+                            format!("nothing is read after {} errors", self.report.reported);
                         self.warning(Diagnostic::warning(None, message));
                         return;
                     }

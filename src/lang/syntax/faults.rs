@@ -56,10 +56,9 @@ fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
             .with_label(span, "so that this one has no end")
             .with_hint("Write `\"` at the end of the string.");
     } else {
-        let start = text[..at]
-            .rfind(char::is_whitespace)
-            .map_or(0, |blank| blank + 1);
-        let word = &text[start..at];
+        let word = text[..at].rsplit(char::is_whitespace).next();
+        let word = word.unwrap_or_default();
+        let start = at - word.len();
         let is_end = text[at + 1..line_end(text, at)].trim().is_empty();
         error = match is_end && word.contains('.') {
             true => {

@@ -111,7 +111,8 @@ pub(super) fn fused(ops: Vec<Op>) -> Box<[Op]> {
 }
 
 impl Op {
-    /// The step of a call, if calls of this function can be replayed, which unit vectors of version 3.8 are not; `min` and `max` record theirs themselves.
+    /// The step of a call, if calls of this function can be replayed, which unit vectors of version 3.8 are not; `min`
+    /// and `max` record theirs themselves.
     pub(in crate::lang) fn of_call(word: Word, normalization: Normalization) -> Option<Op> {
         match word {
             Word::Rand => Some(Op::Rand),
