@@ -128,6 +128,7 @@ mod tests {
             camera.frame.direction = vector();
             camera.frame.right = vector();
             camera.frame.up = vector();
+            camera.normalization = Normalization::of_version(case % 2 == 1);
             let x = [0.0, 1.25, 2.0, 800.0];
             let y = [f64::from(case), 0.75, -0.5, 3.0];
             for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {

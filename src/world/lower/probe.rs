@@ -43,7 +43,7 @@ impl ProbeModel {
         if dir == DVec3::ZERO || !from.is_finite() {
             return None;
         }
-        self.prepare(object, normalization);
+        self.prepare(object, Some(normalization));
         let (_, world) = self.worlds.last()?;
         let query = Query {
             ray: Ray::new(from, dir),
@@ -63,22 +63,26 @@ impl ProbeModel {
 
     /// Returns true if a point lies in an object.
     pub fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
-        self.prepare(object, Normalization::default());
+        self.prepare(object, None);
         let world = self.worlds.last();
         point.is_finite() && world.is_some_and(|(_, world)| world.holds(point))
     }
 
     /// Returns true if no part of an object transmits light.
     pub fn is_opaque(&mut self, object: &Arc<Object>) -> bool {
-        self.prepare(object, Normalization::default());
+        self.prepare(object, None);
         self.worlds
             .last()
             .is_some_and(|(_, world)| world.is_opaque())
     }
 
-    /// Moves the object to the end of the cache, and compiles it if needed.
-    fn prepare(&mut self, object: &Arc<Object>, normalization: Normalization) {
-        let known = |(known, _): &(Arc<Object>, World)| Arc::ptr_eq(known, object);
+    /// Moves the object to the end of the cache, and compiles it if needed: with the given rounding of unit vectors, or
+    /// with any.
+    fn prepare(&mut self, object: &Arc<Object>, normalization: Option<Normalization>) {
+        let known = |(known, world): &(Arc<Object>, World)| {
+            let own = world.globals.normalization();
+            Arc::ptr_eq(known, object) && normalization.is_none_or(|wanted| wanted == own)
+        };
         match self.worlds.iter().rposition(known) {
             Some(at) if at + 1 == self.worlds.len() => {}
             Some(at) => self.worlds[at..].rotate_left(1),
@@ -86,7 +90,7 @@ impl ProbeModel {
                 if self.worlds.len() == CACHED {
                     self.worlds.remove(0);
                 }
-                let world = compiled(object, normalization);
+                let world = compiled(object, normalization.unwrap_or_default());
                 self.worlds.push((Arc::clone(object), world));
             }
         }
