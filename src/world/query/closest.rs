@@ -458,7 +458,8 @@ impl World {
         }
     }
 
-    /// Returns true if POV-Ray ignores a hit for its distance, and its distances are followed.
+    /// Returns true if POV-Ray ignores a hit for its distance, and its distances are followed. It is tested for the closest
+    /// hit alone: shapes without that limit do not show behind one.
     #[inline(always)]
     pub(in crate::world) fn is_too_far(&self, hit: &RawHit) -> bool {
         hit.root.t >= self.t_max && self.has_maximum_distance(hit.leaf)
