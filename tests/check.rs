@@ -100,7 +100,11 @@ error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in 
   | |
   | in this `sphere`
   |
-  = help: Did you mean `pigment`?
+help: Did you mean `pigment`?
+  |
+1 - sphere { 0, 1 pigmnet { rgb 1 } }
+1 + sphere { 0, 1 pigment { rgb 1 } }
+  |
 
 error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in `box`, found the undeclared identifier `rotaet`
  --> faulty.pov:2:13
@@ -110,7 +114,11 @@ error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in 
   | |
   | in this `box`
   |
-  = help: Did you mean `rotate`?
+help: Did you mean `rotate`?
+  |
+2 - box { -1, 1 rotaet y }
+2 + box { -1, 1 rotate y }
+  |
 
 faulty.pov: 2 errors
 "
@@ -222,6 +230,10 @@ fn json_is_an_object_a_line() {
             }],
             "trace": [],
             "hints": ["Did you mean `pigment`?"],
+            "fix": {
+                "text": "pigment",
+                "file": "faulty.pov", "line": 1, "column": 15, "end": { "line": 1, "column": 22 },
+            },
         })
     );
     assert_eq!(
