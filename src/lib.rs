@@ -595,7 +595,7 @@ fn read_scene(
                 }
             }
             if let (true, Some(scene)) = (options.lints, &reading.scene) {
-                for doubt in lint::doubts(scene, &reading.object_spans) {
+                for doubt in lint::doubts(scene, &reading.object_spans, &options.stop) {
                     if !sources.allows(file, &doubt, &options.allowed_lints) {
                         report(&doubt, &sources);
                     }

@@ -297,18 +297,11 @@ impl<'a> Reader<'a> {
         let Some(span) = error.span.filter(|_| !self.usage.declared_words.is_empty()) else {
             return false;
         };
-        let text = self.sources.text(span.file);
-        let before = text
-            .get(..span.start as usize)
-            .unwrap_or_default()
-            .trim_end();
-        let is_part = |c: char| c.is_alphanumeric() || c == '_';
-        let last = &before[before.trim_end_matches(is_part).len()..];
+        let (before, last) = self.word_before(span);
         // The axis of a transform is a mistake of its own.
-        let behind = before[..before.len() - last.len()].trim_end();
         if ["rotate", "scale", "translate"]
             .iter()
-            .any(|word| behind.ends_with(word))
+            .any(|word| before.trim_end().ends_with(word))
         {
             return false;
         }

@@ -8,6 +8,7 @@ mod candidates;
 mod material;
 mod view;
 
+use crate::base::options::CancelToken;
 use crate::base::source::{Code, Diagnostic, Span};
 use crate::lang::ObjectSpan;
 use crate::scene::{Object, Scene};
@@ -21,12 +22,15 @@ struct Located {
     has_stock_texture: bool,
 }
 
-/// The doubts about a scene, of whose objects the reader has noted the spans.
+/// The doubts about a scene, of whose objects the reader has noted the spans. When cancelled, the first of them, none
+/// of them about the view.
 #[must_use]
-pub fn doubts(scene: &Scene, object_spans: &[ObjectSpan]) -> Vec<Diagnostic> {
-    let mut doubts = material::doubts(scene, located(scene, object_spans));
+pub fn doubts(scene: &Scene, object_spans: &[ObjectSpan], stop: &CancelToken) -> Vec<Diagnostic> {
+    let goes_on = |_: &Located| !stop.is_cancelled();
+    let mut doubts = material::doubts(scene, located(scene, object_spans).take_while(goes_on));
     if view::is_examined(scene) {
-        doubts.extend(view::doubts(scene, located(scene, object_spans)));
+        let located = located(scene, object_spans).take_while(goes_on);
+        doubts.extend(view::doubts(scene, located, stop));
     }
     doubts
 }
@@ -62,4 +66,30 @@ fn doubt(code: Code, span: Option<Span>, message: &str, hint: &str) -> Diagnosti
     Diagnostic::warning(span, message)
         .with_code(code)
         .with_hint(hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::options::ReadOptions;
+    use crate::base::source::Sources;
+    use crate::lang::evaluate;
+
+    #[test]
+    fn a_cancelled_search_ends_without_doubts() {
+        let mut sources = Sources::new(Vec::new());
+        let scene = "camera { location -5*z look_at -9*z } sphere { 0, 1 pigment { rgb 1 } }";
+        let file = sources.add_text("scene", scene.as_bytes());
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let scene = reading.scene.expect("it is right");
+        let stop = CancelToken::default();
+        let result = doubts(&scene, &reading.object_spans, &stop);
+        assert!(
+            result
+                .iter()
+                .any(|one| one.code == Some(Code::NothingInView))
+        );
+        stop.cancel();
+        assert!(doubts(&scene, &reading.object_spans, &stop).is_empty());
+    }
 }

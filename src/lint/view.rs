@@ -4,6 +4,7 @@ use super::candidates::Candidates;
 use super::{Located, doubt};
 use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
+use crate::base::options::CancelToken;
 use crate::base::source::{Code, Diagnostic};
 use crate::scene::light::Beam;
 use crate::scene::shape::Shape;
@@ -53,12 +54,21 @@ pub(super) fn is_examined(scene: &Scene) -> bool {
     scene.objects.len() <= MOST_SHAPES && !scene.camera.is_mesh()
 }
 
-/// The doubts about the view; none if it takes too long to examine.
-pub(super) fn doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Vec<Diagnostic> {
-    view_doubts(scene, located).unwrap_or_default()
+/// The doubts about the view; none if it takes too long to examine, or when cancelled.
+pub(super) fn doubts(
+    scene: &Scene,
+    located: impl Iterator<Item = Located>,
+    stop: &CancelToken,
+) -> Vec<Diagnostic> {
+    let doubts = view_doubts(scene, located, stop);
+    doubts.filter(|_| !stop.is_cancelled()).unwrap_or_default()
 }
 
-fn view_doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Option<Vec<Diagnostic>> {
+fn view_doubts(
+    scene: &Scene,
+    located: impl Iterator<Item = Located>,
+    stop: &CancelToken,
+) -> Option<Vec<Diagnostic>> {
     let (lights, mut visible): (Vec<Located>, Vec<Located>) =
         located.partition(|one| matches!(one.object.kind, Kind::Light { .. }));
     visible.retain(|one| !one.object.flags.no_image);
@@ -72,6 +82,7 @@ fn view_doubts(scene: &Scene, located: impl Iterator<Item = Located>) -> Option<
         visible: &visible,
         candidates: Candidates::new(&visible),
         probe: ProbeModel::default(),
+        stop,
     };
     let mut nearest = view.nearest(&view.rays(GRID))?;
     let hits_nothing = |nearest: &[Nearest]| nearest.iter().all(|one| one.first.is_none());
@@ -99,6 +110,7 @@ struct View<'a> {
     visible: &'a [Located],
     candidates: Candidates,
     probe: ProbeModel,
+    stop: &'a CancelToken,
 }
 
 impl View<'_> {
@@ -112,10 +124,13 @@ impl View<'_> {
     }
 
     /// The nearest objects on rays, object by object, as the probe prepares one at a time; `None` if too many come into
-    /// question.
+    /// question, or when cancelled.
     fn nearest(&mut self, rays: &[Ray]) -> Option<Vec<Nearest>> {
         let mut nearest = vec![Nearest::default(); rays.len()];
         for (at, index) in self.candidates.on_rays(rays)? {
+            if self.stop.is_cancelled() {
+                return None;
+            }
             let (ray, nearest) = (&rays[index], &mut nearest[index]);
             let least = self.candidates.distance(at, ray.origin);
             if nearest.second.is_some_and(|(known, _)| known < least) {
@@ -198,7 +213,8 @@ impl View<'_> {
         })
     }
 
-    /// Lights in opaque objects that the camera sees from outside; `None` if too many come into question.
+    /// Lights in opaque objects that the camera sees from outside; `None` if too many come into question, or when
+    /// cancelled.
     fn lights_inside(&mut self) -> Option<Vec<Diagnostic>> {
         let lights = self.lights.iter().filter_map(|one| match &one.object.kind {
             Kind::Light {
@@ -217,6 +233,9 @@ impl View<'_> {
         let location = self.scene.camera.location();
         let mut around: Vec<Option<&Located>> = vec![None; lights.len()];
         for (at, light) in self.candidates.around(&centres)? {
+            if self.stop.is_cancelled() {
+                return None;
+            }
             let one = &self.visible[at];
             let keeps_light = around[light].is_none()
                 && !one.object.flags.no_shadow

@@ -97,11 +97,7 @@ impl Reader<'_> {
             }
             "\\n" | "\\r\\n" | "\\n\\n" => {
                 let hint = format!("`{line}` stands for the end of a line: remove it.");
-                Some(Remedy::fix(
-                    hint,
-                    self.bytes_from(self.here.at, line.len()),
-                    "",
-                ))
+                Some(self.removed_bytes(hint, line.len()))
             }
             _ => None,
         }

@@ -78,11 +78,7 @@ impl Reader<'_> {
             Some('`') if self.rest_of_line(self.here.at).starts_with("```") => {
                 let line = self.rest_of_line(self.here.at);
                 let hint = "A line of ``` belongs to Markdown, not to the scene: remove it.";
-                Some(Remedy::fix(
-                    hint,
-                    self.bytes_from(self.here.at, line.len()),
-                    "",
-                ))
+                Some(self.removed_bytes(hint, line.len()))
             }
             _ => None,
         }
@@ -100,7 +96,7 @@ impl Reader<'_> {
             matches!(rest, ">" | "/>" | " />") || rest.starts_with(' ') && rest.contains('=');
         (is_tag && TAGS.contains(&name.to_ascii_lowercase().as_str())).then(|| {
             let hint = format!("`{tag}` is HTML: remove it.");
-            Remedy::fix(hint, self.bytes_from(self.here.at, end), "")
+            self.removed_bytes(hint, end)
         })
     }
 

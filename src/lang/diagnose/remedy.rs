@@ -88,6 +88,11 @@ impl Reader<'_> {
         Span::new(span.file, span.start, span.end + blanks)
     }
 
+    /// The removal of the first bytes of the next token and what follows it.
+    pub(super) fn removed_bytes(&self, hint: impl Into<String>, len: usize) -> Remedy {
+        Remedy::fix(hint, self.bytes_from(self.here.at, len), "")
+    }
+
     /// The span of the first bytes of a token and what follows it.
     pub(super) fn bytes_from(&self, at: usize, len: usize) -> Span {
         let span = self.here.tokens.span(at);

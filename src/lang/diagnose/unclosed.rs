@@ -57,21 +57,22 @@ impl Reader<'_> {
             }
         }
         // Literal objects have no tokens.
-        let text = self.sources.text(open.file);
-        let before = text
-            .get(..open.start as usize)
-            .unwrap_or_default()
-            .trim_end();
-        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let start = before.trim_end_matches(is_part).len();
-        let is_comment = before
-            .rsplit('\n')
-            .next()
-            .is_some_and(|line| line.contains("//"));
-        match u32::try_from(start).map(|start| Span::new(open.file, start, open.end)) {
-            Ok(both) if start < before.len() && !is_comment => (both, &before[start..]),
+        let (before, word) = self.word_before(open);
+        let line = before.rsplit('\n').next();
+        let is_comment = line.is_some_and(|line| line.contains("//"));
+        match u32::try_from(before.len()).map(|start| Span::new(open.file, start, open.end)) {
+            Ok(both) if !word.is_empty() && !is_comment => (both, word),
             _ => (open, self.source_text(open)),
         }
+    }
+
+    /// The word that a text ends with before a span, and the text before that; empty if it ends with no word.
+    pub(crate) fn word_before(&self, span: Span) -> (&str, &str) {
+        let text = self.sources.text(span.file);
+        let before = text.get(..span.start as usize).unwrap_or_default();
+        let before = before.trim_end();
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        before.split_at(before.trim_end_matches(is_part).len())
     }
 
     /// The `{` after a word is missing.

@@ -450,11 +450,11 @@ impl Tracer<'_> {
     /// follows that is not sampled, and fewer than 2 samples count as 2; from 3.8 on the steps fill the interval (measured).
     fn even_steps(&self, sampling: &Sampling) -> (u32, f64) {
         let samples = sampling.samples[0];
-        let (steps, parts) = match self.world.globals.is_3_8 {
-            true => (samples.div_ceil(2).max(1), samples.div_ceil(2).max(1)),
-            false => ((samples / 2 + 1).max(2), (samples / 2 + 1).max(2) + 1),
+        let (steps, unsampled) = match self.world.globals.is_3_8 {
+            true => (samples.div_ceil(2).max(1), 0),
+            false => ((samples / 2 + 1).max(2), 1),
         };
-        (steps, 1.0 / f64::from(parts))
+        (steps, 1.0 / f64::from(steps + unsampled))
     }
 
     /// The transmittance of media along a ray. Media without extinction are skipped, as in POV-Ray: no random numbers

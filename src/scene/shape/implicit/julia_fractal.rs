@@ -29,9 +29,9 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Complex, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::Steps;
 use crate::scene::shape::{
-    Crossing, Geometry, Root, Rounded, Start, SurfaceSide, first_visible, read, uniform_scale,
+    Crossing, Geometry, Root, Rounded, Start, Steps, SurfaceSide, first_visible, read,
+    uniform_scale,
 };
 use complex::Function;
 pub(crate) use exact::ExactSearch;

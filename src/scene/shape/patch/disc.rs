@@ -8,9 +8,8 @@ use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::Steps;
 use crate::scene::shape::{
-    Geometry, Plane, Root, Rounded, Start, along, first_visible, read, uniform_scale,
+    Geometry, Plane, Root, Rounded, Start, Steps, along, first_visible, read, uniform_scale,
 };
 use glam::{DAffine3, DVec3};
 

@@ -9,8 +9,7 @@ use crate::base::math::conditioning::power_of_two;
 use crate::base::math::watertight::{RayFrame, TriangleHit};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::Steps;
-use crate::scene::shape::{Crossing, Geometry, Root, Rounded, Start, first_visible, read};
+use crate::scene::shape::{Crossing, Geometry, Root, Rounded, Start, Steps, first_visible, read};
 use glam::DVec3;
 
 /// A flat triangle. One whose corners all coincide is never hit.

@@ -18,11 +18,10 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::{add, scale};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::Steps;
 use crate::scene::shape::packet::{self, SpanPacket, across, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    Geometry, Root, Rounded, Start, SurfaceSide, first_visible, original_span, read,
+    Geometry, Root, Rounded, Start, Steps, SurfaceSide, first_visible, original_span, read,
 };
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;

@@ -14,12 +14,12 @@ use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::Steps;
 use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    Geometry, Root, Rounded, Start, SurfaceSide, first_visible, original_span, push_span, read,
+    Geometry, Root, Rounded, Start, Steps, SurfaceSide, first_visible, original_span, push_span,
+    read,
 };
 use glam::{DAffine3, DVec3};
 

@@ -14,8 +14,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::scene::shape::Steps;
-use crate::scene::shape::{Geometry, Root, Rounded, Start, alternate_into, read};
+use crate::scene::shape::{Geometry, Root, Rounded, Start, Steps, alternate_into, read};
 use glam::{DMat3, DVec3};
 
 /// An ellipsoid with a larger ratio of diagonal entries than this has no bounds: they would have no digits left.

@@ -14,14 +14,13 @@ use crate::base::math::conditioning::{
 use crate::base::math::roots::ray_sphere::{MARGIN, sphere_span};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, rotation};
-use crate::scene::shape::Steps;
 use crate::scene::shape::packet::{
     NearestPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, splat, sub,
 };
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, Rounded, RoundedHit, SpanEnd, Start, WELL_INSIDE,
-    first_visible, push_span, read, span, uniform_scale,
+    CLEAR_MARGIN, Crossing, Geometry, Root, Rounded, RoundedHit, SpanEnd, Start, Steps,
+    WELL_INSIDE, first_visible, push_span, read, span, uniform_scale,
 };
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
