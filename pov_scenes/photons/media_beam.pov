@@ -1,5 +1,6 @@
 // Photons in a medium that leave the beam of their spotlight by mirrors and cross others: rounding decides whether a rest
 // of the segment without samples is left, which makes a photon black.
+// size: 88x66
 #version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.06 media 60, 1 } }
 camera { location <0,5,-5> look_at <0,0.8,0> angle 39 }
