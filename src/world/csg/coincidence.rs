@@ -78,8 +78,8 @@ impl CsgProgram {
             event.root.is_visible &= is_shown;
         }
         events.reverse();
-        let rank = |event: &Event| match self.tie_ranks.get(event.leaf as usize) {
-            Some(&rank) => rank,
+        let rank = |event: &Event| match &self.tie_ranks {
+            Some(ranks) => ranks[event.leaf as usize],
             None => event.leaf,
         };
         events.sort_by(|a, b| rank(b).cmp(&rank(a)).then(a.root.t.total_cmp(&b.root.t)));

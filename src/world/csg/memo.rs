@@ -7,6 +7,7 @@ use crate::scene::shape::Geometry;
 use crate::world::primitive::Leaf;
 use smallvec::SmallVec;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A program before and after [`CsgProgram::prepare`].
 #[derive(Debug)]
@@ -15,6 +16,7 @@ pub(crate) struct CsgMemo {
     operands: SmallVec<[Operand; 5]>,
     parts: SmallVec<[OperandKey; 5]>,
     boxed: Vec<Range<u32>>,
+    hit_order: SmallVec<[u32; 5]>,
     ready: CsgProgram,
 }
 
@@ -40,12 +42,14 @@ impl OperandKey {
 
 impl CsgProgram {
     /// Same as [`CsgProgram::prepare`], but reuses the result in `last` if that matches; then `last` is this one.
+    /// `hit_order` are the operands as POV-Ray lists their hits.
     pub(crate) fn prepare_as(
         &mut self,
         last: &mut Option<Box<CsgMemo>>,
         leaves: &[Leaf],
         bounds: &[Bounds],
         boxed: Vec<(Range<u32>, Bounds)>,
+        hit_order: &[u32],
     ) {
         let own = leaves[self.first as usize..].iter().zip(bounds);
         let parts = || {
@@ -57,6 +61,7 @@ impl CsgProgram {
             && last.operands == self.operands
             && parts().eq(last.parts.iter().copied())
             && boxed.iter().map(|(range, _)| range).eq(&last.boxed)
+            && last.hit_order[..] == *hit_order
         {
             *self = CsgProgram {
                 first: self.first,
@@ -69,9 +74,11 @@ impl CsgProgram {
             operands: self.operands.clone(),
             parts: parts().collect(),
             boxed: boxed.iter().map(|(range, _)| range.clone()).collect(),
+            hit_order: hit_order.into(),
             ready: CsgProgram::default(),
         });
         self.prepare(leaves, bounds, boxed);
+        self.tie_ranks = tie_ranks(hit_order);
         // A BVH depends on positions, so the result cannot be reused.
         let is_anywhere = self.order.boxed.is_none();
         *last = is_anywhere.then(|| {
@@ -79,6 +86,19 @@ impl CsgProgram {
             now
         });
     }
+}
+
+/// The rank of each operand among operands that are hit at one distance, the highest of which is shown; `None` if they
+/// rank by their numbers.
+fn tie_ranks(hit_order: &[u32]) -> Option<Arc<[u32]>> {
+    if hit_order.is_sorted() {
+        return None;
+    }
+    let mut ranks = vec![0; hit_order.len()];
+    for (rank, &operand) in (0..).zip(hit_order) {
+        ranks[operand as usize] = rank;
+    }
+    Some(ranks.into())
 }
 
 #[cfg(test)]
@@ -97,7 +117,7 @@ mod tests {
                 let mut as_last = alone.clone();
                 let had = last.is_some();
                 alone.prepare(&leaves, &bounds, Vec::new());
-                as_last.prepare_as(&mut last, &leaves, &bounds, Vec::new());
+                as_last.prepare_as(&mut last, &leaves, &bounds, Vec::new(), &[]);
                 again += usize::from(had && last.is_some());
                 let described = |program: &super::CsgProgram| {
                     let super::CsgProgram {

@@ -7,6 +7,7 @@ use crate::world::primitive::Leaf;
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Operation of a node on its children.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,8 +79,8 @@ pub(crate) struct CsgProgram {
     pub(crate) nodes: SmallVec<[Node; 1]>,
     /// The operands, in the order of the leaves.
     pub(crate) operands: SmallVec<[Operand; 5]>,
-    /// The rank of each operand where surfaces coincide, the highest of which is shown; empty if that is its number.
-    pub(crate) tie_ranks: Vec<u32>,
+    /// The rank of each operand where surfaces coincide, the highest of which is shown; `None` if that is its number.
+    pub(crate) tie_ranks: Option<Arc<[u32]>>,
     /// Index of the first leaf.
     pub(crate) first: u32,
     /// The `bounded_by` objects.

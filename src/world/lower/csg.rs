@@ -111,7 +111,7 @@ impl Lowering {
             ..CsgProgram::default()
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
-        let outer_order = std::mem::take(&mut self.hit_order);
+        let first_hit = self.hit_order.len();
         let outer_gates = std::mem::take(&mut self.gates);
         let outer_boxed = std::mem::take(&mut self.boxed);
         let above = Inherited {
@@ -126,9 +126,10 @@ impl Lowering {
         let around = self.add_node(object, &above, &mut program, slot);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
-        program.prepare_as(&mut self.memo, &self.parts.leaves, &of_operands, boxed);
-        let hit_order = std::mem::replace(&mut self.hit_order, outer_order);
-        program.tie_ranks = tie_ranks(&hit_order);
+        let hit_order = &self.hit_order[first_hit..];
+        let leaves = &self.parts.leaves;
+        program.prepare_as(&mut self.memo, leaves, &of_operands, boxed, hit_order);
+        self.hit_order.truncate(first_hit);
         for gate in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&gate.object, &gate.above);
             program.gates.push(BoundGate {
@@ -422,19 +423,6 @@ fn factors(program: &CsgProgram, node: u32, starts: &Starts) -> Factors {
     let children = starts.iter().copied().filter(|&at| at < operands.len());
     let direct = children.filter(|&at| operands[at].parent == node);
     direct.map(factor).collect()
-}
-
-/// The rank of each operand among operands that are hit at one distance, the highest of which is shown; none if they rank
-/// by their numbers.
-fn tie_ranks(hit_order: &[u32]) -> Vec<u32> {
-    if hit_order.is_sorted() {
-        return Vec::new();
-    }
-    let mut ranks = vec![0; hit_order.len()];
-    for (rank, &operand) in (0..).zip(hit_order) {
-        ranks[operand as usize] = rank;
-    }
-    ranks
 }
 
 fn push_node(program: &mut CsgProgram, combine: Combine, parent: u32) -> u32 {
