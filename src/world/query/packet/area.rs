@@ -57,12 +57,18 @@ impl World {
         let [across, up] = light.half_edges;
         let corners = [across + up, across - up, up - across, -across - up]
             .map(|offset| light.centre + offset - point);
-        let leaf = &self.model.leaves[own.leaf as usize];
         // A convex shape lies on the other side of its tangent plane: if the corners do not, nothing between them does.
-        let leaves_own = leaf.shape.exits_in_cones()
-            && corners.iter().all(|&to_corner| {
-                own.normal.dot(to_corner) > MIN_COSINE * to_corner.length()
-                    && leaf.is_exiting(&Ray::new(point, to_corner))
+        // The leaves of instances are not among these.
+        let leaves_own = self
+            .model
+            .leaves
+            .get(own.leaf as usize)
+            .is_some_and(|leaf| {
+                leaf.shape.exits_in_cones()
+                    && corners.iter().all(|&to_corner| {
+                        own.normal.dot(to_corner) > MIN_COSINE * to_corner.length()
+                            && leaf.is_exiting(&Ray::new(point, to_corner))
+                    })
             });
         let is_left_out = |item: IndexedItem| {
             let is_own = matches!(item.item, Item::Leaf(leaf) if leaf == own.leaf);
