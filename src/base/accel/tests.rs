@@ -102,7 +102,7 @@ fn the_nearest_hit_is_that_of_a_linear_search() {
         let region = Bounds::new(at - size, at + size);
         let mut rng = Random::new(18);
         let mut hits = 0;
-        for _ in 0..1500 {
+        for _ in 0..500 {
             let ray = rng.ray_near(&region);
             for far in [0.0, -1e3, -1e9] {
                 let ray = Ray::new(ray.at(far), ray.dir);
@@ -119,7 +119,7 @@ fn the_nearest_hit_is_that_of_a_linear_search() {
                 }
             }
         }
-        assert!(hits > 1000, "only {hits} hits at size {size}");
+        assert!(hits > 300, "only {hits} hits at size {size}");
     }
 }
 
@@ -318,7 +318,7 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
         (1e-20, DVec3::splat(1e-19)),
         (1e12, DVec3::X * 3e12),
     ] {
-        let spheres = spheres(700, size, at);
+        let spheres = spheres(350, size, at);
         for (mut tree, order) in trees(&spheres, at) {
             tree.set_bounding_spheres(order.len(), |position| {
                 let item = order[position];
@@ -327,7 +327,7 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
             });
             let mut rng = Random::new(23);
             let (mut bundle, mut traversed, mut hits) = (Bundle::default(), 0, 0);
-            for round in 0..60 {
+            for round in (0..60).filter(|round| round % 4 < 2) {
                 let origin = at + rng.vector(if round % 2 == 0 { 4.0 } else { 1.0 }) * size;
                 let middle = at + rng.vector(1.0) * size - origin;
                 let count = 1 + round * 4;
@@ -389,7 +389,7 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
                     hits += u32::from(best.is_some());
                 }
             }
-            assert!(traversed > 40 && hits > 1000, "{traversed} {hits}");
+            assert!(traversed > 20 && hits > 500, "{traversed} {hits}");
         }
     }
 }
@@ -462,7 +462,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
             };
             let mut rng = Random::new(29);
             let (mut seen, mut blocked, mut free) = (0, 0, 0);
-            for round in 0..200 {
+            for round in 0..70 {
                 let mut from = at + rng.vector(1.0).normalize() * 6.0 * size;
                 let along = (at - from).normalize();
                 let (right, up) = along.any_orthonormal_pair();
@@ -505,7 +505,7 @@ fn light_buffer_lookups_have_the_hits_of_single_rays() {
                 }
             }
             assert!(
-                seen > 200 && blocked > 300 && free > 10,
+                seen > 50 && blocked > 100 && free > 2,
                 "{seen} {blocked} {free}"
             );
         }
