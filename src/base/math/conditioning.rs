@@ -3,6 +3,8 @@
 //! Multiplying by a power of two only changes the exponent: a scene and its copy scaled by 2^k give the same bits.
 
 use super::Ray;
+use crate::base::math::simd::F64Lanes;
+use crate::base::math::simd::vec3::{Vec3Lanes, divide, scale};
 use glam::DVec3;
 
 /// Comfortable lengths lie between 2^-200 and 2^200: their squares and products stay in range.
@@ -59,6 +61,15 @@ impl Normalization {
         match self {
             Normalization::Reciprocal => v * length.recip(),
             Normalization::Quotient => v / length,
+        }
+    }
+
+    /// The same in lanes.
+    #[inline(always)]
+    pub(crate) fn divided_lanes<F: F64Lanes>(self, v: Vec3Lanes<F>, length: F) -> Vec3Lanes<F> {
+        match self {
+            Normalization::Reciprocal => scale(v, F::splat(1.0) / length),
+            Normalization::Quotient => divide(v, length),
         }
     }
 

@@ -21,6 +21,7 @@ pub use spotlight::Spotlight;
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::color::Rgb;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::noise::smooth;
 use crate::base::math::{Ray, Step};
 use crate::base::source::{Diagnostic, Span};
@@ -48,6 +49,8 @@ pub struct Light {
     pub media_attenuation: bool,
     /// The `photons` settings.
     pub photons: PhotonSettings,
+    /// The rounding of the directions to it.
+    pub normalization: Normalization,
     points_at: DVec3,
     /// Unit direction from `centre` to `points_at`; zero where they are the same.
     axis: DVec3,
@@ -97,6 +100,7 @@ impl Light {
             media_interaction: true,
             media_attenuation: false,
             photons: PhotonSettings::default(),
+            normalization: Normalization::default(),
             points_at: DVec3::Z,
             axis: DVec3::ZERO,
             parallel_dir: DVec3::ZERO,
@@ -264,7 +268,7 @@ impl Light {
         }
         let distance = offset.length();
         Arrival {
-            to_light: offset / distance,
+            to_light: self.normalization.divided(offset, distance),
             distance,
         }
     }

@@ -200,9 +200,9 @@ impl Lowering {
         else {
             return None;
         };
-        let light = self
-            .lights
-            .add(transformed(light, &below.steps), above.group);
+        let mut light = transformed(light, &below.steps);
+        light.normalization = Normalization::of_version(self.settings.is_3_8);
+        let light = self.lights.add(light, above.group);
         if let Some(object) = projected_through {
             let holds = Holds::Projector(light);
             self.held.push((holds, Arc::clone(object), below.clone()));

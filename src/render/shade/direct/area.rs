@@ -3,8 +3,9 @@
 use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::simd::vec3::{
-    Vec3Lanes, add, divide, dot, from_arrays, max_abs, scale, splat, sub, to_arrays,
+    Vec3Lanes, add, dot, from_arrays, max_abs, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::Scratch;
@@ -43,6 +44,7 @@ pub(in crate::render::shade) struct AreaLight<'a> {
 struct GridAim<'a> {
     centre: DVec3,
     point: DVec3,
+    normalization: Normalization,
     /// The normal at the origin of the rays; zero in space.
     normal: DVec3,
     offset: &'a [[f64; 4]; 3],
@@ -57,7 +59,7 @@ impl SimdKernel for GridAim<'_> {
         let centre: Vec3Lanes<F> = add(splat(self.centre), from_arrays(self.offset));
         let offset = sub(centre, splat(self.point));
         let distance = dot(offset, offset).sqrt();
-        let to_light = divide(offset, distance);
+        let to_light = self.normalization.divided_lanes(offset, distance);
         let end = add(splat(self.point), scale(to_light, distance));
         let cosine = dot(splat(self.normal), to_light);
         let shadow_rays = ShadowPacket4 {
@@ -116,7 +118,7 @@ impl<'a> AreaLight<'a> {
         let offset = centre - self.lit.at.point;
         let distance = offset.length();
         Arrival {
-            to_light: offset / distance,
+            to_light: self.light.normalization.divided(offset, distance),
             distance,
         }
     }
@@ -325,6 +327,7 @@ impl Tracer<'_> {
         let aim = GridAim {
             centre: area_light.light.centre,
             point: area_light.lit.at.point,
+            normalization: area_light.light.normalization,
             normal,
             offset: &offset,
         };

@@ -2,9 +2,10 @@
 //! that neighbours in a bundle share most of their traversal.
 
 use super::block_hits::{BlockHits, LightSortedOrder};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::rounding::nearest;
 use crate::base::math::simd::vec3::{
-    Vec3Lanes, add, divide, dot, from_arrays, scale, splat, sub, to_arrays,
+    Vec3Lanes, add, dot, from_arrays, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::bsdf::{MAX_TILTED, NEGLIGIBLE};
@@ -28,6 +29,7 @@ const BOUNDS_STEP: usize = 7;
 /// Sets up shadow rays from four hits to a light.
 struct LightPacket<'a> {
     centre: DVec3,
+    normalization: Normalization,
     hits: &'a HitPacket4,
 }
 
@@ -56,7 +58,7 @@ impl SimdKernel for LightPacket<'_> {
         let point: Vec3Lanes<F> = from_arrays(&self.hits.point);
         let offset = sub(splat(self.centre), point);
         let distance = dot(offset, offset).sqrt();
-        let to_light = divide(offset, distance);
+        let to_light = self.normalization.divided_lanes(offset, distance);
         let cosine = dot(from_arrays(&self.hits.facing), to_light);
         let end = add(point, scale(to_light, distance));
         let [x, y, z] = [end[0].abs(), end[1].abs(), end[2].abs()];
@@ -256,6 +258,7 @@ impl Tracer<'_> {
         }
         let arriving = LightPacket {
             centre: light.centre,
+            normalization: light.normalization,
             hits,
         };
         let arrived = lanes.run(arriving);
