@@ -10,7 +10,7 @@ use super::primitive::Leaf;
 use super::sphere_soa::SphereSoa;
 use crate::base::accel::Bvh;
 use crate::base::math::normal_from_inverse;
-use crate::scene::shape::{Rounded, Shape, Sphere, TextureWeights};
+use crate::scene::shape::{Geometry, Rounded, Shape, Sphere, TextureWeights};
 use glam::{DAffine3, DVec3};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -51,6 +51,13 @@ pub(super) struct Rounding {
 }
 
 impl Rounding {
+    /// The form of a leaf, if it is known and decides ties.
+    pub(super) fn of_ties(&self, leaf: u32, leaves: &[Leaf]) -> Option<&Rounded> {
+        let form = self.forms.get(&leaf)?;
+        let decides = leaves.get(leaf as usize)?.shape.decides_ties();
+        decides.then_some(form)
+    }
+
     /// True if hits on a leaf are rounded.
     #[inline(always)]
     pub(super) fn is_wanted(&self, leaf: u32) -> bool {

@@ -4,6 +4,7 @@ use super::{FaceTexture, Rounded, TextureWeights, first_visible};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::Steps;
 use glam::{DAffine3, DMat3, DVec3};
+use std::cmp::Ordering;
 
 /// Direction in which a ray crosses the surface of a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,6 +70,35 @@ pub enum SurfaceSide {
     /// Either, by rounding: the test has no tolerance, and POV-Ray leaves speckles. Counts as inside; where nothing shows
     /// then, the cut is a clean one.
     Rounded,
+}
+
+/// A flat face across an axis of object space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatFace {
+    /// The axis, 0 to 2.
+    pub axis: usize,
+    /// The coordinate on it.
+    pub coordinate: f64,
+    /// The solid lies beyond it, in the direction of the axis.
+    pub is_low: bool,
+    /// Points exactly on it are inside.
+    pub is_closed: bool,
+}
+
+impl FlatFace {
+    /// The side on which a point at this position relative to the face lies.
+    #[must_use]
+    pub fn side(&self, position: Ordering) -> SurfaceSide {
+        let is_inside = match position {
+            Ordering::Equal => self.is_closed,
+            Ordering::Greater => self.is_low,
+            Ordering::Less => !self.is_low,
+        };
+        match is_inside {
+            true => SurfaceSide::Inside,
+            false => SurfaceSide::Outside,
+        }
+    }
 }
 
 /// Operations of a shape, all in its own object space.
@@ -293,6 +323,11 @@ pub trait Geometry {
     /// meshes (measured with POV-Ray).
     fn has_one_side(&self) -> bool {
         false
+    }
+
+    /// The flat face with this number, if it lies across an axis and POV-Ray's inside test compares coordinates with it.
+    fn flat_face(&self, _face: u32) -> Option<FlatFace> {
+        None
     }
 
     /// The side of points on the surface.

@@ -60,7 +60,7 @@ mod swept {
 }
 
 pub use face_texture::{FaceTexture, TextureWeight, TextureWeights};
-pub use geometry::{Crossing, Geometry, Root, Start, SurfaceSide};
+pub use geometry::{Crossing, FlatFace, Geometry, Root, Start, SurfaceSide};
 pub use implicit::blob::Blob;
 pub use implicit::isosurface::Isosurface;
 pub use implicit::julia_fractal::JuliaFractal;
@@ -266,6 +266,9 @@ macro_rules! shapes {
             }
             fn has_one_side(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.has_one_side()),+ }
+            }
+            fn flat_face(&self, face: u32) -> Option<FlatFace> {
+                match self { $(Shape::$name(shape) => shape.flat_face(face)),+ }
             }
             fn surface_side(&self) -> SurfaceSide {
                 match self { $(Shape::$name(shape) => shape.surface_side()),+ }

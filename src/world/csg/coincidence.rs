@@ -9,7 +9,10 @@
 use super::program::CsgProgram;
 use super::sweep::{Event, Sweep, SweepContext};
 use crate::base::math::COINCIDENT;
-use crate::scene::shape::{Crossing, Geometry, Shape, SurfaceSide};
+use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, Shape, SurfaceSide};
+use crate::world::primitive::Leaf;
+use glam::DVec3;
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
@@ -82,7 +85,38 @@ impl CsgProgram {
             Some(ranks) => ranks[event.leaf as usize],
             None => event.leaf,
         };
-        events.sort_by(|a, b| rank(b).cmp(&rank(a)).then(a.root.t.total_cmp(&b.root.t)));
+        let own = |a: &Event, b: &Event| a.root.t.total_cmp(&b.root.t);
+        let ranked = |a: &Event, b: &Event| rank(b).cmp(&rank(a)).then(own(a, b));
+        match self.rounded_distances(events, context) {
+            None => events.sort_by(ranked),
+            Some(mut rounded) => {
+                rounded.sort_by(|a, b| a.0.total_cmp(&b.0).then(ranked(&a.1, &b.1)));
+                for (event, (_, sorted)) in events.iter_mut().zip(rounded) {
+                    *event = sorted;
+                }
+            }
+        }
+    }
+
+    /// The distances of roots at almost one distance as POV-Ray rounds them, if they are known for all roots that show.
+    fn rounded_distances(
+        &self,
+        events: &[Event],
+        context: SweepContext,
+    ) -> Option<SmallVec<[(f64, Event); 4]>> {
+        let show = events.iter().filter(|event| event.root.is_visible).count();
+        let is_tie = show > 1 && !self.has_clean_cuts();
+        let rounding = context.rounding.filter(|_| is_tie)?;
+        let distance = |event: &Event| {
+            let Root { t, face, .. } = event.root;
+            if !event.root.is_visible {
+                return Some(t);
+            }
+            let form = rounding.of_ties(self.first + event.leaf, context.leaves)?;
+            form.hit(context.ray, t, face).map(|hit| hit.t)
+        };
+        let rounded = |event: &Event| Some((distance(event)?, *event));
+        events.iter().map(rounded).collect()
     }
 
     /// Selects the surfaces shown among several at the same `t` as POV-Ray does: those whose points every ancestor lets
@@ -107,12 +141,11 @@ impl CsgProgram {
             if event.root.crossing == Crossing::Touch {
                 continue;
             }
-            let side = match by_rounding {
-                Some(position) => side_of_face(event.root.face, position),
-                None => {
-                    let leaf = &context.leaves[(self.first + event.leaf) as usize];
-                    leaf.shape.surface_side()
-                }
+            let leaf = &context.leaves[(self.first + event.leaf) as usize];
+            let face = by_rounding.and_then(|position| Some((position, flat_face(leaf, event)?)));
+            let side = match face {
+                Some((position, face)) => face.side(position),
+                None => leaf.shape.surface_side(),
             };
             is_certain &= side != SurfaceSide::Rounded;
             let is_inverse = self.operands[event.leaf as usize].is_inverse;
@@ -137,23 +170,27 @@ impl CsgProgram {
     }
 
     /// The position of a ray's point after rounding, relative to the coordinate at which faces of boxes without a
-    /// matrix coincide; `None` for other shapes and where it may differ from ray to ray.
+    /// matrix coincide, or those of boxes and prisms; `None` for other shapes and where it may differ from ray to ray.
     ///
     /// In POV-Ray the point has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the last bit for
     /// all directions at which a face is looked at squarely and for most others, unless that is a power of two, next to
     /// which numbers are twice as dense. Rays of the camera start at one point, so that it is the same all over a
-    /// face; for others it must not depend on the last bit of where they start.
+    /// face; for others it must not depend on the last bit of where they start. The distance of a prism has more
+    /// roundings, so that its own point varies; but that of the box decides whether anything shows.
     fn rounded_position(&self, events: &[Event], context: SweepContext) -> Option<Ordering> {
         let mut common = None;
-        for Event { root, leaf } in events {
-            let leaf = &context.leaves[(self.first + leaf) as usize];
-            let Shape::Cuboid(cuboid) = &leaf.shape else {
-                return None;
-            };
-            let plane = cuboid.plane_of(root.face);
-            if leaf.object_from_world.is_some() || *common.get_or_insert(plane) != plane {
+        let mut has_exact_point = false;
+        for event in events {
+            let leaf = &context.leaves[(self.first + event.leaf) as usize];
+            let face = flat_face(leaf, event)?;
+            let plane = (face.axis, face.coordinate);
+            if *common.get_or_insert(plane) != plane {
                 return None;
             }
+            has_exact_point |= matches!(leaf.shape, Shape::Cuboid(_));
+        }
+        if !has_exact_point {
+            return None;
         }
         let (axis, coordinate) = common?;
         let position = |origin: f64| (origin + (coordinate - origin)).partial_cmp(&coordinate);
@@ -196,15 +233,26 @@ impl CsgProgram {
     }
 }
 
-/// The side of a box on which a point at this position relative to its face lies.
-fn side_of_face(face: u32, position: Ordering) -> SurfaceSide {
-    let beyond = match face.is_multiple_of(2) {
-        true => Ordering::Less,
-        false => Ordering::Greater,
-    };
-    match position == beyond {
-        true => SurfaceSide::Outside,
-        false => SurfaceSide::Inside,
+/// The face of a leaf that an event is on, in world space, if it lies across an axis and no transform rounds the
+/// coordinate there.
+fn flat_face(leaf: &Leaf, event: &Event) -> Option<FlatFace> {
+    let face = leaf.shape.flat_face(event.root.face)?;
+    match (&leaf.shape, &leaf.object_from_world) {
+        (_, None) => Some(face),
+        // POV-Ray's prisms have a matrix in any case.
+        (Shape::Prism(_), Some(matrix)) => {
+            let row = matrix.matrix3.row(face.axis);
+            let scale = row[face.axis];
+            let is_exact = scale > 0.0
+                && is_power_of_two(scale)
+                && row == scale * DVec3::AXES[face.axis]
+                && matrix.translation[face.axis] == 0.0;
+            is_exact.then_some(FlatFace {
+                coordinate: face.coordinate / scale,
+                ..face
+            })
+        }
+        _ => None,
     }
 }
 
@@ -225,15 +273,5 @@ mod tests {
         for other in [3.0, -10.0, 0.3, 8.0_f64.next_down()] {
             assert!(!is_power_of_two(other), "{other}");
         }
-    }
-
-    #[test]
-    fn a_point_beyond_a_face_is_outside() {
-        use Ordering::{Equal, Greater, Less};
-        let lower = [Less, Equal, Greater].map(|position| side_of_face(4, position));
-        let upper = [Less, Equal, Greater].map(|position| side_of_face(5, position));
-        let (inside, outside) = (SurfaceSide::Inside, SurfaceSide::Outside);
-        assert_eq!(lower, [outside, inside, inside]);
-        assert_eq!(upper, [inside, inside, outside]);
     }
 }

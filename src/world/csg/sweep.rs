@@ -13,6 +13,7 @@ use super::inside::InsideState;
 use super::program::{BoundGate, CsgProgram};
 use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
+use crate::world::model::Rounding;
 use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;
 use glam::DVec3;
@@ -27,6 +28,8 @@ pub(crate) struct SweepContext<'a> {
     pub(crate) departure: Option<&'a SpawnSurface>,
     /// True for a shadow ray, see [`BoundGate::spares_shadows`].
     pub(crate) is_shadow: bool,
+    /// POV-Ray's rounding of the leaves, which decides about surfaces at almost one distance.
+    pub(crate) rounding: Option<&'a Rounding>,
 }
 
 impl<'a> SweepContext<'a> {
@@ -37,6 +40,7 @@ impl<'a> SweepContext<'a> {
             ray,
             departure: None,
             is_shadow: false,
+            rounding: None,
         }
     }
 }

@@ -297,7 +297,12 @@ impl Lowering {
                     },
                     ..below.clone()
                 };
-                self.add_children(children, signs, &below, program, node, is_hidden)
+                let reverses_hits = combine != Combine::Union || !clips(object).is_empty();
+                let slot = Slot {
+                    parent: node,
+                    ..slot
+                };
+                self.add_children(children, signs, &below, program, slot, reverses_hits)
             }
         }
     }
@@ -331,15 +336,19 @@ impl Lowering {
     }
 
     /// Adds children, each inverse or not by itself, flipped where `signs` says so: a CSG object hands its inversion
-    /// down to its parts, but not to the objects that clip them (measured with POV-Ray).
+    /// down to its parts, but not to the objects that clip them (measured with POV-Ray). The slot is that of the children.
     fn add_children(
         &mut self,
         children: &[Arc<Object>],
         signs: impl Iterator<Item = bool>,
         below: &Inherited,
         program: &mut CsgProgram,
-        node: u32,
-        is_hidden: bool,
+        Slot {
+            parent: node,
+            is_hidden,
+            ..
+        }: Slot,
+        reverses_hits: bool,
     ) -> PartBounds {
         let is_product = program.nodes[node as usize].combine == Combine::Intersection;
         let mut sum = if is_product {
@@ -364,7 +373,9 @@ impl Lowering {
             );
             let first_hit = self.hit_order.len();
             let child = self.add_node(child, below, program, slot);
-            self.hit_order[first_hit..].reverse();
+            if reverses_hits {
+                self.hit_order[first_hit..].reverse();
+            }
             if is_unseen {
                 // A light cuts nothing: intersections and differences ignore it.
                 continue;

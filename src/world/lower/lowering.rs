@@ -63,7 +63,8 @@ pub(crate) struct Lowering {
     /// Bounds of the operands of the current CSG program.
     pub(crate) operand_bounds: Vec<Bounds>,
     /// The operands of the CSG programs being built, in the order of POV-Ray's lists of hits: those of a child are
-    /// reversed in the list of its parent. Of programs within one another the inner one is last.
+    /// reversed in the list of its parent, unless that is a union that is not clipped. Of programs within one another the
+    /// inner one is last.
     pub(crate) hit_order: Vec<u32>,
     /// Objects that the lights of the current object refer to.
     pub(crate) held: Vec<(Holds, Arc<Object>, Inherited)>,

@@ -9,11 +9,11 @@ use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::options::TMinRule;
-use crate::scene::shape::{Geometry, Root, Rounded, RoundedHit, Shape};
+use crate::scene::shape::{Root, Rounded, RoundedHit, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::index::index;
-use crate::world::model::{IndexedItem, ItemBvh};
+use crate::world::model::{IndexedItem, ItemBvh, Model};
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 use crate::world::slabs::SlabTree;
 use smallvec::SmallVec;
@@ -411,9 +411,10 @@ impl World {
 
     /// POV-Ray's rounding of the distance of a hit, if that is known and decides ties.
     fn tie_rounding(&self, of: &ClosestHit) -> Option<&Rounded> {
-        let leaf = self.model.leaves.get(of.hit.leaf as usize)?;
-        let form = self.model.rounding.forms.get(&of.hit.leaf)?;
-        leaf.shape.decides_ties().then_some(form)
+        let Model {
+            rounding, leaves, ..
+        } = &self.model;
+        rounding.of_ties(of.hit.leaf, leaves)
     }
 
     /// The distance of a hit as POV-Ray rounds it where that is known.

@@ -87,6 +87,7 @@ impl Model {
                     ray: search.ray,
                     departure: search.origin_surface,
                     is_shadow: W::ANY,
+                    rounding: Some(&self.rounding),
                 };
                 let mut first = None;
                 program.nearest(context, interval, sweep, |hit| {

@@ -30,6 +30,7 @@ impl Lights {
             ray: &query.ray,
             departure: query.origin_surface.as_ref(),
             is_shadow: true,
+            rounding: None,
         };
         program
             .nearest(context, interval, &mut scratch.sweep, wanted)

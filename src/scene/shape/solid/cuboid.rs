@@ -11,8 +11,8 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::packet::{SpanPacket, Vec3Lanes, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    CLEAR_MARGIN, Crossing, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible, push_span,
-    read, span,
+    CLEAR_MARGIN, Crossing, FlatFace, Geometry, Root, SpanEnd, Start, WELL_INSIDE, first_visible,
+    push_span, read, span,
 };
 use glam::DVec3;
 
@@ -92,17 +92,6 @@ impl Cuboid {
         SpanPacket::new(enter, leave, enter.le(leave), is_slanted)
     }
 
-    /// The axis of a face and its coordinate on it.
-    #[must_use]
-    pub(crate) fn plane_of(&self, face: u32) -> (usize, f64) {
-        let corner = if face.is_multiple_of(2) {
-            self.min
-        } else {
-            self.max
-        };
-        (axis(face), corner[axis(face)])
-    }
-
     /// Position between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
     fn fractions(&self, point: DVec3) -> DVec3 {
         let size = self.max - self.min;
@@ -150,6 +139,18 @@ fn face(axis: usize, is_upper: bool) -> u32 {
 }
 
 impl Geometry for Cuboid {
+    fn flat_face(&self, face: u32) -> Option<FlatFace> {
+        let is_low = face.is_multiple_of(2);
+        let corner = if is_low { self.min } else { self.max };
+        let axis = axis(face);
+        Some(FlatFace {
+            axis,
+            coordinate: corner[axis],
+            is_low,
+            is_closed: true,
+        })
+    }
+
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         push_span(self.span(ray), roots)
     }
@@ -270,7 +271,9 @@ mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
     use crate::base::math::sampling::random::Random;
+    use crate::scene::shape::SurfaceSide;
     use crate::scene::shape::tests::check;
+    use std::cmp::Ordering;
 
     fn cube() -> Cuboid {
         Cuboid::new(DVec3::splat(-1.0), DVec3::ONE)
@@ -281,6 +284,18 @@ mod tests {
         let cuboid = Cuboid::new(DVec3::new(-1.0, 0.5, 3.0), DVec3::new(0.3, -2.0, 4.5));
         check::solid(&cuboid);
         check::scales_exactly(&cuboid, |k| Cuboid::new(cuboid.min * k, cuboid.max * k));
+    }
+
+    #[test]
+    fn a_point_beyond_a_face_is_outside() {
+        use Ordering::{Equal, Greater, Less};
+        let sides = |face: u32| {
+            let face = cube().flat_face(face).unwrap();
+            [Less, Equal, Greater].map(|position| face.side(position))
+        };
+        let (inside, outside) = (SurfaceSide::Inside, SurfaceSide::Outside);
+        assert_eq!(sides(4), [outside, inside, inside]);
+        assert_eq!(sides(5), [inside, inside, outside]);
     }
 
     #[test]

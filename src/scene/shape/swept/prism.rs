@@ -14,7 +14,7 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::Slab;
-use crate::scene::shape::{Geometry, Root, Start, read};
+use crate::scene::shape::{FlatFace, Geometry, Root, Start, read};
 use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -370,6 +370,18 @@ fn bezier_outline(points: &[DVec2]) -> Result<Outline, Fault> {
 }
 
 impl Geometry for Prism {
+    /// A cap of a linear sweep.
+    fn flat_face(&self, face: u32) -> Option<FlatFace> {
+        let is_low = face == 1;
+        let is_cap = self.sweep == Sweep::Linear && face != 0;
+        is_cap.then_some(FlatFace {
+            axis: 1,
+            coordinate: if is_low { self.low } else { self.high },
+            is_low,
+            is_closed: is_low,
+        })
+    }
+
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         with_widest(
             #[inline(always)]

@@ -1,5 +1,6 @@
 use super::*;
 use crate::base::args::text::TextArgs;
+use crate::scene::shape::SurfaceSide;
 use crate::scene::shape::tests::check;
 
 fn prism(text: &str) -> Prism {
@@ -21,6 +22,18 @@ fn roots(prism: &Prism, ray: &Ray) -> Vec<Root> {
     let mut roots = Vec::new();
     prism.roots(ray, &mut roots);
     roots
+}
+
+#[test]
+fn the_lower_cap_belongs_to_the_inside_and_the_upper_does_not() {
+    let prism = prism(&format!("-1, 1, {L}"));
+    let on = |face: u32| {
+        let face = prism.flat_face(face)?;
+        Some((face.coordinate, face.side(std::cmp::Ordering::Equal)))
+    };
+    assert_eq!(on(0), None);
+    assert_eq!(on(1), Some((-1.0, SurfaceSide::Inside)));
+    assert_eq!(on(2), Some((1.0, SurfaceSide::Outside)));
 }
 
 #[test]
