@@ -13,8 +13,8 @@ use random::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Number of scenes, about twenty seconds of reading.
-const SCENES: u64 = 6_000;
+/// Number of scenes, about ten seconds of reading.
+const SCENES: u64 = 2_000;
 /// Token limit of loops and macros; the loops of the valid scenes end before.
 const PATIENCE: u64 = 100_000;
 /// Findings of each scene that are formatted as messages.

@@ -103,7 +103,7 @@ mod tests {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", format!("#version 3.7;\n{text}"));
         let mut options = ReadOptions::default();
-        options.max_repeated_tokens = options.max_repeated_tokens.min(20_000_000);
+        options.max_repeated_tokens = options.max_repeated_tokens.min(5_000_000);
         let reading = evaluate(file, &mut sources, &options);
         let is_error =
             |finding: &&crate::base::source::Diagnostic| finding.severity == Severity::Error;
