@@ -1,4 +1,5 @@
 // The container cuts a parametric surface, whose inside is seen.
+// size: 96x72
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1, 1.5, -4> look_at 0 angle 45 }

@@ -1,4 +1,5 @@
 // A parametric tube, open in front, casts a shadow on itself.
+// size: 96x72
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1.5, -4> look_at 0 angle 45 }
