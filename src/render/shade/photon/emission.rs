@@ -4,6 +4,7 @@
 //! covered or a ring has missed it. The order of all random numbers is POV-Ray's.
 
 use super::path::{PhotonPath, PhotonTally};
+use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::sampling::mersenne::Stream;
@@ -370,6 +371,7 @@ impl<'p> PhotonTally<'p> {
             target: 0,
             spread: 0.0,
             path_length: 0.0,
+            filter: Rgb::WHITE,
             random: Stream::default(),
             has_hit: false,
             count: 0,

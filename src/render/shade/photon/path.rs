@@ -35,6 +35,8 @@ pub(in crate::render::shade) struct PhotonTally<'p> {
     /// The length of the path of the current photon so far. What was added to it at a surface is subtracted behind it, so
     /// that later branches share POV-Ray's rounding.
     pub(in crate::render::shade) path_length: f64,
+    /// The transmittance of the layers of the surface that was refracted through last.
+    pub(in crate::render::shade) filter: Rgb,
     /// The random numbers of directions.
     pub(in crate::render::shade) random: Stream,
     /// A photon of the current ring has hit the target.
@@ -294,6 +296,7 @@ impl<'w> Tracer<'w> {
         };
         let mut is_total = false;
         if refracts && f64::from(filter.map(f32::abs).grey()) > tally.photons.adc_bailout {
+            tally.filter = filter;
             is_total = self.refract(&interaction, tally, scratch);
         }
         if !reflects {
@@ -336,7 +339,9 @@ impl<'w> Tracer<'w> {
             let is_total = matches!(bent, Refraction::Total);
             let (inside, light) = match is_total {
                 true => (&path.inside, light),
-                false => (&crossing.inside, light * interaction.filter),
+                // As in POV-Ray, dispersed light after the first wavelength is filtered as by the surface that the one
+                // before it passed last.
+                false => (&crossing.inside, light * tally.filter),
             };
             let dir = match bent {
                 Refraction::None => path.ray.dir,
