@@ -173,10 +173,10 @@ impl CsgProgram {
     /// matrix coincide, or those of boxes and prisms; `None` for other shapes and where it may differ from ray to ray.
     ///
     /// In POV-Ray the point has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the last bit for
-    /// all directions at which a face is looked at squarely and for most others, unless that is a power of two, next to
-    /// which numbers are twice as dense. Rays of the camera start at one point, so that it is the same all over a
-    /// face; for others it must not depend on the last bit of where they start. The distance of a prism has more
-    /// roundings, so that its own point varies; but that of the box decides whether anything shows.
+    /// all directions at which a face is looked at squarely and for most others. Below a power of two, where numbers are
+    /// twice as dense, it may be the number before; that must not matter. Rays of the camera start at one point, so that
+    /// it is the same all over a face; for others it must not depend on the last bit of where they start. The distance of
+    /// a prism has more roundings, so that its own point varies; but that of the box decides whether anything shows.
     fn rounded_position(&self, events: &[Event], context: SweepContext) -> Option<Ordering> {
         let mut common = None;
         let mut has_exact_point = false;
@@ -193,11 +193,13 @@ impl CsgProgram {
             return None;
         }
         let (axis, coordinate) = common?;
-        let position = |origin: f64| (origin + (coordinate - origin)).partial_cmp(&coordinate);
+        let position = |origin: f64| {
+            let offset = coordinate - origin;
+            let at = |offset: f64| (origin + offset).partial_cmp(&coordinate);
+            let is_certain = !is_power_of_two(offset) || at(toward_zero(offset)) == at(offset);
+            at(offset).filter(|_| is_certain)
+        };
         let origin = context.ray.origin[axis];
-        if is_power_of_two(coordinate - origin) {
-            return None;
-        }
         let own = position(origin);
         let is_from_camera = context.departure.is_none() && !context.is_shadow;
         let is_even = || [origin.next_down(), origin.next_up()].map(position) == [own; 2];
@@ -256,6 +258,11 @@ fn flat_face(leaf: &Leaf, event: &Event) -> Option<FlatFace> {
     }
 }
 
+/// The number next to one in the direction of zero; zero itself for zero.
+fn toward_zero(number: f64) -> f64 {
+    f64::from_bits(number.abs().to_bits().saturating_sub(1)).copysign(number)
+}
+
 /// True for powers of two, their negatives and zero.
 fn is_power_of_two(number: f64) -> bool {
     number.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1
@@ -264,6 +271,15 @@ fn is_power_of_two(number: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_have_one_next_to_them_in_the_direction_of_zero() {
+        assert_eq!(
+            [1.0, -1.0].map(toward_zero),
+            [1.0_f64.next_down(), (-1.0_f64).next_up()]
+        );
+        assert_eq!(toward_zero(0.0), 0.0);
+    }
 
     #[test]
     fn powers_of_two_are_recognized() {
