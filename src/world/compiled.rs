@@ -109,7 +109,7 @@ pub struct World {
     /// Properties of the surfaces as a whole.
     pub(super) summary: SurfaceSummary,
     pub(super) least_distance: TMinRule,
-    /// Distance from which hits are ignored; infinite unless POV-Ray's distances are followed.
+    /// Distance from which hits are ignored: that of POV-Ray with radiosity or where its distances are followed, else infinite.
     pub(super) t_max: f64,
     pub(super) light_buffers: LightBuffers,
     /// True if packets of four incoherent rays intersect the unbounded items: some are CSG programs that suit packets.

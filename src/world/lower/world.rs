@@ -50,6 +50,11 @@ impl World {
             Some(_) if scene.version >= 3.7 => Rgb::BLACK,
             _ => scene.globals.ambient_light,
         };
+        // A ray of radiosity that hits a plane farther away makes a sample, which shifts the directions of all after it.
+        let t_max = match radiosity {
+            Some(_) => POV_RAY_T_MAX * scene.globals.unit,
+            None => f64::INFINITY,
+        };
         let summary = SurfaceSummary::of(&flat.surfaces);
         let subsurface = scene.globals.subsurface;
         let subsurface = subsurface
@@ -94,7 +99,7 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.t_min_rule,
-            t_max: f64::INFINITY,
+            t_max,
             summary,
             radiosity,
             subsurface,
