@@ -3,7 +3,7 @@
 //! directions are better traversed as a [`super::Bundle`].
 
 use super::bundle::NewEnds;
-use super::node::{Child, ChildKind, FrameRay, WIDTH};
+use super::node::{Child, ChildKind, FrameRay, WIDTH, min_f32};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
@@ -15,8 +15,8 @@ pub(crate) const MAX_STREAM_RAYS: usize = 8;
 struct NodeHits {
     /// The smallest parameter at which a ray enters each box.
     enter: [f32; WIDTH],
-    /// Mask of the rays that may hit each box.
-    rays: [u32; WIDTH],
+    /// For each ray a byte, with a bit for each box that it may hit.
+    hits: u64,
     /// Mask of the boxes that any ray may hit.
     boxes: u32,
 }
@@ -24,7 +24,7 @@ struct NodeHits {
 impl NodeHits {
     const NONE: NodeHits = NodeHits {
         enter: [f32::INFINITY; WIDTH],
-        rays: [0; WIDTH],
+        hits: 0,
         boxes: 0,
     };
 
@@ -32,14 +32,27 @@ impl NodeHits {
     #[inline(always)]
     fn add_ray(&mut self, lane: usize, enter: [f32; WIDTH], hits: u32) {
         self.boxes |= hits;
-        let boxes = enter.iter().zip(&mut self.enter).zip(&mut self.rays);
-        for (slot, ((enter, first), rays)) in boxes.enumerate() {
-            let is_hit = hits >> slot & 1;
-            *rays |= is_hit << lane;
-            if is_hit == 1 && enter < first {
-                *first = *enter;
-            }
+        self.hits |= u64::from(hits) << (8 * lane);
+        // Most rays hit few of the boxes.
+        let mut left = hits;
+        while left != 0 {
+            let slot = left.trailing_zeros() as usize % WIDTH;
+            left &= left - 1;
+            self.enter[slot] = min_f32(enter[slot], self.enter[slot]);
         }
+    }
+
+    /// Mask of the rays that may hit a box.
+    #[inline(always)]
+    fn rays(&self, slot: usize) -> u32 {
+        /// The lowest bit of each byte.
+        const ONE_OF_EACH: u64 = 0x0101_0101_0101_0101;
+        /// Moves the lowest bit of byte `i` to bit `56 + i`; no two products fall on one bit.
+        const GATHER: u64 = 0x0102_0408_1020_4080;
+        let [.., rays] = (self.hits >> slot & ONE_OF_EACH)
+            .wrapping_mul(GATHER)
+            .to_le_bytes();
+        u32::from(rays)
     }
 }
 
@@ -80,7 +93,7 @@ impl Bvh {
                         node_hits.add_ray(lane, enter, hits);
                     }
                     let bottom = pending.reserve();
-                    let child_at = |slot: usize| Some((node.child(slot)?, node_hits.rays[slot]));
+                    let child_at = |slot: usize| Some((node.child(slot)?, node_hits.rays(slot)));
                     nearest_child(
                         &node_hits.enter,
                         node_hits.boxes,
@@ -101,7 +114,7 @@ impl Bvh {
                     let first = self.first_items[number as usize];
                     #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
                     let child_at = |slot: usize| {
-                        Some((Child::of_item(first + slot as u32), node_hits.rays[slot]))
+                        Some((Child::of_item(first + slot as u32), node_hits.rays(slot)))
                     };
                     nearest_child(
                         &node_hits.enter,
@@ -138,4 +151,37 @@ impl Bvh {
 #[inline(always)]
 fn set_bits(bits: u32) -> impl Iterator<Item = usize> {
     (0..MAX_STREAM_RAYS).filter(move |lane| bits >> lane & 1 == 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::math::rounding::nearest;
+    use crate::base::math::sampling::random::Random;
+
+    #[test]
+    fn boxes_get_the_rays_that_hit_them_and_the_first_entry() {
+        let mut rng = Random::new(6);
+        for _ in 0..2000 {
+            let mut node_hits = NodeHits::NONE;
+            let mut rays = Vec::new();
+            for lane in 0..MAX_STREAM_RAYS {
+                let mut bit = |slot: usize| u32::from(rng.uniform() < 0.4) << slot;
+                let hits = (0..WIDTH).fold(0, |hits, slot| hits | bit(slot));
+                let enter: [f32; WIDTH] = std::array::from_fn(|_| nearest(rng.uniform()));
+                node_hits.add_ray(lane, enter, hits);
+                rays.push((enter, hits));
+            }
+            for slot in 0..WIDTH {
+                let is_hit = |ray: &&([f32; WIDTH], u32)| ray.1 >> slot & 1 == 1;
+                let entries = rays.iter().filter(is_hit).map(|ray| ray.0[slot]);
+                let first = entries.fold(f32::INFINITY, f32::min);
+                assert_eq!(node_hits.enter[slot], first);
+                let lanes = (0..MAX_STREAM_RAYS).filter(|&lane| is_hit(&&rays[lane]));
+                let mask = lanes.fold(0, |mask, lane| mask | 1 << lane);
+                assert_eq!(node_hits.rays(slot), mask);
+                assert_eq!(node_hits.boxes >> slot & 1 == 1, mask != 0);
+            }
+        }
+    }
 }
