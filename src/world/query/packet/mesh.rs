@@ -259,10 +259,88 @@ impl World {
         rays: PointBundle,
         scratch: &mut QueryScratch,
     ) -> bool {
-        let PointBundle {
-            bundle,
-            point: origin,
-        } = rays;
+        self.traverse_meshes(
+            lanes,
+            (bests.len(), stream),
+            (rays, 1.0),
+            scratch,
+            #[inline(always)]
+            |stream, item, ray, hit| {
+                let far = stream.t_max(ray);
+                let best = &mut bests[ray];
+                // Of several triangles at the same distance, the first in the list wins.
+                if let Some(best) = best
+                    && best.item == item
+                    && best.hit.root.t == hit.root.t
+                {
+                    if hit.root.face < best.hit.root.face {
+                        best.hit = hit;
+                    }
+                    return None;
+                }
+                let query = query(ray);
+                if !self.is_seen(&hit, query.kind) {
+                    return None;
+                }
+                let new = self.accept_if_closer(item, hit, &query, far, best);
+                (new < far).then(|| {
+                    stream.shorten(ray, new);
+                    new
+                })
+            },
+        )
+    }
+
+    /// Same for shadow rays to a light at the point: updates `occlusions`.
+    #[inline(always)]
+    pub(in crate::world) fn occlude_by_meshes(
+        &self,
+        lanes: SimdLevel,
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
+        query: impl Fn(usize) -> Query,
+        rays: PointBundle,
+        scratch: &mut QueryScratch,
+    ) -> bool {
+        self.traverse_meshes(
+            lanes,
+            (occlusions.len(), stream),
+            (rays, -1.0),
+            scratch,
+            #[inline(always)]
+            |_, _, ray, hit| {
+                let occlusion = &mut occlusions[ray];
+                if *occlusion == Occlusion::Opaque {
+                    return None;
+                }
+                let query = query(ray);
+                let is_self_hit = query
+                    .origin_surface
+                    .is_some_and(|origin| origin.leaf == hit.leaf && origin.face == hit.root.face);
+                if is_self_hit || hit.root.t >= query.t_max {
+                    return None;
+                }
+                self.blocks_light(&hit, &query, occlusion).then(|| {
+                    *occlusion = Occlusion::Opaque;
+                    f64::NEG_INFINITY
+                })
+            },
+        )
+    }
+
+    /// Traverses the large meshes in the frustum of a bundle of `count` rays, which start (`sign` 1) or end (`sign` -1)
+    /// at its point. `meet` gets the item, the ray and the hit of each ray within its limits, and returns the new end of
+    /// the ray if it is shortened. Returns false if some mesh could not be traversed by a bundle.
+    #[inline(always)]
+    fn traverse_meshes(
+        &self,
+        lanes: SimdLevel,
+        (count, stream): (usize, &mut RayStream),
+        (PointBundle { bundle, point }, sign): (PointBundle, f64),
+        scratch: &mut QueryScratch,
+        mut meet: impl FnMut(&mut RayStream, u32, usize, RawHit) -> Option<f64>,
+    ) -> bool {
+        let common = CommonPoint { point, sign };
         for &item in &self.meshes {
             let Some(mesh_query) = self
                 .mesh_query(item)
@@ -271,12 +349,7 @@ impl World {
                 continue;
             };
             let mut buffers = std::mem::take(&mut scratch.mesh);
-            let count = bests.len();
             let mut bundle_of_mesh = std::mem::take(&mut buffers.bundle);
-            let common = CommonPoint {
-                point: origin,
-                sign: 1.0,
-            };
             let is_done = mesh_query.enter(
                 lanes,
                 &mut buffers,
@@ -301,108 +374,9 @@ impl World {
                         #[inline(always)]
                         |stream, ray, t, speed| {
                             let hit = mesh_query.hit(t, face);
-                            let far = stream.t_max(ray);
-                            let best = &mut bests[ray];
-                            // Of several triangles at the same distance, the first in the list wins.
-                            if let Some(best) = best
-                                && best.item == item.number
-                                && best.hit.root.t == t
-                            {
-                                if face < best.hit.root.face {
-                                    best.hit = hit;
-                                }
-                                return;
-                            }
-                            let query = query(ray);
-                            if !self.is_seen(&hit, query.kind) {
-                                return;
-                            }
-                            let new = self.accept_if_closer(item.number, hit, &query, far, best);
-                            if new < far {
-                                stream.shorten(ray, new);
-                                bundle.shorten(ray, new);
-                                ended.set(ray - first, new * speed);
-                            }
-                        },
-                    );
-                },
-            );
-            buffers.bundle = bundle_of_mesh;
-            scratch.mesh = buffers;
-            if !is_done {
-                return false;
-            }
-        }
-        true
-    }
-
-    /// Same for shadow rays to a light at `centre`: updates `occlusions`.
-    #[inline(always)]
-    pub(in crate::world) fn occlude_by_meshes(
-        &self,
-        lanes: SimdLevel,
-        stream: &mut RayStream,
-        occlusions: &mut [Occlusion],
-        query: impl Fn(usize) -> Query,
-        rays: PointBundle,
-        scratch: &mut QueryScratch,
-    ) -> bool {
-        let PointBundle {
-            bundle,
-            point: centre,
-        } = rays;
-        for &item in &self.meshes {
-            let Some(mesh_query) = self
-                .mesh_query(item)
-                .filter(|_| self.may_meet(bundle, item))
-            else {
-                continue;
-            };
-            let mut buffers = std::mem::take(&mut scratch.mesh);
-            let count = occlusions.len();
-            let mut bundle_of_mesh = std::mem::take(&mut buffers.bundle);
-            let common = CommonPoint {
-                point: centre,
-                sign: -1.0,
-            };
-            let is_done = mesh_query.enter(
-                lanes,
-                &mut buffers,
-                &mut bundle_of_mesh,
-                common,
-                count,
-                stream,
-            ) && mesh_query.mesh.tree().traverse_bundle(
-                lanes,
-                &mut bundle_of_mesh,
-                #[inline(always)]
-                |face, first, active, ended| {
-                    mesh_query.intersect(
-                        lanes,
-                        &mut buffers,
-                        stream,
-                        TriangleRays {
-                            face,
-                            first,
-                            active,
-                        },
-                        #[inline(always)]
-                        |_, ray, t, _| {
-                            if occlusions[ray] == Occlusion::Opaque {
-                                return;
-                            }
-                            let query = query(ray);
-                            let is_self_hit = query.origin_surface.is_some_and(|origin| {
-                                origin.leaf == mesh_query.number && origin.face == face
-                            });
-                            if is_self_hit || t >= query.t_max {
-                                return;
-                            }
-                            let hit = mesh_query.hit(t, face);
-                            if self.blocks_light(&hit, &query, &mut occlusions[ray]) {
-                                occlusions[ray] = Occlusion::Opaque;
-                                bundle.shorten(ray, f64::NEG_INFINITY);
-                                ended.set(ray - first, f64::NEG_INFINITY);
+                            if let Some(end) = meet(stream, item.number, ray, hit) {
+                                bundle.shorten(ray, end);
+                                ended.set(ray - first, end * speed);
                             }
                         },
                     );
@@ -561,7 +535,8 @@ impl MeshQuery<'_> {
                     queries: rays,
                     leaf: self.leaf,
                 });
-                let frames = TriangleFrames::new(&own);
+                // Many packets that hit the box of a mesh reach no triangle.
+                let mut frames = None;
                 self.mesh.tree().traverse_stream(
                     lanes,
                     active,
@@ -569,6 +544,10 @@ impl MeshQuery<'_> {
                     |lane| (own[lane % 4], t_max[lane % 4]),
                     #[inline(always)]
                     |face, active, ended| {
+                        let frames = frames.get_or_insert_with(
+                            #[inline(always)]
+                            || TriangleFrames::new(&own),
+                        );
                         frames.intersect(lanes, self.mesh, face, active, |lane, t| {
                             let lane = lane % 4;
                             // Of several triangles at the same distance, the first in the list wins.
