@@ -252,6 +252,10 @@ impl Surface {
                 SurfaceFlags::NEARLY_PLAIN,
                 is_one && texture.is_nearly_plain() && !uses_uv,
             ),
+            (
+                SurfaceFlags::PLAIN_FINISHES,
+                !has(&|layer| !layer.has_plain_finish()),
+            ),
             (SurfaceFlags::BUMPY, has(&|layer| layer.normal().is_some())),
             (SurfaceFlags::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
             (
@@ -372,7 +376,8 @@ impl Surface {
     }
 
     /// True if rays go on from it: a texture of it reflects, or lets light through.
-    pub(super) fn sends_rays(&self) -> bool {
+    #[must_use]
+    pub fn sends_rays(&self) -> bool {
         self.textures()
             .any(|texture| texture.has_reflection() || !texture.is_opaque())
     }
@@ -434,6 +439,12 @@ impl Surface {
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
         self.traits.has(SurfaceFlags::NEARLY_PLAIN)
+    }
+
+    /// Returns true if all layers of its textures have only diffuse light, highlights and reflection.
+    #[must_use]
+    pub fn has_plain_finishes(&self) -> bool {
+        self.traits.has(SurfaceFlags::PLAIN_FINISHES)
     }
 
     /// Returns true if some layer scatters light below the surface, where the scene enables it.

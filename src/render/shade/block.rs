@@ -1,9 +1,9 @@
 //! Tracing a block of pixels. Camera rays are traced as a bundle, shadow rays are traced light by light for all hits
-//! ([`super::direct::block`]), and plain surfaces are shaded four at a time ([`super::direct::packet`]). Reflected and
-//! refracted rays of plain surfaces form a wavefront ([`super::wavefront`]). Every other pixel takes the scalar path.
+//! ([`super::direct::block`]), and most surfaces are shaded four at a time ([`super::direct::packet`]). Reflected and
+//! refracted rays form a wavefront ([`super::wavefront`]). Every other pixel takes the scalar path.
 
-use super::direct::block_hits::BlockHits;
-use super::direct::packet::{RadiancePacket4, RaySource, ShadeBuffers};
+use super::direct::block_hits::{BlockHits, RaySource};
+use super::direct::packet::{RadiancePacket4, ShadeBuffers};
 use super::shade_cache::ShadeCache;
 use super::shading_point::LightSamples;
 use super::wavefront::{MANY_LIGHTS, PixelSamples, SMALL_BATCH, Wavefront};
@@ -313,7 +313,7 @@ impl Tracer<'_> {
                     for (lane, &(x, y)) in positions.iter().enumerate() {
                         let number = 4 * packet + lane;
                         let secondary = seen
-                            .secondary(lane)
+                            .secondary(&scratch.all.hits[packet], lane)
                             .filter(|_| scratch.wavefront.has_capacity());
                         let sample = match (seen.sample(lane), secondary) {
                             (Some(sample), _) => sample,

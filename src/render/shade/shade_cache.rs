@@ -43,6 +43,22 @@ impl PlainMaterial {
         transmittance: Rgb::BLACK,
         lights: LightList::OUTSIDE,
     };
+
+    /// The material of a layer of this colour without secondary rays.
+    #[inline(always)]
+    pub(super) fn new(own: Rgb, bsdf: &LayerBsdf, surface: &Surface, color: Color) -> Self {
+        let finish = bsdf.finish;
+        PlainMaterial {
+            own,
+            rgb: bsdf.rgb,
+            diffuse: f64::from(finish.diffuse) * bsdf.opacity,
+            is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
+            is_brilliant: finish.brilliance != 1.0,
+            has_secondary: false,
+            transmittance: color.transmission(),
+            lights: surface.lights,
+        }
+    }
 }
 
 /// A per-thread, direct-mapped cache of the materials of single-colour surfaces.
@@ -102,23 +118,16 @@ impl Tracer<'_> {
         color: impl FnOnce(&PreparedPigment) -> Color,
     ) -> Option<PlainMaterial> {
         let layer = surface.texture.layers().first()?;
-        let finish = &*layer.finish;
         let has_secondary = !surface.is_plain();
         let is_known = !has_secondary || surface.is_nearly_plain() && self.fast_paths.wavefront;
         if !is_known {
             return None;
         }
         let color = color(&layer.pigment);
-        let (own, LayerBsdf { rgb, opacity, .. }) = self.layer_bsdf(layer, color);
+        let (own, bsdf) = self.layer_bsdf(layer, color);
         Some(PlainMaterial {
-            own,
-            rgb,
-            diffuse: f64::from(finish.diffuse) * opacity,
-            is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
-            is_brilliant: finish.brilliance != 1.0,
             has_secondary,
-            transmittance: color.transmission(),
-            lights: surface.lights,
+            ..PlainMaterial::new(own, &bsdf, surface, color)
         })
     }
 }

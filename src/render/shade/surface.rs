@@ -105,6 +105,7 @@ pub(super) struct TextureShading<'a, 't> {
 }
 
 /// A reflection to be traced.
+#[derive(Clone, Copy)]
 pub(super) struct Mirror<'f> {
     pub(super) reflectivity: Rgb,
     pub(super) weight: f64,
@@ -396,19 +397,10 @@ impl<'w> Tracer<'w> {
             }
             own += indirect;
             shaded.rgb += own * filter;
-            if self.quality.has_reflection && layer.finish.has_reflection() {
+            if self.quality.has_reflection {
                 let ior = || self.relative_ior(&path.inside, surface.interior);
-                let rule = self.world.globals.normalization();
-                let mut mirror = mirror(rule, &lit.at, flat, &layer.finish, color.rgb, ior);
-                // The weight falls although the layers above do not darken the reflection.
-                mirror.weight *= f64::from(filter.grey());
-                if layer.finish.use_alpha {
-                    mirror.reflectivity = mirror.reflectivity * bsdf.opacity;
-                }
-                if layer.finish.conserve_energy {
-                    filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
-                }
-                shaded.mirrors.push(mirror);
+                let mirror = self.layer_mirror(&lit.at, flat, &bsdf, ior, &mut filter);
+                shaded.mirrors.extend(mirror);
             }
             filter *= color.transmission();
             if self.is_opaque(path.irradiance_depth, filter) {
@@ -454,6 +446,34 @@ impl<'w> Tracer<'w> {
         let own = color.rgb * finish.ambient * self.world.globals.ambient_light
             + color.rgb * finish.emission;
         (own * bsdf.opacity, bsdf)
+    }
+
+    /// The reflection of a layer behind this filter, if it reflects; updates the filter. `ior` gives the relative index
+    /// of refraction behind the surface, `flat` is the normal without bump mapping.
+    #[inline]
+    pub(super) fn layer_mirror<'l>(
+        &self,
+        at: &ViewPoint,
+        flat: DVec3,
+        bsdf: &LayerBsdf<'l>,
+        ior: impl FnOnce() -> f64,
+        filter: &mut Rgb,
+    ) -> Option<Mirror<'l>> {
+        let finish = bsdf.finish;
+        if !finish.has_reflection() {
+            return None;
+        }
+        let rule = self.world.globals.normalization();
+        let mut mirror = mirror(rule, at, flat, finish, bsdf.rgb, ior);
+        // The weight falls although the layers above do not darken the reflection.
+        mirror.weight *= f64::from(filter.grey());
+        if finish.use_alpha {
+            mirror.reflectivity = mirror.reflectivity * bsdf.opacity;
+        }
+        if finish.conserve_energy {
+            *filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
+        }
+        Some(mirror)
     }
 
     /// Traces the reflection of one layer.

@@ -5,11 +5,11 @@
 
 use super::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use super::bsdf::{ViewPoint, facing_normal};
-use super::direct::block_hits::BlockHits;
-use super::direct::packet::{RadiancePacket4, RaySource, SecondarySurface, ShadeBuffers, viewed};
+use super::direct::block_hits::{BlockHits, RaySource};
+use super::direct::packet::{RadiancePacket4, SecondarySurface, ShadeBuffers};
 use super::direct::shadow_cache::ShadowCache;
 use super::shading_point::LightSamples;
-use super::surface::{Mirror, TextureShading, TextureUse, mirror, mirrored_off};
+use super::surface::{Mirror, TextureShading, TextureUse, mirrored_off};
 use super::transmission::interior_stack::{Refraction, bend};
 use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Scratch, Tracer};
 use crate::base::color::Rgb;
@@ -299,32 +299,18 @@ impl Tracer<'_> {
         secondary: &SecondarySurface,
         scratch: &mut Scratch,
     ) {
-        let finish = secondary.finish;
-        let at = viewed(hits, lane);
         let spawn_point = SpawnPoint {
-            at,
-            flat: at.normal,
+            at: secondary.at,
+            flat: hits.facing(lane),
             spawn_surface: hits.spawn_surface(lane),
             t: hits.t[lane],
             surface: hits.surface[lane],
         };
-        let mut filter = Rgb::WHITE;
-        let mut image = None;
-        if finish.has_reflection() {
-            let interior = self.world.surfaces[spawn_point.surface as usize].interior;
-            let ior = || self.relative_ior(&wavefront.interior_stacks[incoming.inside], interior);
-            let rule = self.world.globals.normalization();
-            let mirror = mirror(rule, &at, at.normal, finish, secondary.pigment, ior);
-            if finish.conserve_energy {
-                filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
-            }
-            image = Some(mirror);
-        }
-        filter *= secondary.transmittance;
+        let filter = secondary.transmittance;
         let light = SurfaceLight {
             own: secondary.own,
             passing: (!self.is_opaque(0, filter)).then_some(filter),
-            mirror: image.as_ref(),
+            mirror: secondary.mirror.as_ref(),
             film: None,
             atmosphere: self.atmosphere_before(
                 hits,
@@ -523,7 +509,9 @@ impl Tracer<'_> {
                     };
                     self.shade_packet4(&slice, packet, rays.len(), &all, buffers, &mut seen);
                     for (lane, onward) in onwards.iter().enumerate() {
-                        let secondary = seen.secondary(lane).filter(|_| wavefront.has_capacity());
+                        let secondary = seen
+                            .secondary(&all.hits[packet], lane)
+                            .filter(|_| wavefront.has_capacity());
                         let sample = match (seen.sample(lane), secondary) {
                             (Some(sample), _) => sample,
                             (None, Some(secondary)) => {

@@ -238,14 +238,7 @@ impl PreparedTexture {
     pub fn is_nearly_plain(&self) -> bool {
         match self.layers() {
             [layer] if self.selector().is_none() => {
-                let finish = &layer.finish;
-                layer.normal().is_none()
-                    && finish.crand <= 0.0
-                    && finish.subsurface.is_none()
-                    && finish.fresnel == 0.0
-                    && !finish.use_alpha
-                    && finish.irid.amount <= 0.0
-                    && (!finish.has_reflection() || finish.reflection.exponent == 1.0)
+                layer.normal().is_none() && layer.has_plain_finish()
             }
             _ => false,
         }
@@ -307,6 +300,18 @@ impl PreparedLayer {
     #[inline]
     pub fn normal(&self) -> Option<&PreparedNormal> {
         self.extras.as_ref()?.normal.as_ref()
+    }
+
+    /// True for diffuse light, highlights and reflection alone: no thin film, `crand` or subsurface light.
+    #[must_use]
+    pub fn has_plain_finish(&self) -> bool {
+        let finish = &self.finish;
+        finish.crand <= 0.0
+            && finish.subsurface.is_none()
+            && finish.fresnel == 0.0
+            && !finish.use_alpha
+            && finish.irid.amount <= 0.0
+            && (!finish.has_reflection() || finish.reflection.exponent == 1.0)
     }
 
     fn uses_uv(&self) -> bool {
@@ -521,6 +526,27 @@ mod tests {
     fn reflection_is_recognized() {
         assert!(prepare("{ finish { reflection 0.5 } }", &[]).has_reflection());
         assert!(!prepare("{ finish { reflection 0 } }", &[]).has_reflection());
+    }
+
+    #[test]
+    fn films_grain_and_light_in_the_surface_are_no_plain_finish() {
+        let is_plain = |finish: &str| {
+            let texture = prepare(
+                &format!("{{ finish {{ {finish} }} normal {{ bumps }} }}"),
+                &[],
+            );
+            texture.layers()[0].has_plain_finish()
+        };
+        assert!(is_plain(
+            "phong 1 specular 1 diffuse 0.3, 0.2 reflection { 0.2 metallic }"
+        ));
+        for finish in [
+            "crand 0.1",
+            "irid { 0.3 }",
+            "reflection { 0.2 exponent 0.5 }",
+        ] {
+            assert!(!is_plain(finish), "{finish}");
+        }
     }
 
     #[test]

@@ -51,6 +51,7 @@ impl SurfaceFlags {
     pub(crate) const DOUBLE_ILLUMINATE: u32 = 1 << 15;
     pub(crate) const UV_MAPPING: u32 = 1 << 16;
     pub(crate) const SUBSURFACE: u32 = 1 << 17;
+    pub(crate) const PLAIN_FINISHES: u32 = 1 << 18;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 

@@ -1,6 +1,8 @@
-//! Camera hits of a block with their light samples.
+//! Hits of a block with their rays and light samples.
 
-use crate::world::{HitPacket4, Occlusion, ShadowPacket4};
+use crate::render::shade::Path;
+use crate::world::{HitPacket4, InteriorId, Occlusion, RayKind, ShadowPacket4};
+use glam::DVec3;
 
 /// Hits of many rays, with their shadow rays.
 #[derive(Debug, Default)]
@@ -28,4 +30,16 @@ pub(crate) struct LightSortedOrder {
     /// The hits sorted by their direction from the light.
     pub(crate) sorted: Vec<u16>,
     pub(crate) occlusions: Vec<Occlusion>,
+}
+
+/// The rays that hit a packet of surfaces.
+pub(in crate::render::shade) trait RaySource {
+    /// The kind of the ray in this lane.
+    fn kind(&self, lane: usize) -> RayKind;
+    /// The common kind of all rays, if there is one.
+    fn common_kind(&self) -> Option<RayKind>;
+    /// The interiors around the ray in this lane.
+    fn inside(&self, lane: usize) -> &[InteriorId];
+    /// The path of the ray in this lane, in this direction.
+    fn path(&self, lane: usize, dir: DVec3) -> Path;
 }

@@ -4,6 +4,7 @@ pub(super) mod area;
 pub(super) mod block;
 pub(super) mod block_hits;
 pub(super) mod light;
+mod materials;
 pub(super) mod opaque;
 pub(super) mod packet;
 pub(super) mod shadow_cache;

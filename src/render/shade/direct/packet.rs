@@ -1,29 +1,21 @@
 //! The fast path of shading ([`super::opaque`]) for packets of four hits, and the own light of surfaces that reflect or
-//! refract ([`crate::render::shade::wavefront`]). Lanes that need more than diffuse light and highlights are left to the scalar path.
+//! refract ([`crate::render::shade::wavefront`]). Lanes that need more than diffuse light and highlights of any number of
+//! layers, and the secondary rays of one texture, are left to the scalar path.
 
-use super::block_hits::BlockHits;
+use super::block_hits::{BlockHits, RaySource};
+use super::materials::{
+    BLACK, LayerPacket4, MaterialPacket4, RgbPacket, all_of, each_lane, one_of, put,
+};
 use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
-use crate::render::shade::Scratch;
 use crate::render::shade::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use crate::render::shade::bsdf::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
-use crate::render::shade::shade_cache::{PlainMaterial, ShadeCache};
-use crate::render::shade::{Path, Sample, Tracer};
+use crate::render::shade::shade_cache::ShadeCache;
+use crate::render::shade::surface::Mirror;
+use crate::render::shade::{Path, Sample, Scratch, Tracer};
 use crate::scene::light::Light;
-use crate::scene::pattern::SurfacePoint;
-use crate::scene::texture::{Finish, PreparedPigment};
-use crate::world::{HitPacket4, InteriorId, LightList, RayKind, ShadowPacket4};
-use glam::{DVec2, DVec3};
-
-/// One value per lane. Aligned, so that a packet is not read together with the next one: a read that spans two fresh
-/// writes stalls on store forwarding. For the same reason the results of a packet stay in place.
-#[derive(Clone, Copy)]
-#[repr(align(32))]
-struct LaneValues([f32; 4]);
-
-/// The colours of four lanes, channel by channel.
-type RgbPacket = [LaneValues; 3];
+use crate::world::{HitPacket4, InteriorId, ShadowPacket4};
 
 /// Radiance of four rays.
 pub(in crate::render::shade) struct RadiancePacket4<'w> {
@@ -38,30 +30,19 @@ pub(in crate::render::shade) struct RadiancePacket4<'w> {
 
 /// A surface with secondary rays.
 pub(in crate::render::shade) struct SecondarySurface<'w> {
+    /// The viewed point, with the normal of the top layer.
+    pub(in crate::render::shade) at: ViewPoint,
     /// Its own light.
     pub(in crate::render::shade) own: Rgb,
-    pub(in crate::render::shade) finish: &'w Finish,
-    pub(in crate::render::shade) pigment: Rgb,
-    /// The transmittance of its layer.
+    /// The transmittance of all layers.
     pub(in crate::render::shade) transmittance: Rgb,
+    pub(in crate::render::shade) mirror: Option<Mirror<'w>>,
 }
 
 /// The buffers of a thread for shading.
 pub(in crate::render::shade) struct ShadeBuffers<'a> {
     pub(in crate::render::shade) scratch: &'a mut Scratch,
     pub(in crate::render::shade) cache: &'a mut ShadeCache,
-}
-
-/// The rays that hit a packet of surfaces.
-pub(in crate::render::shade) trait RaySource {
-    /// The kind of the ray in this lane.
-    fn kind(&self, lane: usize) -> RayKind;
-    /// The common kind of all rays, if there is one.
-    fn common_kind(&self) -> Option<RayKind>;
-    /// The interiors around the ray in this lane.
-    fn inside(&self, lane: usize) -> &[InteriorId];
-    /// The path of the ray in this lane, in this direction.
-    fn path(&self, lane: usize, dir: DVec3) -> Path;
 }
 
 impl<'w> RadiancePacket4<'w> {
@@ -104,111 +85,18 @@ impl<'w> RadiancePacket4<'w> {
 
     /// The surface of a lane that has secondary rays.
     #[inline(always)]
-    pub(in crate::render::shade) fn secondary(&self, lane: usize) -> Option<SecondarySurface<'w>> {
+    pub(in crate::render::shade) fn secondary(
+        &self,
+        hits: &HitPacket4,
+        lane: usize,
+    ) -> Option<SecondarySurface<'w>> {
         let materials = &self.materials;
-        let finish = materials.finishes[lane].filter(|_| self.has_own_light >> lane & 1 == 1)?;
-        Some(SecondarySurface {
+        (self.has_own_light >> lane & 1 == 1).then(|| SecondarySurface {
+            at: materials.top.viewed(hits, lane),
             own: one_of(&self.rgb, lane),
-            finish,
-            pigment: one_of(&materials.rgb, lane),
             transmittance: materials.transmittance[lane],
+            mirror: materials.mirrors[lane],
         })
-    }
-}
-
-/// The outermost layers at four hits.
-struct MaterialPacket4<'w> {
-    /// Their ambient light and emission.
-    own: RgbPacket,
-    rgb: RgbPacket,
-    /// The share of white light at normal incidence that is scattered diffusely.
-    diffuse: [f64; 4],
-    finishes: [Option<&'w Finish>; 4],
-    /// Lanes with highlights, and lanes with a `brilliance`.
-    shiny: u32,
-    brilliant: u32,
-    /// Lanes with secondary rays, and their transmittance.
-    secondary: u32,
-    transmittance: [Rgb; 4],
-    /// The lights of all lanes.
-    lights: LightList,
-}
-
-impl MaterialPacket4<'_> {
-    const NOTHING: MaterialPacket4<'static> = MaterialPacket4 {
-        own: BLACK,
-        rgb: BLACK,
-        diffuse: [0.0; 4],
-        finishes: [None; 4],
-        shiny: 0,
-        brilliant: 0,
-        secondary: 0,
-        transmittance: [Rgb::BLACK; 4],
-        lights: LightList::OUTSIDE,
-    };
-}
-
-impl<'w> MaterialPacket4<'w> {
-    /// Sets the material of one lane.
-    #[inline(always)]
-    fn put(&mut self, lane: usize, material: &PlainMaterial, finish: Option<&'w Finish>) {
-        put(&mut self.own, lane, material.own);
-        put(&mut self.rgb, lane, material.rgb);
-        self.diffuse[lane] = material.diffuse;
-        self.finishes[lane] = finish;
-        self.shiny |= u32::from(material.is_shiny) << lane;
-        self.brilliant |= u32::from(material.is_brilliant) << lane;
-        if material.has_secondary {
-            self.secondary |= 1 << lane;
-            self.transmittance[lane] = material.transmittance;
-        }
-    }
-
-    /// Sets the material of all lanes.
-    #[inline(always)]
-    fn put_all(&mut self, material: &PlainMaterial, finish: Option<&'w Finish>) {
-        self.own = all_of(material.own);
-        self.rgb = all_of(material.rgb);
-        self.diffuse = [material.diffuse; 4];
-        self.finishes = [finish; 4];
-        self.shiny = if material.is_shiny { 0b1111 } else { 0 };
-        self.brilliant = if material.is_brilliant { 0b1111 } else { 0 };
-        if material.has_secondary {
-            self.secondary = 0b1111;
-            self.transmittance = [material.transmittance; 4];
-        }
-    }
-}
-
-const BLACK: RgbPacket = [LaneValues([0.0; 4]); 3];
-
-#[inline(always)]
-fn all_of(rgb: Rgb) -> RgbPacket {
-    [
-        LaneValues([rgb.r; 4]),
-        LaneValues([rgb.g; 4]),
-        LaneValues([rgb.b; 4]),
-    ]
-}
-
-#[inline(always)]
-fn one_of(of: &RgbPacket, lane: usize) -> Rgb {
-    Rgb::new(of[0].0[lane], of[1].0[lane], of[2].0[lane])
-}
-
-#[inline(always)]
-fn put(to: &mut RgbPacket, lane: usize, rgb: Rgb) {
-    for (to, channel) in to.iter_mut().zip([rgb.r, rgb.g, rgb.b]) {
-        to.0[lane] = channel;
-    }
-}
-
-/// Calls `visit` with the index of each set bit.
-#[inline(always)]
-fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
-    while bits != 0 {
-        visit(bits.trailing_zeros() as usize % 4);
-        bits &= bits - 1;
     }
 }
 
@@ -251,16 +139,25 @@ impl<'w> Tracer<'w> {
             self.attenuate(rays, hits, scratch, seen);
             return;
         }
-        let mut lit = self.materials(hits, there & hits.hit_mask, cache, &mut seen.materials);
-        let materials = &seen.materials;
-        let mut sum = BLACK;
+        let materials = &mut seen.materials;
+        let mut lit = self.materials(rays, hits, there & hits.hit_mask, cache, materials);
         let mut arriving = ArrivingLight { rgb: BLACK, lit: 0 };
         for &number in self.world.lights.of(materials.lights) {
             let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + packet];
-            let arrives = shadow_rays.known & !shadow_rays.blocked;
+            let mut arrives = shadow_rays.known & !shadow_rays.blocked;
             if self.features.needs_backface_light {
-                each_lane(arrives, |lane| {
+                each_lane(arrives & !materials.general, |lane| {
                     if shadow_rays.cosine[lane] < NEGLIGIBLE {
+                        lit &= !(1 << lane);
+                    }
+                });
+            }
+            if materials.general != 0 {
+                let [faces, bumped] = materials.turn_to(shadow_rays);
+                arrives &= faces | !materials.general;
+                // Bumps turn a few surfaces to lights so far behind them that their shadow rays are not traced.
+                each_lane(bumped & !shadow_rays.known, |lane| {
+                    if shadow_rays.share[lane] != 0.0 {
                         lit &= !(1 << lane);
                     }
                 });
@@ -277,11 +174,21 @@ impl<'w> Tracer<'w> {
                 let left = self.transmitted_light(number, all, index, rays.inside(lane), scratch);
                 arriving.set_lane(lane, left);
             });
-            add_light(&arriving, shadow_rays, hits, materials, &mut sum);
+            let is_general = materials.general != 0;
+            add_light(&arriving, shadow_rays, hits, is_general, &mut materials.top);
+            for layer in &mut materials.lower {
+                add_light(&arriving, shadow_rays, hits, is_general, layer);
+            }
         }
-        each_lane(lit, |lane| {
-            let rgb = Rgb::BLACK + (one_of(&materials.own, lane) + one_of(&sum, lane));
-            put(&mut seen.rgb, lane, rgb);
+        each_lane(lit & !materials.general, |lane| {
+            put(
+                &mut seen.rgb,
+                lane,
+                Rgb::BLACK + materials.top.radiance(lane),
+            );
+        });
+        each_lane(lit & materials.general, |lane| {
+            put(&mut seen.rgb, lane, materials.radiance(lane));
         });
         seen.known |= lit & !materials.secondary;
         seen.has_own_light = lit & materials.secondary;
@@ -365,74 +272,6 @@ impl<'w> Tracer<'w> {
         };
         self.transmittance(arriving, &shadow_path, scratch)
     }
-
-    /// Looks up the materials of these lanes. Returns the lanes with only diffuse light, highlights and secondary rays.
-    #[inline(always)]
-    fn materials(
-        &self,
-        hits: &HitPacket4,
-        active: u32,
-        shade_cache: &mut ShadeCache,
-        materials: &mut MaterialPacket4<'w>,
-    ) -> u32 {
-        let first = hits.surface[active.trailing_zeros() as usize % 4];
-        materials.lights = self.world.surfaces[first as usize].lights;
-        (materials.shiny, materials.brilliant, materials.secondary) = (0, 0, 0);
-        if active == 0b1111
-            && hits.surface == [first; 4]
-            && let Some(material) = shade_cache.known(first)
-        {
-            materials.put_all(material, self.finish_of(first, material));
-            return active;
-        }
-        let mut plain = 0;
-        each_lane(
-            active,
-            #[inline(always)]
-            |lane| {
-                let number = hits.surface[lane];
-                let material = shade_cache.of(
-                    number,
-                    #[inline(always)]
-                    || self.evaluate_material(hits, lane),
-                );
-                if let Some(material) = material
-                    && material.lights == materials.lights
-                {
-                    materials.put(lane, material, self.finish_of(number, material));
-                    plain |= 1 << lane;
-                }
-            },
-        );
-        plain
-    }
-
-    /// The finish of a surface, if it holds more than the material does.
-    #[inline(always)]
-    fn finish_of(&self, surface: u32, material: &PlainMaterial) -> Option<&'w Finish> {
-        if !material.is_shiny && !material.is_brilliant && !material.has_secondary {
-            return None;
-        }
-        let layers = self.world.surfaces[surface as usize].texture.layers();
-        layers.first().map(|layer| &*layer.finish)
-    }
-
-    /// The material at a hit if it is plain, and whether it is constant over its surface.
-    #[inline(never)]
-    fn evaluate_material(&self, hits: &HitPacket4, lane: usize) -> (Option<PlainMaterial>, bool) {
-        let surface = &self.world.surfaces[hits.surface[lane] as usize];
-        let mut has_one_color = false;
-        let material = self.plain_material(surface, |pigment| {
-            has_one_color = matches!(pigment, PreparedPigment::Plain(_));
-            pigment.color(&SurfacePoint {
-                point: hits.point(lane),
-                normal: hits.facing(lane),
-                dir: hits.dir(lane),
-                uv: DVec2::ZERO,
-            })
-        });
-        (material, has_one_color)
-    }
 }
 
 /// Light from one light source that arrives at four hits.
@@ -463,17 +302,7 @@ impl ArrivingLight {
     }
 }
 
-/// The viewed point of a lane.
-#[inline(always)]
-pub(in crate::render::shade) fn viewed(hits: &HitPacket4, lane: usize) -> ViewPoint {
-    ViewPoint {
-        point: hits.point(lane),
-        normal: hits.facing(lane),
-        view: hits.dir(lane),
-    }
-}
-
-/// Adds the light from one light source to the sums.
+/// Adds the light that a layer scatters from one light source; in packets of general surfaces, to those that face it.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
@@ -483,52 +312,61 @@ fn add_light(
     arriving: &ArrivingLight,
     shadow_rays: &ShadowPacket4,
     hits: &HitPacket4,
-    materials: &MaterialPacket4,
-    sum: &mut RgbPacket,
+    is_general: bool,
+    layer: &mut LayerPacket4,
 ) {
+    let lit = arriving.lit & layer.faces;
+    let cosine = match is_general {
+        true => layer.cosine,
+        false => shadow_rays.cosine,
+    };
     let mut strength = [0.0; 4];
     for (lane, strength) in strength.iter_mut().enumerate() {
-        *strength = materials.diffuse[lane] * shadow_rays.cosine[lane];
+        *strength = layer.diffuse[lane] * cosine[lane];
     }
-    each_lane(arriving.lit & materials.brilliant, |lane| {
-        if let Some(finish) = materials.finishes[lane] {
+    each_lane(lit & layer.brilliant, |lane| {
+        if let Some(finish) = layer.finishes[lane] {
             let brilliance = f64::from(finish.brilliance);
-            let cosine = exact_power(shadow_rays.cosine[lane].abs(), brilliance);
-            strength[lane] = materials.diffuse[lane] * cosine;
+            let cosine = exact_power(cosine[lane].abs(), brilliance);
+            strength[lane] = layer.diffuse[lane] * cosine;
         }
     });
     let mut contribution = BLACK;
-    let tints = materials.rgb.iter().zip(&arriving.rgb);
+    let tints = layer.rgb.iter().zip(&arriving.rgb);
     for (contribution, (rgb, arriving)) in contribution.iter_mut().zip(tints) {
         for (lane, contribution) in contribution.0.iter_mut().enumerate() {
             let tinted = rgb.0[lane] * arriving.0[lane];
             let scattered = (f64::from(tinted) * strength[lane]) as f32;
-            *contribution = if materials.diffuse[lane] != 0.0 {
+            *contribution = if layer.diffuse[lane] != 0.0 {
                 scattered
             } else {
                 0.0
             };
         }
     }
-    let with_highlights = arriving.lit & materials.shiny;
+    let with_highlights = lit & layer.shiny;
     if with_highlights == 0 {
-        add(&contribution, arriving.lit, sum);
+        add(&contribution, lit, &mut layer.scattered);
         return;
     }
     each_lane(with_highlights, |lane| {
-        let Some(finish) = materials.finishes[lane] else {
+        let Some(finish) = layer.finishes[lane] else {
             return;
         };
-        let strength = highlight(finish, &viewed(hits, lane), shadow_rays.to_light(lane));
+        let strength = highlight(
+            finish,
+            &layer.viewed(hits, lane),
+            shadow_rays.to_light(lane),
+        );
         if strength != 0.0 {
-            let pigment = one_of(&materials.rgb, lane);
-            let shine = metallic(finish.metallic, pigment, shadow_rays.cosine[lane]);
+            let pigment = one_of(&layer.rgb, lane);
+            let shine = metallic(finish.metallic, pigment, cosine[lane]);
             let shine = one_of(&arriving.rgb, lane) * shine * strength;
             let both = one_of(&contribution, lane) + shine;
             put(&mut contribution, lane, both);
         }
     });
-    add(&contribution, arriving.lit, sum);
+    add(&contribution, lit, &mut layer.scattered);
 }
 
 /// Adds the contributions of these lanes.

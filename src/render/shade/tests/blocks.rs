@@ -307,3 +307,44 @@ fn bumps_layers_films_and_fog_in_mirrors_and_glass() {
         #end",
     );
 }
+
+#[test]
+fn bumps_that_face_lights_far_behind_the_surface() {
+    assert_same(
+        "camera { location <1, 3, -9> look_at 0 angle 50 }
+        light_source { <0, -30, 9>, <1, 0.6, 0.3> } light_source { <-8, 9, -9>, 1 }
+        light_source { <4, 6, -6>, 1 spotlight point_at <0, -2, 0> radius 12 falloff 25 tightness 3 }
+        light_source { <9, -1, 3>, 0.7 fade_distance 6 fade_power 2 }
+        plane { y, -2 pigment { checker rgb 1 rgb 0.2 } normal { bumps 9 scale 0.3 } finish { brilliance 2 specular 0.6 } }
+        sphere { <-2, 0, 0>, 1.5 pigment { slope <0.3, 1, 0> color_map { [0 rgb x] [1 rgb y] } }
+          normal { wrinkles 4 scale 0.4 } finish { phong 0.7 phong_size 9 metallic } }
+        sphere { <2, 0, 0>, 1.5 texture { pigment { rgbt <1, 0.5, 0.2, 0.6> } normal { granite 3 } finish { diffuse 0.3 } }
+          texture { pigment { slope y color_map { [0 rgb x] [1 rgb z] } } finish { specular 0.4 } } }
+        torus { 3.6, 0.3 pigment { rgb 1 } normal { bumps 6 scale 0.1 } finish { diffuse 0.5, 0.4 } }
+        cylinder { <-4, -2, 3>, <-4, 2, 3>, 0.7 open pigment { rgb 0.8 } normal { bumps 5 } double_illuminate }",
+    );
+}
+
+#[test]
+fn layers_and_choices_of_textures_with_and_without_secondary_rays() {
+    assert_same(
+        "global_settings { max_trace_level 5 }
+        camera { location <1, 3, -9> look_at 0 angle 50 }
+        light_source { <-8, 9, -9>, 1 } light_source { <6, 1, -5>, 0.5 }
+        background { rgb <0.3, 0.4, 0.6> }
+        #declare Wood = texture { pigment { wood turbulence 0.1 color_map { [0 rgb <0.6, 0.3, 0.1>] [1 rgb 0.2] } scale 0.3 } }
+        #declare Stain = texture { pigment { bozo color_map { [0 rgbf <1, 0.8, 0.6, 0.9>] [1 rgbt <0.5, 0.4, 0.3, 0.2>] } scale 0.2 } }
+        plane { y, -2 texture { Wood } texture { Stain finish { reflection 0.3 conserve_energy } normal { bumps 0.3 } } }
+        sphere { <-2.5, 0, 0>, 1 texture { Wood finish { reflection 0.2 } } texture { Stain finish { reflection 0.3 } } }
+        sphere { 0, 1 texture { Wood finish { reflection { 0.1, 0.7 metallic 1 } } } texture { Stain finish { specular 1 } } }
+        sphere { <2.5, 0, 0>, 1 texture { Stain } texture { Stain rotate 90*y } interior { ior 1.3 } }
+        box { -1, 1 texture { gradient x texture_map { [0.2 Wood] [0.4 Wood normal { bumps 2 scale 0.2 }] [0.9 Stain] } }
+          rotate 30*y translate <-2, 2.5, 2> }
+        box { -1, 1 texture { average texture_map { [1 Wood] [2 pigment { rgb 1 } normal { dents 2 } finish { phong 1 }] } }
+          rotate 50*y translate <1, 2.5, 2> }
+        cylinder { -0.5*y, 0.5*y, 0.8 texture { checker texture { Wood } texture { pigment { rgb 0.3 } finish { reflection 0.5 } } scale 0.3 }
+          interior_texture { Stain } translate <3.6, 2, 1> }
+        sphere { 0, 0.9 texture { uv_mapping pigment { checker rgb 1 rgb x scale <0.1, 0.2, 1> } normal { bumps 2 scale 0.1 } }
+          rotate 70 translate <-3.6, 2, 0> }",
+    );
+}

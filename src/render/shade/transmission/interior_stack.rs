@@ -62,7 +62,7 @@ impl Tracer<'_> {
     /// two nested spheres around the camera.
     pub(in crate::render::shade) fn relative_ior(
         &self,
-        inside: &InteriorStack,
+        inside: &[InteriorId],
         id: InteriorId,
     ) -> f64 {
         let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
