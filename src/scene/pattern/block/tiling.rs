@@ -19,6 +19,14 @@ use std::sync::Arc;
 const QUARTER: f64 = 0.25;
 /// Number of tilings in POV-Ray.
 const COUNT: u32 = 27;
+/// The distance within which a point is on a side: a rounding. Points of a face on a side may be farther from it, and belong
+/// to the tile that they are in.
+const ON_SIDE: f64 = 4e-16;
+/// The distance from the lattice cell, in steps, within which tiles touch it.
+const TOUCHING: f64 = 1e-9;
+/// The tilings whose sides belong to the tile of the higher kind. Those of the others belong to the tile at larger x and
+/// z, except that POV-Ray's 3 has the other kind at whole x, and 12 to 14 values of their own at x and z of 0.
+const TIES_BY_KIND: [u32; 5] = [8, 16, 17, 23, 24];
 /// Largest number of lattice steps to copies of a tile that may overlap the cell.
 const MAX_STEPS: i32 = 3;
 
@@ -32,7 +40,7 @@ const MAX_STEPS: i32 = 3;
 /// a pair of its own, in whole numbers.
 const TABLE: &str = include_str!("../tiling.txt");
 
-/// A tiling: all tiles that overlap the lattice cell.
+/// A tiling: all tiles that overlap or touch the lattice cell.
 #[derive(Debug)]
 struct Tiling {
     /// Transform from the plane to lattice coordinates.
@@ -42,6 +50,7 @@ struct Tiling {
     tiles: Vec<Tile>,
     kinds: f64,
     depth: f64,
+    ties_by_kind: bool,
 }
 
 #[derive(Debug)]
@@ -99,6 +108,7 @@ impl Tiling {
             tiles: Vec::new(),
             kinds,
             depth: (whole + roots * root) / 12.0,
+            ties_by_kind: TIES_BY_KIND.contains(&number),
         };
         for line in lines.take_while(|line| !line.starts_with("tiling")) {
             tiling.add(line, root);
@@ -106,7 +116,7 @@ impl Tiling {
         Some(tiling)
     }
 
-    /// Adds the copies of a tile that overlap the cell.
+    /// Adds the copies of a tile that overlap or touch the cell.
     fn add(&mut self, line: &str, root: f64) {
         let Some((kind, corners)) = line.split_once(": ") else {
             return;
@@ -123,7 +133,7 @@ impl Tiling {
             let (low, high) = in_cell.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |bounds, at| {
                 (bounds.0.min(at), bounds.1.max(at))
             });
-            if low.max_element() > 1.0 || high.min_element() < 0.0 {
+            if low.max_element() > 1.0 + TOUCHING || high.min_element() < -TOUCHING {
                 continue;
             }
             let shift = self.plane_from_cell * shift;
@@ -181,15 +191,18 @@ impl PatternEval for Prepared {
         // Rounding may leave a point in no tile, or in two.
         let mut best: Option<(f64, &Tile)> = None;
         for tile in &tiling.tiles {
-            let depth = tile.depth_at(point);
+            let depth = match tiling.ties_by_kind {
+                true => tile.depth_at(point) + ON_SIDE * tile.kind,
+                false => tile.depth_at(point + ON_SIDE * DVec2::new(0.8, 0.5)),
+            };
             if best.is_none_or(|(deepest, _)| depth > deepest) {
                 best = Some((depth, tile));
             }
         }
-        let Some((depth, tile)) = best else {
+        let Some((_, tile)) = best else {
             return 0.0;
         };
-        let fraction = (depth / tiling.depth).clamp(0.0, 1.0);
+        let fraction = (tile.depth_at(point) / tiling.depth).clamp(0.0, 1.0);
         (tile.kind + 1.0 - fraction) / tiling.kinds
     }
 }
@@ -233,6 +246,19 @@ mod tests {
                 .collect();
             assert_eq!(kinds, expected, "{number}");
         }
+    }
+
+    #[test]
+    fn sides_belong_to_the_tile_at_larger_coordinates_or_of_the_higher_kind() {
+        let bricks = Prepared(Arc::new(Tiling::numbered(6).expect("it is in the file")));
+        let spot = SurfacePoint::at(DVec3::ZERO);
+        let value = |x, z| bricks.value(DVec3::new(x, 0.0, z), &spot);
+        for along in [0.137, 0.868] {
+            assert_eq!(value(along, 0.0), value(along, 1e-9).round());
+            assert_eq!(value(0.0, along), value(1e-9, along).round());
+        }
+        let triangles = Prepared(Arc::new(Tiling::numbered(8).expect("it is in the file")));
+        assert_eq!(triangles.value(DVec3::new(0.3, 0.0, 0.0), &spot), 1.0);
     }
 
     #[test]
