@@ -35,7 +35,8 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some(near_one / near_one.length())
 }
 
-/// The rounding of a vector that is divided by a length, in which the versions of POV-Ray differ.
+/// The rounding of a vector that is divided by a length, in which the versions of POV-Ray differ, as in that of the rows of
+/// a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Normalization {
     /// Times the reciprocal of the length, up to version 3.7.

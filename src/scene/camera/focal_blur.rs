@@ -337,7 +337,7 @@ impl Lens {
         Some(match &camera.bumps {
             None => ray,
             Some(bumps) => {
-                let screen = Screen::new(x + dx, y + dy, width, height);
+                let screen = Screen::new(x + dx, y + dy, [width, height], camera.normalization);
                 bumps.bend(camera.bump_point(screen), ray)
             }
         })

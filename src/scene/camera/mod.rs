@@ -172,7 +172,10 @@ impl Camera {
         let ray = ray(origin, dir, self.normalization)?;
         Some(match &self.bumps {
             None => ray,
-            Some(bumps) => bumps.bend(self.bump_point(Screen::new(x, y, width, height)), ray),
+            Some(bumps) => {
+                let screen = Screen::new(x, y, [width, height], self.normalization);
+                bumps.bend(self.bump_point(screen), ray)
+            }
         })
     }
 
@@ -284,7 +287,7 @@ impl Camera {
     }
 
     fn start(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Start> {
-        let screen = Screen::new(x, y, width, height);
+        let screen = Screen::new(x, y, [width, height], self.normalization);
         let frame = &self.frame;
         match self.projection {
             Projection::Perspective => Some(perspective::start(frame, screen)),
@@ -338,12 +341,16 @@ impl Camera {
 
 impl Screen {
     #[inline]
-    fn new(x: f64, y: f64, width: u32, height: u32) -> Self {
+    fn new(x: f64, y: f64, [width, height]: [u32; 2], version: Normalization) -> Self {
+        let height = f64::from(height);
         Screen {
             u: (x + 0.5) / f64::from(width) - 0.5,
             // With this order of operations, a ray through an edge that lies on a pixel centre falls on the same side
             // as in POV-Ray.
-            v: (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5,
+            v: match version {
+                Normalization::Reciprocal => (height - 1.0 - (y - 0.5)) / height - 0.5,
+                Normalization::Quotient => 0.5 - (y + 0.5) / height,
+            },
         }
     }
 }

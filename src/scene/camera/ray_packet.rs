@@ -48,8 +48,13 @@ impl<T> DirKernel<'_, T> {
         let half = F::splat(0.5);
         let (width, height) = (F::splat(self.width), F::splat(self.height));
         let u = (x + half) / width - half;
-        let down = y - half;
-        let v = (F::splat(self.height - 1.0) - down) / height - half;
+        let v = match self.normalization {
+            Normalization::Reciprocal => {
+                let down = y - half;
+                (F::splat(self.height - 1.0) - down) / height - half
+            }
+            Normalization::Quotient => half - (y + half) / height,
+        };
         let right = scale(splat(self.frame.right), u);
         let up = scale(splat(self.frame.up), v);
         let dir = add(add(splat(self.frame.direction), right), up);
