@@ -157,7 +157,7 @@ impl Camera {
         let mut camera = Camera::default();
         camera.frame.location = location;
         camera.frame.right = DVec3::X * aspect;
-        camera.turn_to(look_at)?;
+        camera.turn_to(look_at, Normalization::default())?;
         Some(camera)
     }
 

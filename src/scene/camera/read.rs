@@ -7,6 +7,7 @@
 use super::{Camera, KINDS, Projection, bumps::Bumps, cylinder::Roll, mesh_camera::MeshCamera};
 use crate::base::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::base::math::Transform;
+use crate::base::math::conditioning::Normalization;
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::texture::Normal;
 use glam::DVec3;
@@ -267,7 +268,7 @@ impl Camera {
 
     /// Aims the camera at the point of a `look_at`.
     fn aim(&mut self, args: &mut dyn Args, point: DVec3, at: Span) -> Parse<()> {
-        match self.turn_to(point) {
+        match self.turn_to(point, Normalization::of_version(args.is_for_3_8())) {
             None => Err(Box::new(
                 Diagnostic::error(at, "`look_at` is the same point as `location`")
                     .with_hint("Move one of the two: the camera needs a direction."),
@@ -287,16 +288,22 @@ impl Camera {
     /// Turns the camera so that `point` is in the centre of the image and `sky` points up, preserving lengths and
     /// handedness. False if the view direction is parallel to `sky`, which then has no effect; `None` if the point is
     /// the camera's location.
-    pub(super) fn turn_to(&mut self, point: DVec3) -> Option<bool> {
+    pub(super) fn turn_to(&mut self, point: DVec3, rule: Normalization) -> Option<bool> {
         let frame = &mut self.frame;
         let handedness = frame.up.cross(frame.direction).dot(frame.right);
-        let forward = (point - frame.location).try_normalize()?;
+        let forward = rule.unit_or_zero(point - frame.location);
+        if forward == DVec3::ZERO {
+            return None;
+        }
         let mut sideways = self.sky.cross(forward);
         let has_sky = !sideways.abs().cmplt(DVec3::splat(NO_DIRECTION)).all();
         if !has_sky {
             sideways = frame.right;
         }
-        let sideways = sideways.normalize_or(DVec3::X);
+        let sideways = match rule.unit_or_zero(sideways) {
+            DVec3::ZERO => DVec3::X,
+            unit => unit,
+        };
         let upward = forward.cross(sideways);
         let width = frame.right.length();
         frame.direction = forward * frame.direction.length();
