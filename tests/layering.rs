@@ -61,6 +61,7 @@ const LAYERS: &[&[&str]] = &[
         "world::slabs",
         "world::sphere_soa",
     ],
+    &["world::rounding"],
     &["world::csg"],
     &["world::lights", "world::model"],
     &["world::surface", "world::light_buffers"],

@@ -1,4 +1,5 @@
 // Both methods at three thresholds and three depths: bars hardly wider than a pixel.
+// compare: channel<=10 pixels<=0.1% because "samples that fall exactly on the edge of a bar go to either side"
 // switches: +A0.3 +AM1 +R2
 // switches: +A0.3 +AM1 +R3 -J
 // switches: +A0.3 +AM1 +R4

@@ -1,4 +1,5 @@
 // Both methods at three thresholds and three depths: solids, a mirror, a chequered floor.
+// compare: channel<=4 pixels<=0.1% because "a sample that falls exactly on an edge goes to either side"
 // switches: +A0.3 +AM1 +R2
 // switches: +A0.3 +AM1 +R3 -J
 // switches: +A0.3 +AM1 +R4

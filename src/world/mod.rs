@@ -13,6 +13,7 @@ mod plan;
 mod primitive;
 mod query;
 mod ray;
+mod rounding;
 mod slabs;
 mod sphere_soa;
 mod surface;

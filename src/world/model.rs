@@ -7,12 +7,12 @@
 use super::csg::packet_strategy::PacketStrategy;
 use super::csg::program::CsgProgram;
 use super::primitive::Leaf;
+use super::rounding::Rounding;
 use super::sphere_soa::SphereSoa;
 use crate::base::accel::Bvh;
 use crate::base::math::normal_from_inverse;
-use crate::scene::shape::{Geometry, Rounded, Shape, Sphere, TextureWeights};
+use crate::scene::shape::{Rounded, Shape, Sphere, TextureWeights};
 use glam::{DAffine3, DVec3};
-use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// An item of the BVH.
@@ -39,31 +39,6 @@ pub(super) struct Model {
     pub(super) cluster: Option<SphereSoa>,
     /// The packet algorithm of each program.
     pub(super) strategies: Vec<PacketStrategy>,
-}
-
-/// The leaves whose hits are wanted with POV-Ray's rounding.
-#[derive(Debug, Default)]
-pub(super) struct Rounding {
-    /// Their rounded forms; spheres in world coordinates need none.
-    pub(super) forms: FxHashMap<u32, Rounded>,
-    /// A bit for each leaf; empty if no hit of a picture is rounded.
-    pub(super) leaves: Vec<u64>,
-}
-
-impl Rounding {
-    /// The form of a leaf, if it is known and decides ties.
-    pub(super) fn of_ties(&self, leaf: u32, leaves: &[Leaf]) -> Option<&Rounded> {
-        let form = self.forms.get(&leaf)?;
-        let decides = leaves.get(leaf as usize)?.shape.decides_ties();
-        decides.then_some(form)
-    }
-
-    /// True if hits on a leaf are rounded.
-    #[inline(always)]
-    pub(super) fn is_wanted(&self, leaf: u32) -> bool {
-        let bits = self.leaves.get((leaf / u64::BITS) as usize);
-        bits.is_some_and(|bits| bits >> (leaf % u64::BITS) & 1 == 1)
-    }
 }
 
 impl Model {

@@ -13,9 +13,9 @@ use super::inside::InsideState;
 use super::program::{BoundGate, CsgProgram};
 use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
-use crate::world::model::Rounding;
 use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;
+use crate::world::rounding::Rounding;
 use glam::DVec3;
 use std::ops::Range;
 
