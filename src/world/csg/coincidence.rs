@@ -9,7 +9,7 @@
 use super::program::CsgProgram;
 use super::sweep::{Event, Sweep, SweepContext};
 use crate::base::math::COINCIDENT;
-use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, Shape, SurfaceSide};
+use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, SurfaceSide};
 use crate::world::primitive::Leaf;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -169,8 +169,8 @@ impl CsgProgram {
         is_certain
     }
 
-    /// The position of a ray's point after rounding, relative to the coordinate at which faces of boxes without a
-    /// matrix coincide, or those of boxes and prisms; `None` for other shapes and where it may differ from ray to ray.
+    /// The position of a ray's point after rounding, relative to the coordinate of the world at which faces of boxes
+    /// coincide, or those of boxes and prisms; `None` for other shapes and where it may differ from ray to ray.
     ///
     /// In POV-Ray the point has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the last bit for
     /// all directions at which a face is looked at squarely and for most others. Below a power of two, where numbers are
@@ -187,7 +187,7 @@ impl CsgProgram {
             if *common.get_or_insert(plane) != plane {
                 return None;
             }
-            has_exact_point |= matches!(leaf.shape, Shape::Cuboid(_));
+            has_exact_point |= face.has_exact_points;
         }
         if !has_exact_point {
             return None;
@@ -239,23 +239,19 @@ impl CsgProgram {
 /// coordinate there.
 fn flat_face(leaf: &Leaf, event: &Event) -> Option<FlatFace> {
     let face = leaf.shape.flat_face(event.root.face)?;
-    match (&leaf.shape, &leaf.object_from_world) {
-        (_, None) => Some(face),
-        // POV-Ray's prisms have a matrix in any case.
-        (Shape::Prism(_), Some(matrix)) => {
-            let row = matrix.matrix3.row(face.axis);
-            let scale = row[face.axis];
-            let is_exact = scale > 0.0
-                && is_power_of_two(scale)
-                && row == scale * DVec3::AXES[face.axis]
-                && matrix.translation[face.axis] == 0.0;
-            is_exact.then_some(FlatFace {
-                coordinate: face.coordinate / scale,
-                ..face
-            })
-        }
-        _ => None,
-    }
+    let Some(matrix) = &leaf.object_from_world else {
+        return Some(face);
+    };
+    let row = matrix.matrix3.row(face.axis);
+    let scale = row[face.axis];
+    let is_exact = scale > 0.0
+        && is_power_of_two(scale)
+        && row == scale * DVec3::AXES[face.axis]
+        && matrix.translation[face.axis] == 0.0;
+    is_exact.then_some(FlatFace {
+        coordinate: face.coordinate / scale,
+        ..face
+    })
 }
 
 /// The number next to one in the direction of zero; zero itself for zero.

@@ -148,6 +148,7 @@ impl Geometry for Cuboid {
             coordinate: corner[axis],
             is_low,
             is_closed: true,
+            has_exact_points: true,
         })
     }
 

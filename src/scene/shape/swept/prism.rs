@@ -379,6 +379,8 @@ impl Geometry for Prism {
             coordinate: if is_low { self.low } else { self.high },
             is_low,
             is_closed: is_low,
+            // It is divided by the length of the direction as well.
+            has_exact_points: false,
         })
     }
 
