@@ -18,6 +18,11 @@ const STANDARD_INCLUDES_38: [&str; 3] = [
     "/usr/share/povray-3.8/include",
 ];
 
+/// POV-Ray's message when its threads do not start within its own time limit.
+const THREADS_LATE: &str = "Timed out waiting for worker thread startup";
+/// Number of times POV-Ray is started before that is an error.
+const STARTS: usize = 10;
+
 /// A renderer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Renderer {
@@ -85,11 +90,23 @@ impl Renderer {
         says_3_8(&self.version)
     }
 
-    /// Renders. A started process need not have made a picture: see [`Ended`] and check the file.
+    /// Renders. A started process need not have made a picture: see [`Ended`] and check the file. POV-Ray gives up on a
+    /// busy machine when its threads do not start in time, and is then started again.
     ///
     /// # Errors
     /// When the program does not start.
     pub fn draw(&self, picture: &Picture<'_>) -> io::Result<Ended> {
+        let mut ended = self.draw_once(picture)?;
+        for _ in 1..STARTS {
+            if !ended.stderr.contains(THREADS_LATE) {
+                break;
+            }
+            ended = self.draw_once(picture)?;
+        }
+        Ok(ended)
+    }
+
+    fn draw_once(&self, picture: &Picture<'_>) -> io::Result<Ended> {
         // An older picture must not be mistaken for this one; usually there is none.
         let _ = fs::remove_file(picture.file);
         let mut command = Command::new(&self.program);
@@ -157,6 +174,34 @@ pub fn tail(stderr: &str) -> String {
 mod tests {
     use super::*;
     use std::os::unix::fs::{PermissionsExt, symlink};
+
+    #[test]
+    fn povray_is_started_again_when_its_threads_were_late() -> io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let program = folder.path().join("povray");
+        let late = format!("echo {THREADS_LATE} >&2; exit 1");
+        let script =
+            format!("#!/bin/sh\necho >>starts\n[ $(wc -l <starts) = 3 ] || {{ {late}; }}\n");
+        fs::write(&program, script)?;
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755))?;
+        let renderer = Renderer {
+            program: program.into(),
+            version: String::new(),
+            switches: Vec::new(),
+            includes: PathBuf::new(),
+        };
+        let ended = renderer.draw(&Picture {
+            scene: Path::new("a.pov"),
+            file: &folder.path().join("a.png"),
+            switches: &[],
+            root: folder.path(),
+            limit: Duration::from_secs(60),
+            stop: None,
+        })?;
+        assert!(ended.status.is_some_and(|status| status.success()));
+        assert_eq!(fs::read_to_string(folder.path().join("starts"))?, "\n\n\n");
+        Ok(())
+    }
 
     #[test]
     fn a_link_to_povray_3_8_has_the_include_files_of_its_target() -> io::Result<()> {
