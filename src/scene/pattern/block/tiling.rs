@@ -13,6 +13,7 @@ use crate::base::math::rounding::floor;
 use crate::base::source::Diagnostic;
 use crate::scene::pattern::{Pattern, PatternEval, PrepareContext, SurfacePoint};
 use glam::{DMat2, DVec2, DVec3};
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::sync::Arc;
 
 /// The unit of numbers in the file.
@@ -25,7 +26,7 @@ const ON_SIDE: f64 = 4e-16;
 /// The distance from the lattice cell, in steps, within which tiles touch it.
 const TOUCHING: f64 = 1e-9;
 /// The tilings whose sides belong to the tile of the higher kind. Those of the others belong to the tile at larger x and
-/// z, except that POV-Ray's 3 has the other kind at whole x, and 12 to 14 values of their own at x and z of 0.
+/// z, but for the lines of [`Tiling::on_line`].
 const TIES_BY_KIND: [u32; 5] = [8, 16, 17, 23, 24];
 /// Largest number of lattice steps to copies of a tile that may overlap the cell.
 const MAX_STEPS: i32 = 3;
@@ -43,6 +44,7 @@ const TABLE: &str = include_str!("../tiling.txt");
 /// A tiling: all tiles that overlap or touch the lattice cell.
 #[derive(Debug)]
 struct Tiling {
+    number: u32,
     /// Transform from the plane to lattice coordinates.
     cell_from_plane: DMat2,
     /// The inverse.
@@ -103,6 +105,7 @@ impl Tiling {
         };
         let plane_from_cell = DMat2::from_cols(first, second);
         let mut tiling = Tiling {
+            number,
             cell_from_plane: plane_from_cell.inverse(),
             plane_from_cell,
             tiles: Vec::new(),
@@ -114,6 +117,31 @@ impl Tiling {
             tiling.add(line, root);
         }
         Some(tiling)
+    }
+
+    /// The value on lines where POV-Ray's is that of no tile beside them, or of the one at smaller z (measured along the
+    /// lines). On some it exceeds 1 and wraps round.
+    fn on_line(&self, point: DVec3) -> Option<f64> {
+        let (has_zero_x, has_zero_z) = (is_zero(point.x), is_zero(point.z));
+        match self.number {
+            12 if has_zero_x || has_zero_z => Some(1.0 / 3.0),
+            13 | 14 if has_zero_z => Some(0.0),
+            13 if has_zero_x => Some(match (FRAC_1_SQRT_2 * point.z).rem_euclid(2.0) {
+                share @ 0.5..=1.5 => (4.0 - 4.0 * (share - 1.0).abs()) / 3.0 % 1.0,
+                _ => 0.0,
+            }),
+            14 if has_zero_x => Some(match (FRAC_1_SQRT_2 * point.z).rem_euclid(2.0) {
+                share @ 0.5..1.0 => 0.2 + 0.8 * share,
+                share @ 1.0..=1.5 => (2.0 - 0.8 * share) % 1.0,
+                _ => 0.0,
+            }),
+            19 if has_zero_z => {
+                let along = point.x.rem_euclid(7.0);
+                let is_behind = (2.5..3.0).contains(&along) || (4.0..5.0).contains(&along);
+                is_behind.then_some(2.0 / 3.0)
+            }
+            _ => None,
+        }
     }
 
     /// Adds the copies of a tile that overlap or touch the cell.
@@ -154,6 +182,11 @@ impl Tiling {
     }
 }
 
+/// True for zero, and for what is so little below that its distance from the whole number below rounds to 1.
+fn is_zero(coordinate: f64) -> bool {
+    coordinate == 0.0 || coordinate - floor(coordinate) == 1.0
+}
+
 /// The numbers of a line.
 fn numbers(line: &str) -> Vec<f64> {
     let words = line.split([' ', ',']);
@@ -186,6 +219,10 @@ impl Pattern for Prepared {
 impl PatternEval for Prepared {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let tiling = &*self.0;
+        if let Some(value) = tiling.on_line(point) {
+            return value;
+        }
+        let is_swapped = tiling.number == 3 && point.x == floor(point.x);
         let in_cell = tiling.cell_from_plane * DVec2::new(point.x, point.z);
         let point = tiling.plane_from_cell * (in_cell - in_cell.map(floor));
         // Rounding may leave a point in no tile, or in two.
@@ -203,7 +240,11 @@ impl PatternEval for Prepared {
             return 0.0;
         };
         let fraction = (tile.depth_at(point) / tiling.depth).clamp(0.0, 1.0);
-        (tile.kind + 1.0 - fraction) / tiling.kinds
+        let kind = match is_swapped {
+            true => 1.0 - tile.kind,
+            false => tile.kind,
+        };
+        (kind + 1.0 - fraction) / tiling.kinds
     }
 }
 
@@ -259,6 +300,29 @@ mod tests {
         }
         let triangles = Prepared(Arc::new(Tiling::numbered(8).expect("it is in the file")));
         assert_eq!(triangles.value(DVec3::new(0.3, 0.0, 0.0), &spot), 1.0);
+    }
+
+    #[test]
+    fn some_lines_have_values_of_their_own() {
+        for (number, x, z, expected) in [
+            (12, 0.0, 1.3, 0.3333),
+            (12, 0.7, 0.0, 0.3333),
+            (13, 0.7, 0.0, 0.0),
+            (13, 0.0, 1.3872, 0.3079),
+            (13, 0.0, -4.4128, 0.1729),
+            (13, 0.0, 0.2, 0.0),
+            (14, 0.0, -2.0128, 0.6614),
+            (14, 0.0, -1.2128, 0.0861),
+            (19, 2.6872, 0.0, 0.6667),
+            (19, 0.6872, 0.0, 0.3333),
+            (3, 1.0, -4.0427, 0.5022),
+        ] {
+            let tiling = Prepared(Arc::new(
+                Tiling::numbered(number).expect("it is in the file"),
+            ));
+            let value = tiling.value(DVec3::new(x, 0.0, z), &SurfacePoint::at(DVec3::ZERO));
+            assert!((value - expected).abs() < 1e-4, "{number} {x} {z}: {value}");
+        }
     }
 
     #[test]
