@@ -347,6 +347,10 @@ shapes! {
     Lemon from Lemon,
 }
 
+/// Tolerance of POV-Ray's inside tests of planes, cylinders, cones, superellipsoids and straight sweeps, in the space of
+/// the shape (measured by bisection).
+const INSIDE_TOLERANCE: f64 = 1e-10;
+
 /// Fraction of the size of a solid within which a point is inside, whatever is rounded.
 const WELL_INSIDE: f64 = 1.0 - 1e-6;
 

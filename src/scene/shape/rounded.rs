@@ -5,13 +5,13 @@
 
 use super::implicit::julia_fractal::ExactSearch;
 use super::solid::axial::{APEX, BASE, SIDE};
+use super::solid::cone::is_almost_cylinder;
 use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
-/// The axis of a cylinder that is closer than this to the z axis counts as it; cones whose radii differ by less are
-/// cylinders.
+/// The axis of a cylinder that is closer than this to the z axis counts as it.
 const TINY: f64 = 1e-10;
 
 /// A shape with all its transforms, as POV-Ray stores it.
@@ -352,7 +352,7 @@ fn moved_cone(cone: &Cone, steps: &Steps<'_>) -> Option<Form> {
     if second_radius < 0.0 {
         return None;
     }
-    if (first_radius - second_radius).abs() < TINY {
+    if is_almost_cylinder(first_radius, second_radius) {
         return Some(axial_along(first, second, first_radius, steps));
     }
     let ((wide, radius), (narrow, other), face) = if first_radius < second_radius {

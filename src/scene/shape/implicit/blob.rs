@@ -31,6 +31,8 @@ use std::sync::Arc;
 
 /// POV-Ray's threshold for a blob without `threshold`.
 const THRESHOLD: f64 = 1.0;
+/// Fields below the threshold by less than this are inside in POV-Ray (measured by bisection).
+const INSIDE_TOLERANCE: f64 = 1e-6;
 /// Blobs with fewer components have no BVH.
 const MIN_COMPONENTS_FOR_BVH: usize = 8;
 
@@ -425,7 +427,7 @@ impl Geometry for Blob {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.0.is_inside(self.field(point))
+        self.0.is_inside(self.field(point) + INSIDE_TOLERANCE)
     }
 
     fn surface_side(&self) -> SurfaceSide {

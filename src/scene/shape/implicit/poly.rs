@@ -31,6 +31,9 @@ const SMALL_COUNT: usize = 5;
 /// A refinement step larger than this share of the size of the ray's polynomial is rejected.
 const REFINEMENT: f64 = 1e-4;
 
+/// The value up to which POV-Ray takes a point to be inside (measured by bisection for orders 2, 3, 4 and 6).
+const INSIDE_TOLERANCE: f64 = 1e-4;
+
 /// A polynomial surface of any order up to 35. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Poly(Arc<Polynomial>);
@@ -435,7 +438,7 @@ impl Geometry for Poly {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.0.value(point) <= 0.0
+        self.0.value(point) < INSIDE_TOLERANCE
     }
 
     fn surface_side(&self) -> SurfaceSide {

@@ -21,7 +21,8 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::packet::{self, SpanPacket, across, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    Geometry, Root, Rounded, Start, Steps, SurfaceSide, first_visible, original_span, read,
+    Geometry, INSIDE_TOLERANCE, Root, Rounded, Start, Steps, SurfaceSide, first_visible,
+    original_span, read,
 };
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
@@ -42,6 +43,11 @@ enum Sides {
     Inner(f64, f64),
     /// Two intervals: up to the first value and from the second on.
     Outer(f64, f64),
+}
+
+/// True for a cone of these radii that POV-Ray takes for a cylinder (measured by bisection for radii of 0.05 to 50).
+pub(crate) fn is_almost_cylinder(a: f64, b: f64) -> bool {
+    (a - b) * (a - b) < 1e-10 * a.max(b)
 }
 
 impl Cone {
@@ -106,6 +112,16 @@ impl Cone {
     /// Change of the radius per unit of height.
     fn slope(&self) -> f64 {
         (self.apex_radius - self.base_radius) / self.axis.length()
+    }
+
+    /// POV-Ray's unit of heights: the length with the tip, or without it where it takes the cone for a cylinder.
+    fn unit_length(&self) -> f64 {
+        let length = self.axis.length();
+        if is_almost_cylinder(self.base_radius, self.apex_radius) {
+            length
+        } else {
+            length * self.max_radius() / (self.apex_radius - self.base_radius).abs()
+        }
     }
 
     /// True if [`Cone::span_packet`] applies to this cone.
@@ -317,12 +333,14 @@ impl Geometry for Cone {
 
     fn contains(&self, point: DVec3) -> bool {
         let (above, below) = self.axis.heights(point);
-        let distance = (self.axis.across(point - self.axis.base) / self.max_radius()).length();
-        let radius = ((self.base_radius + self.slope() * above) / self.max_radius()).abs();
+        let radial = self.axis.across(point - self.axis.base) / self.max_radius();
+        let radius = (self.base_radius + self.slope() * above) / self.max_radius();
+        let depth = above.min(below) / self.unit_length();
+        let depth = depth.min(radius * radius - radial.length_squared());
         if self.is_open {
-            above >= 0.0 && below >= 0.0 && distance <= radius
+            depth >= -INSIDE_TOLERANCE
         } else {
-            above > 0.0 && below > 0.0 && distance < radius
+            depth > INSIDE_TOLERANCE
         }
     }
 

@@ -18,8 +18,8 @@ use crate::scene::shape::packet;
 use crate::scene::shape::packet::{SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
-    Geometry, Root, Rounded, Start, Steps, SurfaceSide, first_visible, original_span, push_span,
-    read,
+    Geometry, INSIDE_TOLERANCE, Root, Rounded, Start, Steps, SurfaceSide, first_visible,
+    original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
 
@@ -189,11 +189,12 @@ impl Geometry for Cylinder {
     fn contains(&self, point: DVec3) -> bool {
         let (above, below) = self.axis.heights(point);
         let radial = self.axis.across(point - self.axis.base) / self.radius;
-        let radial_sq = radial.length_squared();
+        let depth = above.min(below) / self.axis.length();
+        let depth = depth.min(1.0 - radial.length_squared());
         if self.is_open {
-            above >= 0.0 && below >= 0.0 && radial_sq <= 1.0
+            depth >= -INSIDE_TOLERANCE
         } else {
-            above > 0.0 && below > 0.0 && radial_sq < 1.0
+            depth > INSIDE_TOLERANCE
         }
     }
 

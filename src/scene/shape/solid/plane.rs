@@ -10,7 +10,9 @@ use crate::base::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::packet::{RootPacket, SpanPacket, dot, splat};
 use crate::scene::shape::ray_packet::RayPacket;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible, read};
+use crate::scene::shape::{
+    Crossing, Geometry, INSIDE_TOLERANCE, Root, Start, SurfaceSide, first_visible, read,
+};
 use glam::DVec3;
 
 /// The half-space `normal · p <= distance`.
@@ -151,7 +153,7 @@ impl Geometry for Plane {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.normal.dot(point) <= self.distance
+        self.normal.dot(point) - self.distance < INSIDE_TOLERANCE
     }
 
     fn surface_side(&self) -> SurfaceSide {

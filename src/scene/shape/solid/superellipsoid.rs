@@ -33,7 +33,9 @@ use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{IntervalFunction, first_below_zero, sign_changes};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Crossing, Geometry, Root, Start, SurfaceSide, first_visible};
+use crate::scene::shape::{
+    Crossing, Geometry, INSIDE_TOLERANCE, Root, Start, SurfaceSide, first_visible,
+};
 use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -417,7 +419,7 @@ impl Geometry for Superellipsoid {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.size(point.abs()) <= 1.0
+        self.size(point.abs()) < 1.0 + INSIDE_TOLERANCE
     }
 
     fn surface_side(&self) -> SurfaceSide {

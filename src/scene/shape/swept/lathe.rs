@@ -103,7 +103,10 @@ impl Geometry for Lathe {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.0.segments.contains(in_plane(point))
+        let position = in_plane(point);
+        let profile = &*self.0;
+        let curve = &profile.segments[..profile.visible_count];
+        position.x >= profile.inner && spline::contains_as_povray(curve, position)
     }
 
     fn bounds(&self) -> Bounds {

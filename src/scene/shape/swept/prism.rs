@@ -14,7 +14,7 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::Slab;
-use crate::scene::shape::{FlatFace, Geometry, Root, Start, read};
+use crate::scene::shape::{FlatFace, Geometry, INSIDE_TOLERANCE, Root, Start, read};
 use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -202,14 +202,6 @@ impl Prism {
     }
 
     /// True if a point is within the infinite sweep.
-    fn is_in_sweep(&self, point: DVec3) -> bool {
-        let across = match self.sweep {
-            Sweep::Linear => flat(point),
-            Sweep::Conic => flat(point) / point.y,
-        };
-        self.outline.contains(across)
-    }
-
     fn side_normal(&self, point: DVec3, toward: Side) -> DVec3 {
         let scale = match self.sweep {
             Sweep::Linear => 1.0,
@@ -426,7 +418,14 @@ impl Geometry for Prism {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.low <= point.y && point.y < self.high && self.is_in_sweep(point)
+        let scale = match self.sweep {
+            Sweep::Linear => 1.0,
+            Sweep::Conic if point.y.abs() < INSIDE_TOLERANCE => return false,
+            Sweep::Conic => point.y,
+        };
+        self.low <= point.y
+            && point.y < self.high
+            && spline::contains_as_povray(&self.outline, flat(point) / scale)
     }
 
     fn bounds(&self) -> Bounds {

@@ -10,7 +10,8 @@
 //! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`, and
 //! `tests/stability`, item 51, for cubic curves).
 //!
-//! In a difference POV-Ray 3.7 shows walls inside the sweep where two segments of the curve join; here there are none.
+//! In a difference POV-Ray 3.7 shows walls inside the sweep where two segments of the curve join; here there are none. Its
+//! inside test is followed: see [`Part::contains`].
 //!
 //! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and ignored.
 
@@ -183,14 +184,18 @@ impl Geometry for SphereSweep {
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         let part = &self.0.parts[face as usize];
-        let (x, _) = part.deepest(point);
+        let x = part.deepest(point);
         (point - part.centre) / part.size - part.at(x).truncate()
     }
 
     fn contains(&self, point: DVec3) -> bool {
         self.0.tree.visit_containing(point, |number| {
-            self.0.parts[number as usize].deepest(point).1 < 0.0
+            self.0.parts[number as usize].contains(point)
         })
+    }
+
+    fn may_miss_roots(&self) -> bool {
+        self.0.parts.iter().any(Part::may_miss_points)
     }
 
     fn bounds(&self) -> Bounds {

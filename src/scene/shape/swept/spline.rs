@@ -6,7 +6,7 @@
 
 mod chain;
 
-pub(in crate::scene::shape) use chain::{Chain, Line};
+pub(in crate::scene::shape) use chain::{Chain, Line, contains_as_povray};
 
 use crate::base::args::{Args, Parse, Word, trailing_comma};
 use crate::base::math::roots::polynomial::sign_changes;

@@ -31,6 +31,8 @@ pub(super) struct Profile {
     pub(super) segments: Chain,
     /// Number of segments of the curve, the visible ones.
     pub(super) visible_count: usize,
+    /// The least distance of the curve from the axis.
+    pub(super) inner: f64,
     arcs: Vec<MonotoneArc>,
     /// Bounds of the arcs in packets of four; the last packet is filled up with copies.
     arc_bounds: Vec<ArcBounds4>,
@@ -149,7 +151,8 @@ impl Profile {
         let high = segments
             .iter()
             .fold(DVec2::NEG_INFINITY, |high, s| high.max(s.high));
-        close(&mut segments, low.x.max(0.0));
+        let inner = low.x.max(0.0);
+        close(&mut segments, inner);
         let mut arcs = Vec::new();
         for (number, segment) in segments.iter().enumerate() {
             push_arcs(number, segment, &mut arcs);
@@ -167,6 +170,7 @@ impl Profile {
         Profile {
             segments: Chain::new(segments),
             visible_count,
+            inner,
             arc_bounds: arc_bounds.collect(),
             arcs,
             is_closed,

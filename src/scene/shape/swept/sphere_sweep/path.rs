@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 const POLISH: usize = 2;
 
 /// A polynomial by rising power.
-type Poly = SmallVec<[f64; 12]>;
+pub(super) type Poly = SmallVec<[f64; 12]>;
 /// Chord of a ray of unit direction: polynomials in the curve parameter.
 pub(super) struct ChordEnds {
     /// Negative distance along the ray from its origin to the point nearest to the centre of the sphere.

@@ -1,11 +1,11 @@
 //! One polynomial segment of the curve of a sweep.
 
 use super::Spans;
-use super::path::{ChordEnds, derivative, product};
+use super::path::{ChordEnds, Poly, derivative, product};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::polynomial::{sign_changes, value};
 use crate::base::math::{Bounds, Ray};
-use crate::scene::shape::SpanEnd;
+use crate::scene::shape::{INSIDE_TOLERANCE, SpanEnd};
 use glam::{DVec3, DVec4};
 
 /// One polynomial segment of the curve.
@@ -128,19 +128,50 @@ impl Part {
         });
     }
 
-    /// Parameter of the sphere in which a point lies deepest, and its squared distance from that sphere's centre less
-    /// the squared radius.
-    pub(super) fn deepest(&self, point: DVec3) -> (f64, f64) {
+    /// POV-Ray's inside test: true if some sphere of the segment has the point on its surface, so that a point that lies
+    /// in all of them is outside. Between the ends of a straight segment there is a tolerance, as far as a quadratic counts
+    /// as touching zero.
+    pub(super) fn contains(&self, point: DVec3) -> bool {
+        let depth = self.depth(point);
+        let tolerance = match depth[..] {
+            [_, _, square] => INSIDE_TOLERANCE * square.max(0.0),
+            _ => 0.0,
+        };
+        let ends = [-1.0, 1.0].map(|x| value(&depth, x));
+        let turns = sign_changes(&derivative(&depth));
+        let turns = turns.iter().map(|x| value(&depth, *x));
+        let (mut is_in, mut is_out) = (ends[0].min(ends[1]) <= 0.0, ends[0].max(ends[1]) >= 0.0);
+        for turn in turns {
+            is_in |= turn <= tolerance;
+            is_out |= turn >= 0.0;
+        }
+        is_in && is_out
+    }
+
+    /// True if a point may lie in all spheres of the segment: those at its ends overlap.
+    pub(super) fn may_miss_points(&self) -> bool {
+        let [start, end] = [-1.0, 1.0].map(|x| self.at(x));
+        let reach = start.w.abs() + end.w.abs();
+        (end - start).truncate().length_squared() < reach * reach
+    }
+
+    /// The squared distance of a point from the centre of the sphere at `x`, less its squared radius, as a polynomial.
+    fn depth(&self, point: DVec3) -> Poly {
         let local = ((point - self.centre) / self.size).extend(0.0);
         let mut about = self.curve;
         about[0] -= local;
-        let depth = product(&about[..self.len], |a, b| {
+        product(&about[..self.len], |a, b| {
             a.truncate().dot(b.truncate()) - a.w * b.w
-        });
+        })
+    }
+
+    /// Parameter of the sphere in which a point lies deepest.
+    pub(super) fn deepest(&self, point: DVec3) -> f64 {
+        let depth = self.depth(point);
         let turns = sign_changes(&derivative(&depth));
         let all = turns.into_iter().chain([-1.0, 1.0]);
         all.map(|x| (x, value(&depth, x)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap_or((0.0, f64::INFINITY))
+            .map_or(0.0, |(x, _)| x)
     }
 }

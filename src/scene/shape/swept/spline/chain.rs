@@ -210,6 +210,23 @@ fn crossings_of(segment: &Segment, line: Line, mut visit: impl FnMut(f64)) {
     }
 }
 
+/// POV-Ray's inside test: true if an odd number of crossings lie at the point's own y and not before it in x. Lines that
+/// are not level include both of their ends, so that a joint counts twice.
+pub(in crate::scene::shape) fn contains_as_povray(segments: &[Segment], point: DVec2) -> bool {
+    let mut is_inside = false;
+    for segment in segments {
+        if segment.degree > 1 {
+            let line = Line::through(point, DVec2::Y);
+            crossings_of(segment, line, |x| is_inside ^= segment.at(x).x >= point.x);
+            continue;
+        }
+        let (start, along) = (segment.start, segment.end - segment.start);
+        let share = (point.y - start.y) / along.y;
+        is_inside ^= (0.0..=1.0).contains(&share) && start.x + share * along.x >= point.x;
+    }
+    is_inside
+}
+
 /// True if a cubic with these coefficients keeps its sign between -1 and 1 by more than its rounding, because its
 /// Bernstein coefficients do.
 fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
