@@ -35,8 +35,9 @@ const ALL: &[RootQuestion] = &[
         distances: 4,
     },
     RootQuestion {
+        // Of large fields: `inside` has a tolerance of 1e-6.
         name: "a blob",
-        shape: "blob { threshold 0.4 sphere { <-0.4, 0, 0>, 1, 1 } sphere { <0.5, 0.2, 0>, 0.9, 0.8 } }",
+        shape: "blob { threshold 4e11 sphere { <-0.4, 0, 0>, 1, 1e12 } sphere { <0.5, 0.2, 0>, 0.9, 8e11 } }",
         aim: "<1.2 * rand(R) - 0.6, 0.8 * rand(R) - 0.4, 0.8 * rand(R) - 0.4>",
         unit: ROUNDING,
         direction: NORMAL,
