@@ -82,29 +82,31 @@ impl LayerBsdf<'_> {
 
     /// The highlights of light from one direction.
     #[inline]
-    pub(in crate::render::shade) fn highlight(&self, at: &ViewPoint, to_light: DVec3) -> f64 {
+    pub(in crate::render::shade) fn highlight(&self, at: &ViewPoint, to_light: DVec3) -> Highlight {
         let finish = self.finish;
         match finish.fresnel != 0.0 || finish.use_alpha {
             true => self.reduced_highlight(at, to_light),
-            false => highlight(finish, at, to_light),
+            false => Highlight::of(finish, at, to_light),
         }
     }
 
     #[inline(never)]
-    fn reduced_highlight(&self, at: &ViewPoint, to_light: DVec3) -> f64 {
+    fn reduced_highlight(&self, at: &ViewPoint, to_light: DVec3) -> Highlight {
         let mut phong = phong(self.finish, at, to_light);
         let mut specular = specular(self.finish, at, to_light);
         if self.finish.fresnel != 0.0 {
-            let half_vector = (to_light - at.view).normalize_or_zero();
             phong *= self.mirrored(at.normal.dot(to_light).abs());
-            specular *= self.mirrored(half_vector.dot(to_light).abs());
+            specular *= self.mirrored(half_cosine(at, to_light).abs());
         }
         let share = if self.finish.use_alpha {
             self.opacity
         } else {
             1.0
         };
-        (phong + specular) * share
+        Highlight {
+            strength: (phong + specular) * share,
+            specular: specular * share,
+        }
     }
 
     /// The side lit by light at this cosine to the normal; `None` if the layer receives none from there.
@@ -138,10 +140,48 @@ pub(in crate::render::shade) fn is_negligible(light: Rgb) -> bool {
     is_small(light.r) && is_small(light.g) && is_small(light.b)
 }
 
-/// The highlights of light from one direction, without the effects of `fresnel` and `use_alpha`.
-#[inline]
-pub(in crate::render::shade) fn highlight(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
-    phong(finish, at, to_light) + specular(finish, at, to_light)
+/// The highlights of light from one direction.
+#[derive(Clone, Copy)]
+pub(in crate::render::shade) struct Highlight {
+    /// That of both kinds.
+    pub(in crate::render::shade) strength: f64,
+    /// That of `specular` alone.
+    specular: f64,
+}
+
+impl Highlight {
+    /// The highlights without the effects of `fresnel` and `use_alpha`.
+    #[inline]
+    pub(in crate::render::shade) fn of(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> Self {
+        let specular = specular(finish, at, to_light);
+        Highlight {
+            strength: phong(finish, at, to_light) + specular,
+            specular,
+        }
+    }
+
+    /// The highlights of this light on a pigment, at this cosine between the normal and the light.
+    #[inline]
+    pub(in crate::render::shade) fn tinted(
+        &self,
+        finish: &Finish,
+        pigment: Rgb,
+        arriving: Rgb,
+        cosine: f64,
+        half_cosine: impl FnOnce() -> f64,
+    ) -> Rgb {
+        let tint = |cosine| arriving * metallic(finish.metallic, pigment, cosine);
+        if finish.tints_by_half_vector && finish.metallic != 0.0 && self.specular != 0.0 {
+            let phong = self.strength - self.specular;
+            return tint(cosine) * phong + tint(half_cosine()) * self.specular;
+        }
+        tint(cosine) * self.strength
+    }
+}
+
+/// The cosine between the light and the half vector.
+pub(in crate::render::shade) fn half_cosine(at: &ViewPoint, to_light: DVec3) -> f64 {
+    (to_light - at.view).normalize_or_zero().dot(to_light)
 }
 
 /// Phong's highlight: the cosine between the reflected view direction and the light.

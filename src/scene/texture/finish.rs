@@ -31,6 +31,8 @@ pub struct Finish {
     pub shininess: f32,
     /// The share of the pigment's colour in highlights.
     pub metallic: f32,
+    /// True if that of `specular` follows the angle to the half vector, not to the normal; since version 3.8.
+    pub tints_by_half_vector: bool,
     /// The largest amount by which diffuse light is darkened at random.
     pub crand: f32,
     /// Thin-film interference.
@@ -68,6 +70,7 @@ impl Default for Finish {
             specular: 0.0,
             shininess: 20.0,
             metallic: 0.0,
+            tints_by_half_vector: false,
             crand: 0.0,
             irid: Irid::default(),
             subsurface: None,
@@ -148,6 +151,7 @@ impl Finish {
             Word::Metallic => {
                 args.accept(word)?;
                 self.metallic = 1.0;
+                self.tints_by_half_vector = args.is_for_3_8();
             }
             Word::Ambient
             | Word::Brilliance
@@ -206,6 +210,7 @@ impl Finish {
             Word::Metallic => {
                 args.accept(word)?;
                 self.metallic = single(args.float_or(1.0)?);
+                self.tints_by_half_vector = args.is_for_3_8();
             }
             Word::Crand => self.crand = number(word, args)?,
             Word::Irid => self.irid = Irid::read(args)?,

@@ -5,7 +5,7 @@ use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::base::math::sampling::hash;
 use crate::render::shade::bsdf::{
-    LayerBsdf, LightContribution, MAX_TILTED, NEGLIGIBLE, ViewPoint, is_negligible, metallic,
+    LayerBsdf, LightContribution, MAX_TILTED, NEGLIGIBLE, ViewPoint, half_cosine, is_negligible,
 };
 use crate::render::shade::shading_point::{LightSample, ShadingPoint};
 use crate::render::shade::{Path, Scratch, Tracer};
@@ -174,10 +174,10 @@ impl Tracer<'_> {
             sum += bsdf.rgb * arriving * strength;
         }
         if has_highlights {
-            let strength = bsdf.highlight(at, to_light);
-            if strength != 0.0 {
-                let shine = metallic(finish.metallic, bsdf.rgb, cosine);
-                sum += arriving * shine * strength;
+            let highlight = bsdf.highlight(at, to_light);
+            if highlight.strength != 0.0 {
+                let half_cosine = || half_cosine(at, to_light);
+                sum += highlight.tinted(finish, bsdf.rgb, arriving, cosine, half_cosine);
             }
         }
         if finish.irid.amount > 0.0 {

@@ -10,7 +10,7 @@ use super::transmittance::ShadowPath;
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::render::shade::atmosphere::{AtmosphereTint, End, SegmentEnd};
-use crate::render::shade::bsdf::{NEGLIGIBLE, ViewPoint, highlight, is_negligible, metallic};
+use crate::render::shade::bsdf::{Highlight, NEGLIGIBLE, ViewPoint, half_cosine, is_negligible};
 use crate::render::shade::shade_cache::ShadeCache;
 use crate::render::shade::surface::Mirror;
 use crate::render::shade::{Path, Sample, Scratch, Tracer};
@@ -353,15 +353,13 @@ fn add_light(
         let Some(finish) = layer.finishes[lane] else {
             return;
         };
-        let strength = highlight(
-            finish,
-            &layer.viewed(hits, lane),
-            shadow_rays.to_light(lane),
-        );
-        if strength != 0.0 {
+        let (at, to_light) = (layer.viewed(hits, lane), shadow_rays.to_light(lane));
+        let highlight = Highlight::of(finish, &at, to_light);
+        if highlight.strength != 0.0 {
             let pigment = one_of(&layer.rgb, lane);
-            let shine = metallic(finish.metallic, pigment, cosine[lane]);
-            let shine = one_of(&arriving.rgb, lane) * shine * strength;
+            let arriving = one_of(&arriving.rgb, lane);
+            let half_cosine = || half_cosine(&at, to_light);
+            let shine = highlight.tinted(finish, pigment, arriving, cosine[lane], half_cosine);
             let both = one_of(&contribution, lane) + shine;
             put(&mut contribution, lane, both);
         }
