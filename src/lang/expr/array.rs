@@ -37,6 +37,10 @@ impl Reader<'_> {
             return Err(self.expected_here("a value"));
         };
         let is_number = self.is_like_number(&value);
+        if self.scopes.depth() > declaring.scope {
+            // A macro whose result this is ends behind it; its names hide those of the statement until then.
+            self.peek()?;
+        }
         let held = self.scopes.get(symbol).and_then(|held| held.item(&item));
         if is_function(&value) && held.is_some_and(is_function) {
             let reason = "this item holds a function already";
