@@ -4,6 +4,7 @@ mod adaptive;
 mod antialias;
 mod checkpoint;
 pub mod cost;
+mod first_call;
 mod photon_pass;
 pub mod photons;
 mod pretrace;
@@ -56,6 +57,7 @@ pub fn render(
             photons,
         };
     }
+    first_call::find(&tracer, options);
     let mut radiosity_pass = RadiosityPass::pretraced(&tracer, options);
     if let Sampling::Adaptive(settings) = &options.sampling {
         let (tracer, radiosity) = match radiosity_pass {

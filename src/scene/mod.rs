@@ -35,8 +35,10 @@ use crate::base::math::noise::NoiseGenerator;
 use crate::base::word::Word;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
+use crate::scene::function::RidgedCalls;
 use crate::scene::pattern::Settings;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -114,6 +116,8 @@ pub struct Globals {
     pub noise_generator: Option<NoiseGenerator>,
     /// Number of sources of `waves` and `ripples`.
     pub number_of_waves: u32,
+    /// The calls of `f_ridged_mf`.
+    pub ridged_calls: Arc<RidgedCalls>,
 }
 
 /// Wavelengths for thin-film interference in scenes that set none, in micrometres.
@@ -138,6 +142,7 @@ impl Default for Globals {
             subsurface: None,
             noise_generator: None,
             number_of_waves: Settings::default().number_of_waves,
+            ridged_calls: Arc::default(),
         }
     }
 }

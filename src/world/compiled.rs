@@ -16,6 +16,7 @@ use crate::base::math::noise::NoiseGenerator;
 use crate::base::options::TMinRule;
 use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
+use crate::scene::function::RidgedCalls;
 use crate::scene::interior::PreparedMedia;
 use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::scene::{RadiositySettings, Subsurface};
@@ -23,7 +24,7 @@ use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Global shading settings.
 #[derive(Clone, Debug)]
@@ -54,6 +55,8 @@ pub struct Globals {
     pub has_alpha: bool,
     /// The working space; `None` without gamma handling.
     pub working_gamma: Option<Gamma>,
+    /// The calls of `f_ridged_mf`.
+    pub ridged_calls: Arc<RidgedCalls>,
 }
 
 impl Globals {

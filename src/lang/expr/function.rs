@@ -192,7 +192,10 @@ impl Reader<'_> {
             self.string()?;
         }
         if let Some(computes) = self.function_without_formula()? {
-            let is_internal = matches!(computes, Computes::Internal(_) | Computes::Noise(_));
+            let is_internal = matches!(
+                computes,
+                Computes::Internal(_) | Computes::Noise(_) | Computes::Ridged(_)
+            );
             if let (Some((_, span)), false) = (&named, is_internal) {
                 return Err(self.with_trace(
                     Diagnostic::error(
@@ -296,6 +299,8 @@ impl Reader<'_> {
                 let internal = self.internal_function()?;
                 if internal.number == internal::NOISE_3D {
                     Computes::Noise(self.pattern_settings().noise_generator)
+                } else if internal.number == internal::RIDGED_MF && self.draft.globals.is_for_3_8 {
+                    Computes::Ridged(Arc::clone(&self.draft.globals.ridged_calls))
                 } else {
                     Computes::Internal(internal)
                 }

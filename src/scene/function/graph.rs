@@ -169,6 +169,14 @@ impl Graph {
         {
             return self.inline(graph, arguments);
         }
+        if let Kind::Ridged(calls) = &function.kind {
+            let constant = |at: usize| arguments.get(at).and_then(|&id| self.constant_of(id));
+            calls.note(
+                constant(3)
+                    .zip(constant(4))
+                    .map(|(h, lacunarity)| [h, lacunarity]),
+            );
+        }
         let existing = self.callees.iter().position(|f| Arc::ptr_eq(f, function));
         let callee = existing.unwrap_or_else(|| {
             self.callees.push(Arc::clone(function));

@@ -384,9 +384,11 @@ impl Number for Interval {
                 Some(bound) => Interval::new(-bound, bound),
                 None => Interval::WHOLE,
             },
-            Kind::Field(_) | Kind::Color(_) | Kind::Transform(_) | Kind::Spline(_) => {
-                Interval::WHOLE
-            }
+            Kind::Ridged(_)
+            | Kind::Field(_)
+            | Kind::Color(_)
+            | Kind::Transform(_)
+            | Kind::Spline(_) => Interval::WHOLE,
         }
     }
 }

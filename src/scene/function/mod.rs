@@ -6,6 +6,7 @@
 //!
 //! Missing: `function { }` as an image (`image_map { function W, H { } }`).
 
+mod first_call;
 mod fold;
 mod graph;
 pub mod internal;
@@ -17,6 +18,7 @@ mod program;
 #[cfg(test)]
 mod tests;
 
+pub use first_call::RidgedCalls;
 pub use fold::{ChainTail, DivisionByZero, Form, Operand, chain, product};
 pub use graph::{Block, Graph, Id};
 pub use internal::Internal;
@@ -62,6 +64,8 @@ pub enum Kind {
     Internal(&'static Internal),
     /// `f_noise3d`: the noise of the scene.
     Noise(NoiseGenerator),
+    /// `f_ridged_mf` in a scene for POV-Ray 3.8.
+    Ridged(Arc<RidgedCalls>),
     /// `pattern { ... }`.
     Field(Arc<dyn Field>),
     /// `pigment { ... }`.
@@ -117,6 +121,7 @@ impl Function {
     pub fn of(kind: Kind) -> Self {
         let parameters = match &kind {
             Kind::Internal(internal) => internal.parameters(),
+            Kind::Ridged(_) => 9,
             Kind::Spline(_) => 1,
             _ => 3,
         };
@@ -146,7 +151,11 @@ impl Function {
     pub fn is_scalar(&self) -> bool {
         matches!(
             self.kind,
-            Kind::Program(_) | Kind::Internal(_) | Kind::Noise(_) | Kind::Field(_)
+            Kind::Program(_)
+                | Kind::Internal(_)
+                | Kind::Noise(_)
+                | Kind::Ridged(_)
+                | Kind::Field(_)
         )
     }
 
@@ -154,10 +163,10 @@ impl Function {
     #[must_use]
     pub fn components(&self) -> u8 {
         match &self.kind {
-            Kind::Program(_) | Kind::Internal(_) | Kind::Noise(_) | Kind::Field(_) => 1,
             Kind::Color(_) => 5,
             Kind::Transform(_) => 3,
             Kind::Spline(spline) => spline.components(),
+            _ => 1,
         }
     }
 
@@ -169,6 +178,7 @@ impl Function {
             Kind::Program(program) => program.run(arguments),
             Kind::Internal(internal) => internal.value(arguments),
             Kind::Noise(noise) => noise.noise(point_of(arguments)),
+            Kind::Ridged(calls) => calls.value(arguments),
             Kind::Field(field) => field.value(point_of(arguments)),
             _ => self.eval_vector(arguments)[0],
         }

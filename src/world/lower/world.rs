@@ -14,7 +14,7 @@ use crate::world::primitive::Leaf;
 use crate::world::query::closest::POV_RAY_T_MAX;
 use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
 const TREE_FROM: usize = 3;
@@ -96,6 +96,7 @@ impl World {
                 is_3_8: scene.globals.is_for_3_8,
                 has_alpha: options.alpha,
                 working_gamma: scene.working_gamma(),
+                ridged_calls: Arc::clone(&scene.globals.ridged_calls),
             },
             ties_by_box: has_tree,
             least_distance: options.t_min_rule,

@@ -10,6 +10,7 @@ mod falloffs;
 mod noises;
 mod solids;
 
+pub(super) use noises::ridged_mf;
 use std::fmt;
 
 /// POV-Ray clamps the values of most algebraic surfaces to this magnitude.
@@ -73,6 +74,9 @@ impl Internal {
 
 /// The number of `f_noise3d`, which uses the noise generator of the scene.
 pub const NOISE_3D: u16 = 76;
+
+/// The number of `f_ridged_mf`, whose octave weights are those of its first call in POV-Ray.
+pub const RIDGED_MF: u16 = 59;
 
 /// All built-in functions, by group.
 static LISTS: [&[Internal]; 5] = [

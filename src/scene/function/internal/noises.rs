@@ -1,8 +1,8 @@
 //! Noise, and landscapes from noise: Musgrave's multifractals (Ebert et al., "Texturing and Modeling", 1994, chapter
 //! 16) and POV-Ray's `f_ridge`.
 //!
-//! POV-Ray computes the octave weights of `f_ridged_mf` once per run, from the `H` and lacunarity of the first call;
-//! here every call computes its own.
+//! POV-Ray computes the octave weights of `f_ridged_mf` once per run, from the `H` and lacunarity of the first call.
+//! Scenes for 3.8 do so too (`first_call.rs`); in others every call computes its own.
 
 use super::Internal;
 use crate::base::math::noise::NoiseGenerator;
@@ -15,7 +15,9 @@ const MAX_OCTAVES: f64 = 1000.0;
 pub(super) static LIST: &[Internal] = &[
     Internal::new(29, "f_hetero_mf", 6, hetero_mf),
     Internal::new(58, "f_ridge", 6, ridge),
-    Internal::new(59, "f_ridged_mf", 6, ridged_mf),
+    Internal::new(super::RIDGED_MF, "f_ridged_mf", 6, |p| {
+        ridged_mf(p, [p[3], p[4]])
+    }),
     // When a scene is parsed, the scene's own generator replaces this function.
     Internal::new(super::NOISE_3D, "f_noise3d", 0, |p| {
         NoiseGenerator::default().noise(point(p))
@@ -73,8 +75,8 @@ fn hetero_mf(p: &[f64]) -> f64 {
 
 /// `H, lacunarity, octaves, offset, gain, generator`: the octaves are folded at zero, squared, and weighted by the
 /// previous one.
-fn ridged_mf(p: &[f64]) -> f64 {
-    let [_, _, _, h, lacunarity, octaves, offset, gain, number] = *p else {
+pub(in crate::scene::function) fn ridged_mf(p: &[f64], [h, growth]: [f64; 2]) -> f64 {
+    let [_, _, _, _, lacunarity, octaves, offset, gain, number] = *p else {
         return 0.0;
     };
     let noise = generator(number);
@@ -89,7 +91,7 @@ fn ridged_mf(p: &[f64]) -> f64 {
     let mut octave = 1.0;
     while octave < octaves {
         at *= lacunarity;
-        frequency *= lacunarity;
+        frequency *= growth;
         signal = folded(at) * (signal * gain).clamp(0.0, 1.0);
         value += signal * f64::powf(frequency, -h);
         octave += 1.0;

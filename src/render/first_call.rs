@@ -1,0 +1,25 @@
+//! The first call of `f_ridged_mf` in a picture, which sets the octave weights of all.
+
+use super::shade::{BlockScratch, Tracer};
+use super::tiles::tiles_of;
+use crate::base::options::RenderOptions;
+
+/// Traces pixels in POV-Ray's order until a call is evaluated, if the picture depends on it.
+pub(super) fn find(tracer: &Tracer<'_>, options: &RenderOptions) {
+    let calls = &tracer.world().globals.ridged_calls;
+    if !calls.is_open() {
+        return;
+    }
+    let (width, height) = (options.width, options.height);
+    let mut scratch = BlockScratch::default();
+    for tile in tiles_of(options) {
+        for y in tile.rows.clone().map(f64::from) {
+            for x in tile.columns.clone().map(f64::from) {
+                if !calls.is_open() || options.stop.is_cancelled() {
+                    return;
+                }
+                let _ = tracer.pixel(x, y, width, height, scratch.single());
+            }
+        }
+    }
+}

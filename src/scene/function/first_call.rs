@@ -1,0 +1,90 @@
+//! The octave weights of `f_ridged_mf`, which POV-Ray computes once, for the first call.
+
+use super::internal::ridged_mf;
+use std::sync::{Mutex, OnceLock};
+
+/// What the weights follow from: `H` and the lacunarity of a call.
+pub(super) type OctaveWeights = [f64; 2];
+
+/// The calls of `f_ridged_mf` in a scene for POV-Ray 3.8. The first one that is evaluated sets the weights for all.
+#[derive(Debug, Default)]
+pub struct RidgedCalls {
+    first: OnceLock<OctaveWeights>,
+    /// The different calls in the scene, with `None` for one whose arguments vary.
+    known: Mutex<Vec<Option<OctaveWeights>>>,
+}
+
+impl RidgedCalls {
+    /// The value for these arguments; zero if there are too few.
+    #[must_use]
+    pub fn value(&self, arguments: &[f64]) -> f64 {
+        let Some(&[x, y, z, h, lacunarity, octaves, offset, gain, noise]) = arguments.first_chunk()
+        else {
+            return 0.0;
+        };
+        let weights = *self.first.get_or_init(|| [h, lacunarity]);
+        let arguments = [x, y, z, h, lacunarity, octaves, offset, gain, noise];
+        ridged_mf(&arguments, weights)
+    }
+
+    /// Notes a call in a formula.
+    pub(super) fn note(&self, call: Option<OctaveWeights>) {
+        let Ok(mut known) = self.known.lock() else {
+            return;
+        };
+        if !known.contains(&call) {
+            known.push(call);
+        }
+    }
+
+    /// Returns true if the picture depends on which call is the first one, and none was evaluated yet.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        let differs = self
+            .known
+            .lock()
+            .is_ok_and(|known| known.len() > 1 || known.contains(&None));
+        differs && self.first.get().is_none()
+    }
+}
+
+impl PartialEq for RidgedCalls {
+    /// They follow from the rest of the scene.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_call_sets_the_weights_of_all() {
+        let at = |h, lacunarity| [0.3, 0.4, 0.5, h, lacunarity, 7.0, 0.6, 0.9, 1.0];
+        let calls = RidgedCalls::default();
+        calls.note(Some([0.07, 2.2]));
+        assert!(!calls.is_open());
+        calls.note(Some([0.4, 3.1]));
+        assert!(calls.is_open());
+        let first = calls.value(&at(0.07, 2.2));
+        assert!(!calls.is_open());
+        let own = |h, lacunarity| ridged_mf(&at(h, lacunarity), [h, lacunarity]);
+        assert_eq!(first.to_bits(), own(0.07, 2.2).to_bits());
+        let second = calls.value(&at(0.4, 3.1));
+        assert_ne!(second.to_bits(), own(0.4, 3.1).to_bits());
+        assert_eq!(
+            second.to_bits(),
+            ridged_mf(&at(0.4, 3.1), [0.07, 2.2]).to_bits()
+        );
+    }
+
+    #[test]
+    fn calls_with_varying_arguments_are_open() {
+        let calls = RidgedCalls::default();
+        calls.note(None);
+        assert!(calls.is_open());
+        assert_eq!(calls.value(&[1.0]).to_bits(), 0.0_f64.to_bits());
+        assert!(calls.is_open());
+    }
+}
