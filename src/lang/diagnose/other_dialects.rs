@@ -49,8 +49,11 @@ pub(crate) fn is_of_hg_povray(name: &str) -> bool {
         .any(|word| word == name)
 }
 
-/// Words of HG-POV that public scenes use: shapes and files of meshes, then projections of the camera.
-const OF_HG_POVRAY: &str = "galley gts_load gts_save nurbs rational_bezier_patch stl_save tesselation uv_reference
+/// Words of HG-POV that public scenes use: shapes, files of meshes, patterns and splines, then projections of the
+/// camera.
+const OF_HG_POVRAY: &str = "akima_spline basic_x_spline bourke cristal cubicle extended_x_spline galley general_x_spline gts_load gts_save
+    heller intermerge interunion masonry nurbs parsed_tokens rational_bezier_patch stl_save tcb_spline tesselation
+    uv_reference voronoi
     aitoff_hammer balthasart behrmann eckert_iv eckert_vi edwards gall hobo_dyer icosa lambert_azimuthal mercator
     mollweide octa parallaxe peters smyth_craster stereo tetra van_der_grinten";
 

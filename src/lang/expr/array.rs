@@ -412,6 +412,7 @@ impl Reader<'_> {
             false => Extent::Fixed,
         };
         if sizes.is_empty() {
+            self.draft.note_word_of_3_8(Word::Array);
             sizes.push(0);
         }
         let mut array = Array::new(sizes);

@@ -283,8 +283,14 @@ impl<T> Map<T> {
                 return Err(args.expected(&format!("`]` after an entry of `{what}`")));
             }
             if entries.len() > most {
-                let limit = format!("at most {most} entries in `{what}`");
-                return Err(args.expected(&limit));
+                if args.is_for_3_8() {
+                    return Err(args.expected(&format!("at most {most} entries in `{what}`")));
+                }
+                let message = format!("more than {most} entries in `{what}` need version 3.8");
+                let error = Diagnostic::error(args.last_span(), message);
+                return Err(Box::new(
+                    error.with_hint("Begin the scene with `#version 3.8;`."),
+                ));
             }
         }
         match Map::new(entries) {
@@ -499,6 +505,9 @@ mod tests {
         assert_eq!(error, "expected `[` and an entry of `color_map`, found `}`");
         let many = format!("{{ {} }}", "[0 rgb 1]".repeat(MAX_ENTRIES + 1));
         let error = colors(&many).expect_err("it is too long").message;
-        assert!(error.starts_with("expected at most 256 entries"), "{error}");
+        assert_eq!(
+            error,
+            "more than 256 entries in `color_map` need version 3.8"
+        );
     }
 }

@@ -146,6 +146,10 @@ impl Ovus {
     fn read_arc(args: &mut dyn Args, at: Span, bottom: f64, top: f64) -> Parse<Self> {
         let (mut distance, mut arc_radius) = (bottom, 2.0 * bottom.max(top));
         loop {
+            let words = [Word::Radius, Word::Distance, Word::Precision];
+            if let Some(word) = args.word()?.filter(|word| words.contains(word)) {
+                args.note_word_of_3_8(word);
+            }
             if args.accept(Word::Radius)? {
                 arc_radius = read::number(args, "the radius of the ovus")?;
             } else if args.accept(Word::Distance)? {
