@@ -9,9 +9,6 @@ use std::sync::Arc;
 /// Below this, POV-Ray treats every entry of a matrix column as zero.
 const ZERO_COLUMN: f64 = 1e-10;
 
-/// The remedy for a comma after the last number, which only POV-Ray 3.8 reads.
-const TRAILING_COMMA: &str = "Remove the comma, or begin the scene with `#version 3.8;`.";
-
 /// Reads the transform that begins at the next word; `None` if that word begins none.
 ///
 /// # Errors
@@ -81,12 +78,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
     }
     trailing_comma(args)?;
     if !args.accept_mark('>')? {
-        let error = args.expected("`>` after the twelve numbers of `matrix`");
-        let is_older = !args.is_for_3_8();
-        return Err(match is_older && args.accept_mark(',')? {
-            true => Box::new(error.with_hint(TRAILING_COMMA)),
-            false => error,
-        });
+        return Err(args.expected("`>` after the twelve numbers of `matrix`"));
     }
     for column in 0..3 {
         if (0..3).all(|row| m[3 * row + column].abs() < ZERO_COLUMN) {

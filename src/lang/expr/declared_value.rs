@@ -86,15 +86,19 @@ impl Reader<'_> {
         }
     }
 
-    /// True if the next item of an array stands alone: its indices are followed by neither a call nor an operator, but
-    /// by something that may follow a value.
+    /// True if the next item of an array stands alone: its indices and keys are followed by neither a call nor an operator,
+    /// but by something that may follow a value.
     fn is_item_alone(&self) -> bool {
         let tokens = &self.here.tokens.tokens;
         let mut at = self.here.at + 1;
         let mut open = 0_usize;
-        while open > 0 || tokens[at].is_mark('[') {
+        while open > 0 || tokens[at].is_mark('[') || tokens[at].is_mark('.') {
             match tokens[at].kind {
                 Kind::DataSegment | Kind::End => return false,
+                Kind::Mark if open == 0 && tokens[at].is_mark('.') => {
+                    let is_key = matches!(tokens[at + 1].kind, Kind::Name | Kind::Word);
+                    at += usize::from(is_key);
+                }
                 _ if tokens[at].is_mark('[') => open += 1,
                 _ if tokens[at].is_mark(']') => open -= 1,
                 _ => {}
