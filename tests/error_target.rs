@@ -21,7 +21,7 @@ use povr::base::film::Film;
 use povr::base::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use std::path::{Path, PathBuf};
 
-const SIZE: (u32, u32) = (64, 48);
+const SIZE: (u32, u32) = (48, 36);
 /// Samples on a side of a pixel of the reference.
 const GRID: u32 = 24;
 /// Requested errors, in steps of 1/255.

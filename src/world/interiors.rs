@@ -29,6 +29,8 @@ pub struct Interiors {
     hollow: [Vec<bool>; 2],
     unnamed: u32,
     default: Interior,
+    /// Those that finishes have changed of the others, by rising id.
+    changed: Vec<(InteriorId, Interior)>,
     /// The media of the written interiors, up to the last one that has any.
     media: Vec<Arc<[PreparedMedia]>>,
 }
@@ -56,8 +58,8 @@ impl Interiors {
         first
     }
 
-    /// The interior of an object that writes `own` and inherits `above`. Its `finishes`, lowest layer first, may change
-    /// it, as in old scenes.
+    /// The interior of an object that writes `own` and inherits `above`. The `finishes` of its texture, lowest layer
+    /// first, may change it, as in old scenes: also the one that it shares with all objects of a CSG object or union.
     pub(super) fn of_object<'a>(
         &mut self,
         own: Option<&Arc<Interior>>,
@@ -66,15 +68,33 @@ impl Interiors {
     ) -> InteriorId {
         let is_changed = finishes.clone().any(Finish::has_interior);
         match (own, above) {
-            (None, Some(above)) if !is_changed => above,
+            (None, Some(above)) => {
+                if is_changed {
+                    self.get_mut(above).take_finish_settings(finishes);
+                }
+                above
+            }
             (None, None) if !is_changed => self.unnamed(),
-            (own, above) => {
-                let inherited = || above.map_or_else(Interior::default, |id| self.get(id).clone());
-                let mut interior = own.map_or_else(inherited, |own| (**own).clone());
+            (own, None) | (own @ Some(_), _) => {
+                let mut interior = own.map_or_else(Interior::default, |own| (**own).clone());
                 interior.take_finish_settings(finishes);
                 self.written(interior)
             }
         }
+    }
+
+    fn get_mut(&mut self, id: InteriorId) -> &mut Interior {
+        if !id.is_unnamed() {
+            return &mut self.written[id.0 as usize];
+        }
+        let at = match self.changed.binary_search_by_key(&id.0, |(id, _)| id.0) {
+            Ok(at) => at,
+            Err(at) => {
+                self.changed.insert(at, (id, Interior::default()));
+                at
+            }
+        };
+        &mut self.changed[at].1
     }
 
     /// Sets the media of a written interior.
@@ -156,6 +176,12 @@ impl Interiors {
     /// The interior with this id.
     #[must_use]
     pub fn get(&self, id: InteriorId) -> &Interior {
-        self.written.get(id.0 as usize).unwrap_or(&self.default)
+        let written = self.written.get(id.0 as usize);
+        written.unwrap_or_else(|| self.unwritten(id))
+    }
+
+    fn unwritten(&self, id: InteriorId) -> &Interior {
+        let known = self.changed.binary_search_by_key(&id.0, |(id, _)| id.0);
+        known.map_or(&self.default, |at| &self.changed[at].1)
     }
 }

@@ -1,5 +1,6 @@
 //! `texture`: layers of pigment, normal and finish, and changes to them by later parts of a scene.
 
+use super::version_2::FIRST_WITH_BLOCKS;
 use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
 use crate::base::args::{Args, Parse, Word, declared, interned, transform_step};
 use crate::base::color::{Color, Rgb};
@@ -159,7 +160,8 @@ impl Texture {
         texture.checked(args)
     }
 
-    /// Reads a transform, a part of the top layer, or a modifier of the pattern; false if none is next.
+    /// Reads a transform, a part of the top layer, or a modifier of the pattern; false if none is next. Before version 3
+    /// the name of a texture replaces all that precedes it.
     pub(super) fn read_item(&mut self, args: &mut dyn Args, default: &Layer) -> Parse<bool> {
         if let Some(pattern) = &mut self.pattern {
             return pattern.read_item(args, default);
@@ -178,6 +180,12 @@ impl Texture {
                 Ok(layer.read_part(word, args)? || layer.read_old(args)?)
             }
             None => {
+                if args.version() < FIRST_WITH_BLOCKS
+                    && let Some(known) = declared::<Texture>(args)?
+                {
+                    *self = Texture::clone(&known);
+                    return Ok(true);
+                }
                 let layer = self.top_mut();
                 Ok(layer.read_named(args)? || layer.read_old(args)?)
             }

@@ -58,10 +58,11 @@ impl Lowering {
             }),
             None => inherited.clone(),
         };
-        let layers = object
-            .texture
-            .as_ref()
-            .map_or(&[][..], |own| own.what.layers());
+        let own = object.texture.as_ref().map(|own| &own.what);
+        let inherited = above.texture.as_ref().map(|above| &above.texture);
+        let layers = own
+            .or(inherited)
+            .map_or(&[][..], |texture| texture.layers());
         let finishes = layers.iter().map(|layer| &*layer.finish);
         let interior = self
             .interiors
