@@ -283,10 +283,7 @@ fn transformed_plane(plane: &Plane, steps: &[Step]) -> Plane {
         .world_from_object
         .transform_point3(plane.distance * plane.normal);
     let normal = transform.normal(plane.normal).normalize_or_zero();
-    Plane {
-        normal,
-        distance: normal.dot(point),
-    }
+    Plane::new(normal, normal.dot(point))
 }
 
 /// Returns true for height fields, whose boxes do not shrink an intersection or difference.

@@ -4,7 +4,7 @@ use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
 use crate::base::options::{RenderOptions, TMinRule};
 use crate::scene::pattern::{Settings, Solid};
-use crate::scene::shape::Geometry;
+use crate::scene::shape::{Geometry, Shape};
 use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::lowering::Lowering;
@@ -90,7 +90,7 @@ impl ProbeModel {
                 if self.worlds.len() == CACHED {
                     self.worlds.remove(0);
                 }
-                let world = compiled(object, normalization.unwrap_or_default());
+                let world = compiled_for_queries(object, normalization.unwrap_or_default());
                 self.worlds.push((Arc::clone(object), world));
             }
         }
@@ -110,10 +110,11 @@ impl Solid for ProbedObject {
 /// Compiles an object for point queries.
 pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
     let object = Arc::clone(object).downcast::<Object>().ok()?;
-    Some(solid(&object))
+    let world = compiled_for_queries(&object, Normalization::default());
+    Some(Arc::new(ProbedObject(world)))
 }
 
-/// The solid of an object.
+/// The solid of an object in the world.
 pub(super) fn solid(object: &Arc<Object>) -> Arc<dyn Solid> {
     Arc::new(ProbedObject(compiled(object, Normalization::default())))
 }
@@ -138,4 +139,15 @@ fn compiled(object: &Arc<Object>, normalization: Normalization) -> World {
         ..RenderOptions::default()
     };
     World::new(&scene, flat, &options)
+}
+
+/// The same for points that the scene's text queries.
+fn compiled_for_queries(object: &Arc<Object>, normalization: Normalization) -> World {
+    let mut world = compiled(object, normalization);
+    for leaf in &mut world.model.leaves {
+        if let Shape::Plane(plane) = &mut leaf.shape {
+            plane.use_inside_tolerance();
+        }
+    }
+    world
 }

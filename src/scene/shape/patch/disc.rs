@@ -60,10 +60,7 @@ impl Disc {
 
     fn cross(&self, ray: &Ray) -> (Start, Option<Root>) {
         // Relative to the centre, so that a disc across an axis gets the depth (centre - origin) / dir to the bit.
-        let about_centre = Plane {
-            normal: self.normal,
-            distance: 0.0,
-        };
+        let about_centre = Plane::new(self.normal, 0.0);
         let (start, root) = about_centre.cross(&Ray::new(ray.origin - self.centre, ray.dir));
         let root = root.map(|root| Root {
             is_visible: self.is_in_ring(ray.at(root.t) - self.centre),

@@ -22,9 +22,26 @@ pub struct Plane {
     pub normal: DVec3,
     /// The distance of the surface from the origin, along the normal.
     pub distance: f64,
+    /// Points up to this far outside count as inside.
+    inside_tolerance: f64,
 }
 
 impl Plane {
+    /// The half-space behind a unit normal, `distance` from the origin.
+    pub(crate) fn new(normal: DVec3, distance: f64) -> Self {
+        Plane {
+            normal,
+            distance,
+            inside_tolerance: 0.0,
+        }
+    }
+
+    /// Takes POV-Ray's tolerance for points that the scene's text queries. It is a length of the world: with it
+    /// pictures would depend on the unit.
+    pub(crate) fn use_inside_tolerance(&mut self) {
+        self.inside_tolerance = INSIDE_TOLERANCE;
+    }
+
     /// Reads `<normal>, distance`.
     ///
     /// # Errors
@@ -39,7 +56,7 @@ impl Plane {
             return Err(Box::new(error));
         };
         let distance = read::number(args, "the distance of the plane")?;
-        Ok(Plane { normal, distance })
+        Ok(Plane::new(normal, distance))
     }
 
     /// The crossing of the whole line and the side it starts on. A crossing too far for a finite number is dropped.
@@ -153,7 +170,8 @@ impl Geometry for Plane {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.normal.dot(point) - self.distance < INSIDE_TOLERANCE
+        let height = self.normal.dot(point) - self.distance;
+        height <= 0.0 || height < self.inside_tolerance
     }
 
     fn surface_side(&self) -> SurfaceSide {
