@@ -200,6 +200,17 @@ impl Leaf {
         self.shape.is_exiting(self.to_object(ray, &mut None))
     }
 
+    /// True for a convex solid in world coordinates whose whole surface is seen.
+    #[must_use]
+    pub(super) fn is_convex_solid(&self) -> bool {
+        self.object_from_world.is_none()
+            && match &self.shape {
+                Shape::Sphere(_) | Shape::Cuboid(_) => true,
+                Shape::Cylinder(cylinder) => !cylinder.is_open(),
+                _ => false,
+            }
+    }
+
     /// A `t` up to which a world ray that leaves the shape outward certainly does not hit it again; `None` if unknown.
     #[must_use]
     #[inline]

@@ -1,5 +1,5 @@
-//! Beams: all segments from a point to the points of a box, such as the shadow rays to an area light (Heckbert and
-//! Hanrahan 1984, "Beam tracing polygonal objects").
+//! Beams: all segments from the points of one box to the points of another, such as the shadow rays from neighbouring
+//! points to an area light (Heckbert and Hanrahan 1984, "Beam tracing polygonal objects").
 //!
 //! One traversal finds the items that any of these segments may hit, in single precision and conservatively. Mostly
 //! they are few or none, which spares every segment a traversal of its own.
@@ -8,6 +8,7 @@ use super::Bvh;
 use super::node::{Frame, Node, WIDTH};
 use super::packet::REL_ERROR;
 use super::sphere_leaf::SphereLeaf;
+use crate::base::math::Bounds;
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use arrayvec::ArrayVec;
@@ -25,26 +26,31 @@ const MAX_DISTANCE: f64 = 1e4;
 /// Bound on the relative error of a parameter at which a segment passes a plane: three roundings, with a margin.
 const ERROR: f32 = 4.0 * REL_ERROR;
 
-/// A beam in the frame of a tree. Segment parameters go from 0 at the point to 1 at the box.
+/// A beam in the frame of a tree. Segment parameters go from 0 at the first box to 1 at the second.
 struct Beam {
-    /// The interval of the point.
+    /// The first box.
     low: [f32; 3],
     high: [f32; 3],
     /// By axis, the inverses of the smallest and of the largest direction.
     inverse: [[f32; 2]; 3],
-    /// The direction to the centre of the box, and the square of its length.
+    /// The centre of the first box, the direction to that of the second, and the square of its length.
+    from: [f32; 3],
     dir: [f32; 3],
     dir_sq: f32,
-    /// Bound on the distance of a segment from that to the centre, at parameter 1.
-    spread: f32,
+    /// Bound on the length of a segment.
+    length: f32,
+    /// Bounds on the distance of a segment from the one between the centres, at parameters 0 and 1.
+    spreads: [f32; 2],
 }
 
 impl Beam {
-    /// The beam from a point to the box with this centre and these half sides; `None` if it cannot be represented.
-    fn new(frame: &Frame, point: DVec3, centre: DVec3, half_sides: DVec3) -> Option<Beam> {
-        let (from, to) = (frame.in_frame(point), frame.in_frame(centre));
+    /// The beam from a box to the one with this centre and these half sides; `None` if it cannot be represented.
+    fn new(frame: &Frame, points: &Bounds, centre: DVec3, half_sides: DVec3) -> Option<Beam> {
+        let [least_from, largest_from] = [points.min, points.max].map(|end| frame.in_frame(end));
+        let (from, to) = (0.5 * (least_from + largest_from), frame.in_frame(centre));
         let half = half_sides * frame.scale();
-        let size = from.abs().max(to.abs() + half).max_element();
+        let extent = least_from.abs().max(largest_from.abs());
+        let size = extent.max(to.abs() + half).max_element();
         // The largest element of a vector passes over NaN.
         let is_known = from.is_finite() && to.is_finite() && half.is_finite();
         if !(is_known && size < MAX_DISTANCE && frame.scale().is_normal()) {
@@ -52,18 +58,24 @@ impl Beam {
         }
         let error = 8.0 * f64::EPSILON * size;
         let dir = to - from;
-        let (least, largest) = (dir - half - error, dir + half + error);
+        let (least, largest) = (
+            to - half - largest_from - error,
+            to + half - least_from + error,
+        );
+        let spread = |half: DVec3| loose_above(half.length() + error) * (1.0 + ERROR);
         let mut beam = Beam {
             low: [0.0; 3],
             high: [0.0; 3],
             inverse: [[0.0; 2]; 3],
+            from: [nearest(from.x), nearest(from.y), nearest(from.z)],
             dir: [nearest(dir.x), nearest(dir.y), nearest(dir.z)],
             dir_sq: 0.0,
-            spread: loose_above(half.length() + error) * (1.0 + ERROR),
+            length: 0.0,
+            spreads: [spread(0.5 * (largest_from - least_from)), spread(half)],
         };
         for axis in 0..3 {
-            beam.low[axis] = loose_below(from[axis] - error);
-            beam.high[axis] = loose_above(from[axis] + error);
+            beam.low[axis] = loose_below(least_from[axis] - error);
+            beam.high[axis] = loose_above(largest_from[axis] + error);
             let (mut least, mut largest) = (loose_below(least[axis]), loose_above(largest[axis]));
             if least.abs() < FLAT {
                 least = -FLAT;
@@ -75,6 +87,8 @@ impl Beam {
         }
         let [u, v, w] = beam.dir;
         beam.dir_sq = u * u + v * v + w * w;
+        let [at_start, at_end] = beam.spreads;
+        beam.length = (beam.dir_sq.sqrt() + at_start + at_end) * (1.0 + ERROR);
         Some(beam)
     }
 
@@ -155,9 +169,9 @@ impl SimdKernel for BeamAndSphereLeaf<'_> {
         ]);
         // The axis of the beam passes a sphere no farther away than its radius and the width of the beam there.
         let [x, y, z] = [
-            x - <F::F32>::splat(beam.low[0]),
-            y - <F::F32>::splat(beam.low[1]),
-            z - <F::F32>::splat(beam.low[2]),
+            x - <F::F32>::splat(beam.from[0]),
+            y - <F::F32>::splat(beam.from[1]),
+            z - <F::F32>::splat(beam.from[2]),
         ];
         let [u, v, w] = [
             <F::F32>::splat(beam.dir[0]),
@@ -167,27 +181,38 @@ impl SimdKernel for BeamAndSphereLeaf<'_> {
         let a = y * w - z * v;
         let b = z * u - x * w;
         let c = x * v - y * u;
-        let width = leave.lane_min(<F::F32>::splat(1.0 + ERROR)) * <F::F32>::splat(beam.spread);
+        let [at_start, at_end] = beam.spreads.map(<F::F32>::splat);
+        let width = at_start + leave.lane_min(<F::F32>::splat(1.0 + ERROR)) * at_end;
         let error = (x.abs() + y.abs() + z.abs() + size) * <F::F32>::splat(2.0 * ERROR);
         let reach = radius + width + error;
         let is_near = (a * a + b * b + c * c).le(reach * reach * <F::F32>::splat(beam.dir_sq));
-        <F::F32>::splat(0.0).le(load(&leaf.radius)) & enter.le(leave) & is_near
+        // Segments that all go away from a sphere they start outside of do not hit it.
+        let extent = x.abs() + y.abs() + z.abs();
+        let ahead = x * u
+            + y * v
+            + z * w
+            + (extent + error) * (at_start + at_end)
+            + (at_start + error) * <F::F32>::splat(beam.length);
+        let outside = radius + at_start + error;
+        let is_behind = ahead.le(<F::F32>::splat(0.0))
+            & (outside * outside).le((x * x + y * y + z * z) * <F::F32>::splat(1.0 - ERROR));
+        <F::F32>::splat(0.0).le(load(&leaf.radius)) & enter.le(leave) & is_near & !is_behind
     }
 }
 
 impl Bvh {
-    /// The items that a segment from `point` to the box around `centre` with these half sides may hit; `None` if they
+    /// The items that a segment from `points` to the box around `centre` with these half sides may hit; `None` if they
     /// are many, or unknown. An item for which `leave_out` is true is not listed.
     #[must_use]
     pub(crate) fn items_in_beam(
         &self,
         lanes: SimdLevel,
-        point: DVec3,
+        points: &Bounds,
         centre: DVec3,
         half_sides: DVec3,
         leave_out: impl Fn(u32) -> bool,
     ) -> Option<ArrayVec<u32, MAX_BEAM_ITEMS>> {
-        let beam = &Beam::new(&self.frame, point, centre, half_sides)?;
+        let beam = &Beam::new(&self.frame, points, centre, half_sides)?;
         let mut items = ArrayVec::new();
         let are_too_many = self.search(
             #[inline(always)]
@@ -203,7 +228,6 @@ impl Bvh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::Bounds;
     use crate::base::math::sampling::random::Random;
 
     /// True if the segment from `a` to `b` hits a box.
@@ -243,15 +267,18 @@ mod tests {
                     centre.x = point.x;
                 }
                 let half = rng.vector(1.0).abs() * [0.0, 0.1, 2.0][round % 3];
+                let around = rng.vector(1.0).abs() * [0.0, 0.0, 0.2, 1.0][round % 4];
+                let points = &Bounds::new(point - around, point + around);
                 let [wide, narrow] = [SimdLevel::widest(), SimdLevel::NARROW]
-                    .map(|lanes| tree.items_in_beam(lanes, point, centre, half, |_| false));
+                    .map(|lanes| tree.items_in_beam(lanes, points, centre, half, |_| false));
                 assert_eq!(wide, narrow);
                 let Some(items) = wide else { continue };
                 beam_count += 1;
                 for _ in 0..4 {
+                    let start = point + around * rng.vector(1.0);
                     let end = centre + half * rng.vector(1.0);
                     for (item, &number) in (0..).zip(&order) {
-                        if hits(&bounds[number as usize], point, end) {
+                        if hits(&bounds[number as usize], start, end) {
                             hit_count += 1;
                             assert!(items.contains(&item));
                         }
@@ -274,7 +301,8 @@ mod tests {
         let (tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], true));
         let beam = |from, to| {
             let half = DVec3::splat(0.5);
-            tree.items_in_beam(SimdLevel::widest(), from, to, half, |_| false)
+            let points = &Bounds::new(from, from);
+            tree.items_in_beam(SimdLevel::widest(), points, to, half, |_| false)
         };
         let up = |x: f64, y: f64| DVec3::new(x, y, 0.0);
         let one = beam(up(30.0, -9.0), up(30.0, 9.0)).expect("a beam");

@@ -13,6 +13,8 @@ pub(super) struct Features {
     pub(super) has_media: bool,
     /// Random numbers decide about the picture, so that all samples are taken in POV-Ray's order.
     pub(super) uses_random: bool,
+    /// Some light is an area light.
+    pub(super) has_area_lights: bool,
     /// Some interior attenuates light with distance.
     pub(super) light_fades: bool,
     /// Some material is lit from behind.
@@ -35,6 +37,7 @@ impl Features {
                 || world.subsurface.is_some(),
             has_media,
             uses_random: world.uses_random(),
+            has_area_lights: world.lights.iter().any(|light| light.area.is_some()),
             light_fades: world.interiors.any_attenuates(),
             needs_backface_light,
             light_varies_by_surface: needs_backface_light || world.has_unlit(),

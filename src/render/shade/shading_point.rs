@@ -77,6 +77,8 @@ impl LightSample {
 }
 
 /// The light samples of a hit that was lit in a block.
+///
+/// An area light is clear if all of its light arrives; otherwise it counts as transmissive, and is still to be sampled.
 #[derive(Clone, Copy)]
 pub(in crate::render::shade) struct LightSamples<'a>(Option<(&'a BlockHits, usize)>);
 
@@ -86,13 +88,19 @@ impl<'a> LightSamples<'a> {
 
     /// The samples of a hit with this index.
     pub(in crate::render::shade) fn at(all: &'a BlockHits, index: usize) -> Self {
-        LightSamples(all.has_occlusion.then_some((all, index)))
+        LightSamples(Some((all, index)))
     }
 
-    /// The sample of a light, if there are samples.
+    /// True if the shadow rays of all point lights are traced.
+    #[inline]
+    pub(in crate::render::shade) fn are_complete(self) -> bool {
+        self.0.is_some_and(|(all, _)| all.has_occlusion)
+    }
+
+    /// The sample of a light, if the shadow rays are traced.
     #[inline]
     pub(in crate::render::shade) fn of(self, light: u32) -> Option<LightSample> {
-        let (all, index) = self.0?;
+        let (all, index) = self.0.filter(|(all, _)| all.has_occlusion)?;
         let shadow_rays = all
             .shadow_rays
             .get(light as usize * all.hits.len() + index / 4)?;
@@ -106,12 +114,14 @@ impl<'a> LightSamples<'a> {
         let shadow_rays = all
             .shadow_rays
             .get(light as usize * all.hits.len() + index / 4)?;
-        shadow_rays.occlusion(index % 4)
+        let occlusion = shadow_rays.occlusion(index % 4);
+        occlusion.filter(|&occlusion| all.has_occlusion || occlusion == Occlusion::Clear)
     }
 
-    /// Returns true if a transparent surface lies before any light.
+    /// Returns true if a transparent surface lies before any light, or it is an area light still to be sampled.
     pub(in crate::render::shade) fn any_is_filtered(self) -> bool {
-        self.0.is_some_and(|(all, index)| {
+        let samples = self.0.filter(|(all, _)| all.has_occlusion);
+        samples.is_some_and(|(all, index)| {
             let shadow_rays = all.shadow_rays.chunks(all.hits.len());
             let mut shadow_rays =
                 shadow_rays.map(|shadow_rays| shadow_rays[index / 4].occlusion(index % 4));

@@ -53,6 +53,29 @@ impl BlockerMemory {
 }
 
 impl QueryScratch {
+    /// The item that POV-Ray tests first for this light, if there is a memory.
+    #[inline]
+    pub(super) fn remembered(&self, light: u32) -> Option<IndexedItem> {
+        self.memory.as_deref()?.of(light)
+    }
+
+    /// The item that blocked this light last: the remembered one, if there is a memory.
+    pub(super) fn last_blocker(&self, light: u32) -> Option<IndexedItem> {
+        match self.memory {
+            Some(_) => self.remembered(light),
+            None => self.blockers.get(light as usize).copied().flatten(),
+        }
+    }
+
+    /// Notes the item that blocked this light last.
+    pub(super) fn set_last_blocker(&mut self, light: u32, item: IndexedItem) {
+        let light = light as usize;
+        if self.blockers.len() <= light {
+            self.blockers.resize(light + 1, None);
+        }
+        self.blockers[light] = Some(item);
+    }
+
     /// Selects the memory of camera rays or that of all others, if there is one. Returns true if it was that of camera
     /// rays before.
     #[inline]
@@ -113,8 +136,7 @@ impl World {
         light: u32,
         scratch: &mut QueryScratch,
     ) -> bool {
-        let remembered = scratch.memory.as_deref();
-        let Some(item) = remembered.and_then(|memory| memory.of(light)) else {
+        let Some(item) = scratch.remembered(light) else {
             return false;
         };
         let unit = self.globals.unit;

@@ -140,12 +140,10 @@ impl World {
     ) -> Occlusion {
         let search = self.search_for(query);
         let light = number as usize;
-        if scratch.blockers.len() <= light {
-            scratch.blockers.resize(light + 1, None);
-        }
         // Neighbouring points are often in the shadow of the same object. With a light buffer, testing that object
         // first costs more than it saves.
-        let last = scratch.blockers[light].filter(|_| !self.has_light_buffer(number));
+        let last = scratch.blockers.get(light).copied().flatten();
+        let last = last.filter(|_| !self.has_light_buffer(number));
         // Not tested again in the traversal if it is clear of the ray.
         let mut passed = u32::MAX;
         if let Some(item) = last {
@@ -163,7 +161,7 @@ impl World {
         scratch.passed.clear();
         for &item in &self.model.bvh.unbounded {
             if self.occludes_and_record(item, query, &search, &mut occlusion, scratch) {
-                scratch.blockers[light] = Some(item);
+                scratch.set_last_blocker(number, item);
                 return Occlusion::Opaque;
             }
         }
@@ -180,7 +178,7 @@ impl World {
                 let blocks =
                     self.occludes_and_record(item, query, &search, &mut occlusion, scratch);
                 if blocks {
-                    scratch.blockers[light] = Some(item);
+                    scratch.set_last_blocker(number, item);
                 }
                 blocks
             },

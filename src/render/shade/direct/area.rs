@@ -14,7 +14,7 @@ use crate::render::shade::bsdf::{LayerBsdf, LightContribution, is_negligible};
 use crate::render::shade::shading_point::ShadingPoint;
 use crate::render::shade::shading_point::shadow_query;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
-use crate::world::{AreaBlockers, HitPacket4, LightArea, ShadowPacket4};
+use crate::world::{AreaBlockers, HitPacket4, LightArea, Occlusion, ShadowPacket4};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -101,6 +101,14 @@ impl<'a> AreaLight<'a> {
         }
     }
 
+    /// The space that its lights take, unless they are parallel.
+    fn extent(&self) -> Option<LightArea> {
+        (!self.light.is_parallel).then(|| LightArea {
+            centre: self.light.centre,
+            half_edges: self.area.half_edges(&self.axes),
+        })
+    }
+
     /// The index of a grid light.
     fn index(&self, [u, v]: [u32; 2]) -> usize {
         u as usize + self.area.sizes[0] as usize * v as usize
@@ -136,9 +144,7 @@ impl<'a> AreaLight<'a> {
     /// Counts the shadow rays to this many grid lights, and leaves out their random numbers.
     fn skip(&self, count: usize, scratch: &mut Scratch) {
         scratch.query.rays.shadow += count as u64;
-        if self.area.has_jitter {
-            scratch.random.lights.skip(2 * count);
-        }
+        skip_random(self.area, count, scratch);
     }
 
     /// The offset of a grid light from the centre. With jitter each call gives another one.
@@ -161,14 +167,18 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let [columns, rows] = area_light.area.sizes;
+        area_light.hits = self.packet_for(area_light);
+        area_light.is_in_order = scratch.random.continues;
+        let first = area_light.area.initial_grid_lights();
+        if self.is_dark(area_light, scratch) {
+            area_light.skip(first.len(), scratch);
+            return Rgb::BLACK;
+        }
         scratch.area.light.clear();
         scratch
             .area
             .light
             .resize(columns as usize * rows as usize, None);
-        area_light.hits = self.packet_for(area_light);
-        area_light.is_in_order = scratch.random.continues;
-        let first = area_light.area.initial_grid_lights();
         if area_light.hits.is_some() {
             area_light.blockers = self.area_blockers(area_light, scratch);
             if self.is_clear(area_light) {
@@ -176,7 +186,8 @@ impl Tracer<'_> {
                 return area_light.arriving;
             }
             let blockers = area_light.blockers.as_ref();
-            if !self.world.can_bundle_from_point(blockers) || self.is_in_umbra(area_light, scratch)
+            if !self.world.can_bundle_from_point(blockers)
+                || self.is_probably_dark(area_light, scratch)
             {
                 area_light.hits = None;
             }
@@ -211,20 +222,22 @@ impl Tracer<'_> {
 
     /// The items that may block light from the grid, if they are few.
     fn area_blockers(&self, area_light: &AreaLight, scratch: &mut Scratch) -> Option<AreaBlockers> {
-        let AreaLight {
-            light, area, axes, ..
-        } = area_light;
-        let hits = area_light.hits.as_ref().filter(|_| !light.is_parallel)?;
-        let light_area = LightArea {
-            centre: light.centre,
-            half_edges: area.half_edges(axes),
-        };
+        let hits = area_light.hits.as_ref()?;
         self.world
-            .area_blockers(hits, &light_area, &mut scratch.query)
+            .area_blockers(hits, &area_light.extent()?, &mut scratch.query)
+    }
+
+    /// True if one object blocks all of the light.
+    fn is_dark(&self, area_light: &AreaLight, scratch: &Scratch) -> bool {
+        let (Some(hits), Some(light)) = (&area_light.hits, area_light.extent()) else {
+            return false;
+        };
+        let number = area_light.light_index;
+        self.world.is_in_umbra(hits, &light, number, &scratch.query)
     }
 
     /// True if the object that blocked the light last probably blocks all of it: it is tested before anything else.
-    fn is_in_umbra(&self, area_light: &AreaLight, scratch: &mut Scratch) -> bool {
+    fn is_probably_dark(&self, area_light: &AreaLight, scratch: &mut Scratch) -> bool {
         let arrival = area_light.arrival(DVec3::ZERO);
         let ray = Ray::new(area_light.lit.at.point, arrival.to_light);
         let spawn_surface = area_light.lit.spawn_surface.copied();
@@ -282,11 +295,11 @@ impl Tracer<'_> {
                 },
             );
         }
-        self.world.occlusion_from_point(
+        let mut depends_on_memory = self.world.occlusion_from_point(
             hits,
             &mut shadow_rays,
             requested.len(),
-            area_light.blockers.as_ref(),
+            (area_light.light_index, area_light.blockers.as_ref()),
             &mut scratch.query,
         );
         for (at, &grid_index) in requested.iter().enumerate() {
@@ -294,6 +307,11 @@ impl Tracer<'_> {
             let (light, query) = (area_light.light_index, shadow_rays.query(hits, lane));
             let known = shadow_rays.occlusion(lane).map(|result| {
                 let scratch = &mut scratch.query;
+                // What blocks this ray may be remembered for the next ones.
+                depends_on_memory |= result == Occlusion::Opaque;
+                if !depends_on_memory {
+                    return result;
+                }
                 self.world
                     .occlusion_after_memory(result, &query, light, scratch)
             });
@@ -469,6 +487,18 @@ impl Tracer<'_> {
     }
 }
 
+/// Leaves out the random numbers of this many grid lights.
+fn skip_random(area: &Area, count: usize, scratch: &mut Scratch) {
+    if area.has_jitter {
+        scratch.random.lights.skip(2 * count);
+    }
+}
+
+/// Leaves out the random numbers of an area light of which all light arrives.
+pub(in crate::render::shade) fn skip_clear(area: &Area, scratch: &mut Scratch) {
+    skip_random(area, area.initial_grid_lights().len(), scratch);
+}
+
 /// Adds the corners of a part that are not sampled yet to the request. They count as dark until then.
 fn request_corners(
     area_light: &AreaLight,
@@ -487,7 +517,7 @@ fn request_corners(
 
 /// Tests if the mean of four equal values is bit-identical to the value. It is for numbers that neither overflow nor
 /// vanish: four times the value is exact, and three times the value is off by at most half a rounding.
-fn is_its_own_mean(light: Rgb) -> bool {
+pub(super) fn is_its_own_mean(light: Rgb) -> bool {
     (light + light + light + light) * 0.25_f64 == light
 }
 

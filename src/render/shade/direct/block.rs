@@ -1,6 +1,7 @@
 //! Direct light for a block of hits: point lights and their shadow rays, four hits at a time. Shadow rays are sorted so
 //! that neighbours in a bundle share most of their traversal.
 
+use super::area::is_its_own_mean;
 use super::block_hits::{BlockHits, LightSortedOrder};
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::rounding::nearest;
@@ -8,10 +9,10 @@ use crate::base::math::simd::vec3::{
     Vec3Lanes, add, dot, from_arrays, scale, splat, sub, to_arrays,
 };
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
-use crate::render::shade::bsdf::{MAX_TILTED, NEGLIGIBLE};
+use crate::render::shade::bsdf::{MAX_TILTED, NEGLIGIBLE, is_negligible};
 use crate::render::shade::{Scratch, Tracer};
-use crate::scene::light::{Arrival, Light};
-use crate::world::{HitPacket4, Occlusion, ShadowPacket4, Surface};
+use crate::scene::light::{Area, Arrival, Light};
+use crate::world::{HitPacket4, LightArea, Occlusion, ShadowPacket4, Surface};
 use glam::DVec3;
 
 /// The number of shadow rays in a bundle.
@@ -99,15 +100,117 @@ impl Tracer<'_> {
         }
         for number in (0u32..).take(lights.len()) {
             let light = lights.get(number);
-            let is_one_point = light.area.is_none() && !light.is_parallel;
-            if is_one_point && !light.is_shadowless() && !lights.is_projected(number) {
-                if traces {
-                    self.light_block(number, light, count, all, scratch);
-                } else {
-                    self.set_up_block(number, light, count, all);
+            if light.is_parallel || light.is_shadowless() || lights.is_projected(number) {
+                continue;
+            }
+            match &light.area {
+                Some(area) if self.is_tested_by_beams(number, area) => {
+                    self.set_up_area_light(number, light, area, count, all, scratch);
                 }
+                Some(_) => {}
+                None if traces => self.light_block(number, light, count, all, scratch),
+                None => self.set_up_block(number, light, count, all),
             }
         }
+    }
+
+    /// True if an area light is tested for whole packets of hits.
+    fn is_tested_by_beams(&self, number: u32, area: &Area) -> bool {
+        !area.has_area_illumination
+            && self.quality.has_area_lights
+            && !self.features.has_media
+            && !self.is_attenuated_by_atmosphere(number)
+    }
+
+    /// Sets up the shadow rays of a block to the centre of an area light. Hits to which all of its light arrives are
+    /// marked as clear, others that it may reach as filtered.
+    fn set_up_area_light(
+        &self,
+        number: u32,
+        light: &Light,
+        area: &Area,
+        count: usize,
+        all: &mut BlockHits,
+        scratch: &mut Scratch,
+    ) {
+        let BlockHits {
+            hits, shadow_rays, ..
+        } = all;
+        let shadow_rays = &mut shadow_rays[number as usize * hits.len()..][..hits.len()];
+        let light_area = LightArea {
+            centre: light.centre,
+            half_edges: area.half_edges(&area.axes),
+        };
+        let samples = area.initial_grid_lights().len() as u64;
+        self.set_up_pairs(
+            number,
+            light,
+            hits,
+            shadow_rays,
+            count,
+            #[inline(always)]
+            |lanes, hits, shadow_rays, active| {
+                let (mut lit, mut even) = (0, 0);
+                for ray in (0..8).filter(|ray| active >> ray & 1 == 1) {
+                    let arriving = light.color * shadow_rays[ray / 4].share[ray % 4];
+                    lit |= u32::from(!is_negligible(arriving)) << ray;
+                    even |= u32::from(is_its_own_mean(arriving)) << ray;
+                }
+                let clear = match area.is_oriented {
+                    true => 0,
+                    false => self.world.lanes_without_blockers(
+                        lanes,
+                        hits,
+                        lit & even,
+                        &light_area,
+                        &mut scratch.query,
+                    ),
+                };
+                scratch.query.rays.shadow += samples * u64::from(clear.count_ones());
+                for ray in (0..8).filter(|ray| lit >> ray & 1 == 1) {
+                    let occlusion = match clear >> ray & 1 {
+                        1 => Occlusion::Clear,
+                        _ => Occlusion::Transmissive,
+                    };
+                    shadow_rays[ray / 4].note(ray % 4, occlusion);
+                }
+            },
+        );
+    }
+
+    /// Sets up the shadow rays of a block to a light, and calls `visit` with two packets each and the mask of their rays
+    /// to trace, if there are any.
+    #[inline(always)]
+    fn set_up_pairs(
+        &self,
+        number: u32,
+        light: &Light,
+        hits: &[HitPacket4],
+        shadow_rays: &mut [ShadowPacket4],
+        count: usize,
+        mut visit: impl FnMut(SimdLevel, &[HitPacket4], &mut [ShadowPacket4], u32),
+    ) {
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (pair, (hits, shadow_rays)) in
+                    hits.chunks(2).zip(shadow_rays.chunks_mut(2)).enumerate()
+                {
+                    let mut active = 0;
+                    for (half, (hits, shadow_rays)) in
+                        hits.iter().zip(&mut *shadow_rays).enumerate()
+                    {
+                        active |= self.set_up_packet(lanes, number, light, hits, shadow_rays)
+                            << (4 * half);
+                    }
+                    let there = (count - 8 * pair).min(8);
+                    active &= 0xff >> (8 - there);
+                    if active != 0 {
+                        visit(lanes, hits, shadow_rays, active);
+                    }
+                }
+            },
+        );
     }
 
     fn light_block(
@@ -213,32 +316,17 @@ impl Tracer<'_> {
         count: usize,
         scratch: &mut Scratch,
     ) {
-        with_widest(
+        let query = &mut scratch.query;
+        self.set_up_pairs(
+            number,
+            light,
+            hits,
+            shadow_rays,
+            count,
             #[inline(always)]
-            |lanes| {
-                for (pair, (hits, shadow_rays)) in
-                    hits.chunks(2).zip(shadow_rays.chunks_mut(2)).enumerate()
-                {
-                    let mut active = 0;
-                    for (half, (hits, shadow_rays)) in
-                        hits.iter().zip(&mut *shadow_rays).enumerate()
-                    {
-                        active |= self.set_up_packet(lanes, number, light, hits, shadow_rays)
-                            << (4 * half);
-                    }
-                    let there = (count - 8 * pair).min(8);
-                    active &= 0xff >> (8 - there);
-                    if active != 0 {
-                        self.world.occlusion_packet8(
-                            lanes,
-                            number,
-                            hits,
-                            shadow_rays,
-                            active,
-                            &mut scratch.query,
-                        );
-                    }
-                }
+            |lanes, hits, shadow_rays, active| {
+                let world = self.world;
+                world.occlusion_packet8(lanes, number, hits, shadow_rays, active, query);
             },
         );
     }

@@ -11,7 +11,8 @@ pub(in crate::render::shade) struct BlockHits {
     pub(in crate::render::shade) hits: Vec<HitPacket4>,
     /// The shadow rays, light by light.
     pub(in crate::render::shade) shadow_rays: Vec<ShadowPacket4>,
-    /// The occlusion of the shadow rays is known; otherwise all that matter are marked as filtered.
+    /// The occlusion of the shadow rays is known; otherwise all that matter are marked as filtered. Area lights are
+    /// marked as clear or filtered in any case.
     pub(in crate::render::shade) has_occlusion: bool,
     pub(crate) order: LightSortedOrder,
 }

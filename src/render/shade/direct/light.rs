@@ -1,6 +1,6 @@
 //! Direct light at a shading point: diffuse light and highlights. Shadows are computed in [`super::transmittance`].
 
-use super::area::AreaLight;
+use super::area::{AreaLight, skip_clear};
 use crate::base::color::Rgb;
 use crate::base::math::powers::exact_power;
 use crate::base::math::sampling::hash;
@@ -10,7 +10,7 @@ use crate::render::shade::bsdf::{
 use crate::render::shade::shading_point::{LightSample, ShadingPoint};
 use crate::render::shade::{Path, Scratch, Tracer};
 use crate::scene::light::Arrival;
-use crate::world::{Hit, Surface};
+use crate::world::{Hit, Occlusion, Surface};
 use glam::DVec3;
 
 impl Tracer<'_> {
@@ -136,6 +136,10 @@ impl Tracer<'_> {
         }
         match &light.area {
             Some(area) if self.samples_areas(lit.path) => {
+                if lit.known.occlusion(number) == Some(Occlusion::Clear) {
+                    skip_clear(area, scratch);
+                    return arriving;
+                }
                 let mut area_light = AreaLight::new(number, light, area, lit, arriving);
                 self.shadowed_area_light(&mut area_light, scratch)
             }

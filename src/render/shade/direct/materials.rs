@@ -232,12 +232,14 @@ pub(super) fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
 
 impl<'w> Tracer<'w> {
     /// Looks up the materials of these lanes. Returns the lanes with only diffuse light, highlights and secondary rays.
+    /// Several layers are left out where light is sampled in POV-Ray's order.
     #[inline(always)]
     pub(super) fn materials(
         &self,
         rays: &(impl RaySource + ?Sized),
         hits: &HitPacket4,
         active: u32,
+        in_order: bool,
         shade_cache: &mut ShadeCache,
         materials: &mut MaterialPacket4<'w>,
     ) -> u32 {
@@ -274,7 +276,7 @@ impl<'w> Tracer<'w> {
                     || self.evaluate_material(hits, lane),
                 );
                 let Some(material) = material else {
-                    if self.put_layers(rays.inside(lane), hits, lane, materials) {
+                    if !in_order && self.put_layers(rays.inside(lane), hits, lane, materials) {
                         plain |= 1 << lane;
                     }
                     return;

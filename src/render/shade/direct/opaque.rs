@@ -1,9 +1,10 @@
-//! The fast path of shading: one opaque layer without reflection, lit by point lights. Most pixels of most pictures
-//! need no more.
+//! The fast path of shading: one opaque layer without reflection, lit by point lights and by area lights that nothing
+//! covers. Most pixels of most pictures need no more.
 //!
 //! It is the general path ([`Tracer::trace`]) without the terms that are zero here: the sums are the same, in the same
 //! order. Where a shadow ray passes something transparent, both call the same transmittance.
 
+use super::area::skip_clear;
 use crate::base::color::Rgb;
 use crate::render::shade::Scratch;
 use crate::render::shade::bsdf::{LayerBsdf, LightContribution, ViewPoint, is_negligible};
@@ -28,8 +29,11 @@ pub(in crate::render::shade) fn supports(world: &World, quality: Quality) -> boo
     let globals = &world.globals;
     let is_simple = |number: u32| {
         let light = world.lights.get(number);
-        let is_point = light.area.is_none() && !light.is_parallel;
-        is_point && !light.is_shadowless() && !world.lights.is_projected(number)
+        let area = light.area.as_ref();
+        area.is_none_or(|area| !area.has_area_illumination)
+            && !light.is_parallel
+            && !light.is_shadowless()
+            && !world.lights.is_projected(number)
     };
     let mut lights = (0u32..).take(world.lights.len());
     quality == Quality::FULL
@@ -83,7 +87,8 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Option<Sample> {
         let surface = &self.world.surfaces[hit.surface as usize];
-        if !self.fast_paths.packets || !surface.is_plain() || known.any_is_filtered() {
+        let is_lit = !self.features.has_area_lights || known.are_complete();
+        if !(self.fast_paths.packets && surface.is_plain() && is_lit) || known.any_is_filtered() {
             return None;
         }
         let layer = surface.texture.layers().first()?;
@@ -95,7 +100,11 @@ impl Tracer<'_> {
             let known = known.of(number);
             let known = known.unwrap_or_else(|| self.sample_light(number, hit, &at, scratch));
             match known.occlusion {
-                Some(Occlusion::Clear) => {}
+                Some(Occlusion::Clear) => {
+                    if let Some(area) = &self.world.lights.get(number).area {
+                        skip_clear(area, scratch);
+                    }
+                }
                 Some(Occlusion::Transmissive) => return None,
                 Some(Occlusion::Opaque) | None => continue,
             }

@@ -2,6 +2,7 @@
 //! refract ([`crate::render::shade::wavefront`]). Lanes that need more than diffuse light and highlights of any number of
 //! layers, and the secondary rays of one texture, are left to the scalar path.
 
+use super::area::AreaLight;
 use super::block_hits::{BlockHits, RaySource};
 use super::materials::{
     BLACK, LayerPacket4, MaterialPacket4, RgbPacket, all_of, each_lane, one_of, put,
@@ -12,9 +13,10 @@ use crate::base::math::powers::exact_power;
 use crate::render::shade::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use crate::render::shade::bsdf::{Highlight, NEGLIGIBLE, ViewPoint, half_cosine, is_negligible};
 use crate::render::shade::shade_cache::ShadeCache;
+use crate::render::shade::shading_point::{LightSamples, ShadingPoint};
 use crate::render::shade::surface::Mirror;
 use crate::render::shade::{Path, Sample, Scratch, Tracer};
-use crate::scene::light::Light;
+use crate::scene::light::{Area, Light};
 use crate::world::{HitPacket4, InteriorId, ShadowPacket4};
 
 /// Radiance of four rays.
@@ -140,7 +142,15 @@ impl<'w> Tracer<'w> {
             return;
         }
         let materials = &mut seen.materials;
-        let mut lit = self.materials(rays, hits, there & hits.hit_mask, cache, materials);
+        let in_order = scratch.random.continues;
+        let mut lit = self.materials(
+            rays,
+            hits,
+            there & hits.hit_mask,
+            in_order,
+            cache,
+            materials,
+        );
         let mut arriving = ArrivingLight { rgb: BLACK, lit: 0 };
         for &number in self.world.lights.of(materials.lights) {
             let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + packet];
@@ -163,6 +173,9 @@ impl<'w> Tracer<'w> {
                 });
             }
             let light = self.world.lights.get(number);
+            if self.depends_on_order(light, scratch) {
+                lit &= !(arrives & shadow_rays.filtered);
+            }
             let filtered = arrives & shadow_rays.filtered & lit;
             let free = arrives & !shadow_rays.filtered & lit;
             if free | filtered == 0 {
@@ -171,7 +184,11 @@ impl<'w> Tracer<'w> {
             arriving.set_unoccluded(light, shadow_rays, free);
             each_lane(filtered, |lane| {
                 let index = 4 * packet + lane;
-                let left = self.transmitted_light(number, all, index, rays.inside(lane), scratch);
+                let path = || rays.path(lane, hits.dir(lane));
+                let left = match &light.area {
+                    Some(area) => self.sampled_light(number, area, all, index, path, scratch),
+                    None => self.transmitted_light(number, all, index, rays.inside(lane), scratch),
+                };
                 arriving.set_lane(lane, left);
             });
             let is_general = materials.general != 0;
@@ -240,6 +257,45 @@ impl<'w> Tracer<'w> {
             false => End::Nothing,
         };
         self.atmosphere(&path(), end, scratch)
+    }
+
+    /// True if the shadows of a light change those of later rays, or the random numbers that they draw.
+    fn depends_on_order(&self, light: &Light, scratch: &Scratch) -> bool {
+        let draws = |area: &Area| area.has_jitter;
+        scratch.random.continues || light.area.as_deref().is_some_and(draws)
+    }
+
+    /// The light from this area light that arrives at a hit.
+    #[inline(never)]
+    fn sampled_light(
+        &self,
+        number: u32,
+        area: &Area,
+        all: &BlockHits,
+        index: usize,
+        path: impl FnOnce() -> Path,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let (hits, lane) = (&all.hits[index / 4], index % 4);
+        let shadow_rays = &all.shadow_rays[number as usize * all.hits.len() + index / 4];
+        let light = self.world.lights.get(number);
+        let lit = ShadingPoint {
+            at: ViewPoint {
+                point: hits.point(lane),
+                normal: hits.facing(lane),
+                view: hits.dir(lane),
+            },
+            spawn_surface: Some(&hits.spawn_surface(lane)),
+            path: &path(),
+            known: LightSamples::NONE,
+            shadow_cache: None,
+            is_double_illuminated: false,
+            lights: &[],
+            collects: false,
+        };
+        let arriving = light.color * shadow_rays.share[lane];
+        let mut area_light = AreaLight::new(number, light, area, &lit, arriving);
+        self.shadowed_area_light(&mut area_light, scratch)
     }
 
     /// The light from this light source that arrives at a hit through transparent surfaces.

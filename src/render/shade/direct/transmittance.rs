@@ -34,7 +34,10 @@ impl Tracer<'_> {
         arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
+        let source = self.world.lights.get(light);
+        // That of an area light is not the one of each of its lights.
         let known = lit.known.occlusion(light);
+        let known = known.filter(|_| source.area.is_none());
         match known {
             Some(Occlusion::Opaque) => return Rgb::BLACK,
             Some(Occlusion::Clear) if !self.is_attenuated_by_atmosphere(light) => return arriving,
@@ -47,7 +50,6 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         query.t_max = far;
-        let source = self.world.lights.get(light);
         if source.is_shadowless() {
             return arriving;
         }

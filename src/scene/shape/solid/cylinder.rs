@@ -32,6 +32,12 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
+    /// True if its caps are invisible.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.is_open
+    }
+
     /// A closed cylinder, or `None` if the ends of its axis coincide.
     #[must_use]
     pub fn new(base: DVec3, apex: DVec3, radius: f64) -> Option<Self> {

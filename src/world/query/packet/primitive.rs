@@ -11,21 +11,21 @@ use crate::world::primitive::Leaf;
 use crate::world::ray::Query;
 
 /// A ray packet and a primitive.
-struct PrimitivePacket<'a, const ANY: bool> {
-    leaf: &'a Leaf,
-    rays: &'a RayPacket4,
+pub(super) struct PrimitivePacket<'a, const ANY: bool> {
+    pub(super) leaf: &'a Leaf,
+    pub(super) rays: &'a RayPacket4,
     /// Masks of the lanes that start on an entering root of the primitive, and on a leaving one.
-    origin_masks: [u32; 2],
+    pub(super) origin_masks: [u32; 2],
     /// Mask of the active lanes.
-    active: u32,
+    pub(super) active: u32,
 }
 
 /// The first roots of four rays.
-struct NearestRoots {
+pub(super) struct NearestRoots {
     t: [f64; 4],
-    exit_mask: u32,
-    hit_mask: u32,
-    unknown: u32,
+    pub(super) exit_mask: u32,
+    pub(super) hit_mask: u32,
+    pub(super) unknown: u32,
 }
 
 impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
@@ -58,9 +58,9 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
 }
 
 /// Computes the mask of the rays that have exited a convex leaf for good.
-struct ExitedLanes<'a> {
-    leaf: &'a Leaf,
-    rays: &'a RayPacket4,
+pub(super) struct ExitedLanes<'a> {
+    pub(super) leaf: &'a Leaf,
+    pub(super) rays: &'a RayPacket4,
 }
 
 impl SimdKernel for ExitedLanes<'_> {

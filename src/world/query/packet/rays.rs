@@ -160,6 +160,15 @@ impl RayStream {
         }
     }
 
+    /// Sets the near limit of all rays, and moves their far limits away.
+    #[inline(always)]
+    pub(super) fn set_limits(&mut self, t_min: f64, farther: f64) {
+        for packet in &mut self.packets {
+            packet.t_min = [t_min; 4];
+            packet.t_max = packet.t_max.map(|t_max| t_max + farther);
+        }
+    }
+
     /// Directions of one packet.
     #[inline(always)]
     pub(in crate::world) fn dirs(&self, packet: usize) -> &[[f64; 4]; 3] {
@@ -206,6 +215,19 @@ impl RayPacket4 {
         origin_leaf: [NO_LEAF; 4],
         goes_out: 0,
     };
+
+    /// Rays from one point in these directions.
+    #[inline(always)]
+    pub(super) fn from_point(point: DVec3, dirs: &[DVec3; 4]) -> RayPacket4 {
+        let mut rays = RayPacket4::NONE;
+        for axis in 0..3 {
+            rays.origin[axis] = [point[axis]; 4];
+            for (lane, dir) in dirs.iter().enumerate() {
+                rays.dir[axis][lane] = dir[axis];
+            }
+        }
+        rays
+    }
 
     /// One of the rays.
     #[inline(always)]
