@@ -265,21 +265,25 @@ fn draw_blocks(
     (pixels, scratch.take_rays())
 }
 
-/// Renders a rectangle pixel by pixel.
+/// Renders a rectangle pixel by pixel, in POV-Ray's order.
 fn draw_rows(
     tracer: &Tracer<'_>,
     wanted: &Tile,
     options: &RenderOptions,
     scratch: &mut BlockScratch,
 ) -> Pixels {
-    let (width, height) = (options.width, options.height);
-    let mut pixels = Vec::with_capacity(wanted.columns.len() * wanted.rows.len());
-    for y in wanted.rows.clone().map(f64::from) {
-        for x in wanted.columns.clone().map(f64::from) {
-            let sample = tracer.pixel(x, y, width, height, scratch.single());
-            pixels.push(Pixel::new(sample.rgb, sample.transmit));
-        }
-    }
+    let size = (options.width, options.height);
+    let row = |y| {
+        wanted
+            .columns
+            .clone()
+            .map(move |x| (f64::from(x), f64::from(y)))
+    };
+    let positions: Vec<_> = wanted.rows.clone().flat_map(row).collect();
+    let mut pixels = Vec::with_capacity(positions.len());
+    tracer.sample_in_order(&positions, size, scratch, |_, Sample { rgb, transmit }| {
+        pixels.push(Pixel::new(rgb, transmit));
+    });
     (pixels, scratch.take_rays())
 }
 

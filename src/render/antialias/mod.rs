@@ -198,15 +198,13 @@ impl<'a> Sampler<'a> {
         in_order: bool,
         scratch: &mut BlockScratch,
     ) -> Vec<Pixel> {
-        let size @ (width, height) = (self.options.width, self.options.height);
-        if in_order {
-            let samples = positions.iter().map(|&(x, y)| {
-                let single = scratch.single();
-                self.tracer.pixel(x, y, width, height, single)
-            });
-            return samples.map(pixel).collect();
-        }
+        let size = (self.options.width, self.options.height);
         let mut pixels = vec![Pixel::default(); positions.len()];
+        if in_order {
+            let take = |number: usize, sample| pixels[number] = pixel(sample);
+            self.tracer.sample_in_order(positions, size, scratch, take);
+            return pixels;
+        }
         for (positions, pixels) in positions.chunks(BATCH).zip(pixels.chunks_mut(BATCH)) {
             let take = |number: usize, sample, _| pixels[number] = pixel(sample);
             self.tracer.sample_positions(positions, size, scratch, take);

@@ -7,9 +7,9 @@
 
 use super::super::tiles::Tile;
 use super::centres::{Apart, Centres};
-use super::{Graded, Position, Sampler, Sum, cell, position};
+use super::{Graded, Position, Sampler, Sum, cell, cells, pixel, position};
 use crate::base::film::Pixel;
-use crate::render::shade::BlockScratch;
+use crate::render::shade::{Ahead, BlockScratch};
 use rustc_hash::FxHashMap;
 
 /// Tolerance for rounding at the last position of the loop over a grid.
@@ -23,6 +23,9 @@ pub(super) struct Neighbours<'s, 'a> {
     scratch: &'s mut BlockScratch,
     /// True if each sample is traced as soon as it is needed.
     in_order: bool,
+    /// Its centres then, and the index of each pixel among these.
+    ahead: Ahead,
+    numbers: Vec<usize>,
     /// The position of pixel 0, with which nothing is compared.
     first: Position,
     width: usize,
@@ -64,6 +67,8 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         Neighbours {
             sampler,
             in_order: scratch.single().order_dependent(),
+            ahead: Ahead::default(),
+            numbers: Vec::new(),
             tile,
             scratch,
             first: (x - 1.0, y - 1.0),
@@ -80,8 +85,9 @@ impl<'s, 'a> Neighbours<'s, 'a> {
 
     /// The tile's own pixels, row by row.
     pub(super) fn pixels(mut self) -> Vec<Pixel> {
-        if !self.in_order {
-            self.trace_centres();
+        match self.in_order {
+            true => self.look_at_centres(),
+            false => self.trace_centres(),
         }
         loop {
             let made = self.decide();
@@ -194,14 +200,32 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         self.apart = self.centres.compare(scale, settings.threshold);
     }
 
+    /// Prepares the centres that [`Self::trace_centre`] traces.
+    fn look_at_centres(&mut self) {
+        let points = cells(self.width, self.height).filter(|&point| point != (0, 0));
+        self.numbers = vec![0; self.centres.len()];
+        let mut positions = Vec::with_capacity(self.centres.len());
+        for (column, row) in points {
+            self.numbers[row * self.width + column] = positions.len();
+            positions.push(position(self.first, (column, row)));
+        }
+        let Sampler {
+            tracer, options, ..
+        } = self.sampler;
+        let size = (options.width, options.height);
+        tracer.look_ahead(&positions, size, &mut self.ahead, self.scratch);
+    }
+
     /// Traces one centre.
     fn trace_centre(&mut self, at: usize, has_neighbours: bool) {
-        let position = position(self.first, self.point(at));
-        let pixels = self.sampler.trace(&[position], true, self.scratch);
-        let graded = pixels
-            .first()
-            .map(|&pixel| self.sampler.scale.graded(pixel));
-        let graded = graded.unwrap_or_default();
+        let Sampler {
+            tracer, options, ..
+        } = self.sampler;
+        let (number, position) = (self.numbers[at], position(self.first, self.point(at)));
+        let size = (options.width, options.height);
+        let single = self.scratch.single();
+        let sample = tracer.sample_ahead(&self.ahead, number, position, size, single);
+        let graded = self.sampler.scale.graded(pixel(sample));
         self.centres.put_graded(at, graded);
         if has_neighbours {
             self.apart[at] = self.centres.neighbours().map(|before| {

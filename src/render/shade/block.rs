@@ -2,6 +2,7 @@
 //! ([`super::direct::block`]), and most surfaces are shaded four at a time ([`super::direct::packet`]). Reflected and
 //! refracted rays form a wavefront ([`super::wavefront`]). Every other pixel takes the scalar path.
 
+use super::ahead::Ahead;
 use super::direct::block_hits::{BlockHits, RaySource};
 use super::direct::packet::{RadiancePacket4, ShadeBuffers};
 use super::shade_cache::ShadeCache;
@@ -45,6 +46,7 @@ pub struct BlockScratch {
     samples: PixelSamples,
     wavefront: Wavefront,
     shade_cache: ShadeCache,
+    ahead: Ahead,
 }
 
 /// Camera rays with a common origin.
@@ -138,6 +140,14 @@ impl BlockScratch {
         self.single.random.continues
     }
 
+    /// The buffers for shading.
+    fn buffers(&mut self) -> ShadeBuffers<'_> {
+        ShadeBuffers {
+            scratch: &mut self.single,
+            cache: &mut self.shade_cache,
+        }
+    }
+
     /// The buffers of scalar rays.
     pub fn single(&mut self) -> &mut Scratch {
         &mut self.single
@@ -207,6 +217,35 @@ impl Tracer<'_> {
             });
             take(number, sample, first_hit);
         });
+    }
+
+    /// Prepares the samples at these positions, neighbours in the list close to each other. Each must be taken
+    /// later, by [`Tracer::sample_ahead`].
+    pub fn look_ahead(
+        &self,
+        positions: &[(f64, f64)],
+        size: (u32, u32),
+        ahead: &mut Ahead,
+        scratch: &mut BlockScratch,
+    ) {
+        self.look_at(positions, size, ahead, scratch.buffers());
+    }
+
+    /// Traces samples one after the other, in POV-Ray's order, at positions near each other.
+    pub fn sample_in_order(
+        &self,
+        positions: &[(f64, f64)],
+        size: (u32, u32),
+        scratch: &mut BlockScratch,
+        mut take: impl FnMut(usize, Sample),
+    ) {
+        let mut ahead = std::mem::take(&mut scratch.ahead);
+        self.look_ahead(positions, size, &mut ahead, scratch);
+        for (number, &at) in positions.iter().enumerate() {
+            let sample = self.sample_ahead(&ahead, number, at, size, &mut scratch.single);
+            take(number, sample);
+        }
+        scratch.ahead = ahead;
     }
 
     /// Traces positions whose parts are laid out; `bounds` gives the bounds of a run of them.
@@ -365,12 +404,14 @@ impl Tracer<'_> {
             self.queue_many_rays(positions, (width, height), scratch);
             return;
         }
+        if is_scalar {
+            let mut samples = std::mem::take(&mut scratch.samples);
+            let take = |number, sample| samples.push((number, sample));
+            self.sample_in_order(positions, (width, height), scratch, take);
+            scratch.samples = samples;
+            return;
+        }
         for (number, &(x, y)) in positions.iter().enumerate() {
-            if is_scalar {
-                let sample = self.pixel(x, y, width, height, &mut scratch.single);
-                scratch.samples.push((number, sample));
-                continue;
-            }
             match world.camera.primary_ray(x, y, width, height) {
                 Some(ray) => self.queue_camera_ray(&mut scratch.wavefront, number, ray),
                 None => scratch.samples.push((number, Sample::OUTSIDE)),

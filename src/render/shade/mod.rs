@@ -4,6 +4,7 @@
 //! segments: a surface passed without refraction is one step of a loop. Only reflected and refracted rays recurse, at
 //! most `max_trace_level` deep.
 
+mod ahead;
 mod atmosphere;
 mod block;
 mod bsdf;
@@ -32,6 +33,7 @@ use crate::base::options::CancelToken;
 use crate::render::photons::PhotonMaps;
 use crate::render::radiosity::{Mode, Radiosity, Session};
 use crate::world::{Hit, InteriorId, Query, RayKind, SpawnSurface, World};
+pub use ahead::Ahead;
 use atmosphere::{AtmosphereTint, End, SegmentEnd};
 pub use block::{BLOCK, BlockScratch, FirstHit};
 use features::{FastPaths, Features};

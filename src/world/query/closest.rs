@@ -116,7 +116,8 @@ impl World {
         let sees_same = |ray: usize| !self.summary.hides_some || query(ray).kind == first.kind;
         let is_coherent = |ray: usize| query(ray).ray.dir.dot(first.ray.dir) > COHERENT;
         let uses_stream = self.streams || (1..count).all(is_coherent);
-        if !(self.uses_packets || uses_stream) || !(1..count).all(sees_same) {
+        let is_alone = count < 2;
+        if is_alone || !(self.uses_packets || uses_stream) || !(1..count).all(sees_same) {
             for (packet, hits) in hits.iter_mut().enumerate().take(count.div_ceil(4)) {
                 let queries = (4 * packet..count.min(4 * packet + 4)).map(&query);
                 self.nearest_of_packet4(queries, hits, scratch);

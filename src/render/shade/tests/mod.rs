@@ -3,6 +3,7 @@
 //! Each scene is the text that POV-Ray read, without the header that [`HEAD`] and [`view`] add. The picture has one
 //! pixel, whose ray runs along z. The tests run the whole pipeline from text to light.
 
+mod area;
 mod blocks;
 mod glass;
 mod light;
@@ -31,19 +32,22 @@ fn view(x: f64, y: f64) -> String {
 
 /// The world of a scene's text.
 fn world(text: &str, version: f64, has_alpha: bool) -> World {
+    let options = RenderOptions {
+        alpha: has_alpha,
+        ..RenderOptions::default()
+    };
+    world_for(text, version, &options)
+}
+
+/// The same for pictures with these options.
+fn world_for(text: &str, version: f64, options: &RenderOptions) -> World {
     let mut sources = Sources::new(Vec::new());
     let file = sources.add_text("test", format!("#version {version}; {HEAD} {text}"));
     let reading = lang::evaluate(file, &mut sources, &ReadOptions::default());
     let scene = reading
         .scene
         .unwrap_or_else(|| panic!("{text}\n{:?}", reading.findings));
-    compile(
-        scene,
-        &RenderOptions {
-            alpha: has_alpha,
-            ..RenderOptions::default()
-        },
-    )
+    compile(scene, options)
 }
 
 /// The sample of the only ray of a scene.

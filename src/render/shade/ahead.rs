@@ -1,0 +1,200 @@
+//! Samples in POV-Ray's order: what their camera rays hit, and the colours that do not depend on the order, are found
+//! for many of them at once before their turns come.
+
+use super::direct::area::skip_clear;
+use super::direct::block_hits::{BlockHits, RaySource};
+use super::direct::packet::{RadiancePacket4, ShadeBuffers};
+use super::shading_point::LightSamples;
+use super::{InteriorStack, Path, Sample, Scratch, Tracer, begin_sample};
+use crate::base::math::Ray;
+use crate::base::math::simd::with_widest;
+use crate::world::{HitPacket4, InteriorId, Occlusion, Query, RayKind};
+use arrayvec::ArrayVec;
+use glam::DVec3;
+
+/// The number of camera rays that are traced as one bundle.
+const BUNDLE: usize = 256;
+/// The number of camera rays without a common origin that are traced together.
+const STREAM: usize = 8;
+
+/// Samples that are looked ahead.
+#[derive(Debug, Default)]
+pub struct Ahead {
+    /// Their camera rays; none if they are not looked ahead.
+    rays: Vec<Ray>,
+    /// The interiors around the rays, where these differ.
+    interior_stacks: Vec<InteriorStack>,
+    all: BlockHits,
+    /// Those that do not depend on the order.
+    samples: Vec<Option<Sample>>,
+}
+
+/// Up to four camera rays.
+struct CameraRays<'a, 'w> {
+    tracer: &'a Tracer<'w>,
+    rays: &'a [Ray],
+    interior_stacks: &'a [InteriorStack],
+}
+
+impl RaySource for CameraRays<'_, '_> {
+    #[inline(always)]
+    fn kind(&self, _lane: usize) -> RayKind {
+        RayKind::Camera
+    }
+
+    #[inline(always)]
+    fn common_kind(&self) -> Option<RayKind> {
+        Some(RayKind::Camera)
+    }
+
+    fn inside(&self, lane: usize) -> &[InteriorId] {
+        let around_camera = &self.tracer.around_camera;
+        self.interior_stacks.get(lane).unwrap_or(around_camera)
+    }
+
+    fn path(&self, lane: usize, _dir: DVec3) -> Path {
+        self.tracer.camera_path(self.rays[lane])
+    }
+}
+
+impl Tracer<'_> {
+    /// Prepares the samples at these positions, neighbours in the list close to each other. All must be taken
+    /// later.
+    pub(super) fn look_at(
+        &self,
+        positions: &[(f64, f64)],
+        (width, height): (u32, u32),
+        ahead: &mut Ahead,
+        buffers: ShadeBuffers,
+    ) {
+        let ShadeBuffers { scratch, cache } = buffers;
+        let Ahead {
+            rays,
+            interior_stacks,
+            all,
+            samples,
+        } = ahead;
+        rays.clear();
+        interior_stacks.clear();
+        samples.clear();
+        // Radiosity takes some samples from its first pass.
+        if self.has_many_rays() || self.radiosity.is_some() {
+            return;
+        }
+        let camera = &self.world.camera;
+        let ray_at = |&(x, y): &(f64, f64)| camera.primary_ray(x, y, width, height);
+        rays.extend(positions.iter().map_while(ray_at));
+        if rays.len() < positions.len() {
+            rays.clear();
+            return;
+        }
+        if self.features.needs_interiors && !camera.has_one_origin() {
+            let inside = |ray: &Ray| self.camera_path(*ray).inside;
+            interior_stacks.extend(rays.iter().map(inside));
+        }
+        self.find_hits(rays, all, scratch);
+        samples.resize(rays.len(), None);
+        all.shadow_rays.clear();
+        // POV-Ray's memory of blockers changes what point lights reach.
+        let has_memory = scratch.query.memory.is_some();
+        if has_memory && !self.features.has_area_lights {
+            return;
+        }
+        self.light_all(rays.len(), !has_memory, all, scratch);
+        with_widest(
+            #[inline(always)]
+            |_| {
+                let mut seen = RadiancePacket4::NOTHING;
+                for (packet, (rays, samples)) in
+                    rays.chunks(4).zip(samples.chunks_mut(4)).enumerate()
+                {
+                    let buffers = ShadeBuffers {
+                        scratch: &mut *scratch,
+                        cache: &mut *cache,
+                    };
+                    let rays = CameraRays {
+                        tracer: self,
+                        rays,
+                        interior_stacks: interior_stacks.get(4 * packet..).unwrap_or_default(),
+                    };
+                    let count = positions.len();
+                    self.shade_packet4(&rays, packet, count, all, buffers, &mut seen);
+                    for (lane, sample) in samples.iter_mut().enumerate() {
+                        *sample = seen.sample(lane);
+                    }
+                }
+            },
+        );
+    }
+
+    /// Finds the first hits of camera rays.
+    fn find_hits(&self, rays: &[Ray], all: &mut BlockHits, scratch: &mut Scratch) {
+        let hits = &mut all.hits;
+        hits.resize(rays.len().div_ceil(4), HitPacket4::NOTHING);
+        let query = &mut scratch.query;
+        if self.world.camera.has_one_origin() {
+            for (rays, hits) in rays.chunks(4).zip(&mut *hits) {
+                for lane in 0..4 {
+                    hits.aim(lane, rays[lane.min(rays.len() - 1)].dir);
+                }
+            }
+            let origin = self.world.camera.location();
+            for (rays, hits) in rays.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE / 4)) {
+                self.world
+                    .closest_hits_bundle(origin, rays.len(), hits, query);
+            }
+            return;
+        }
+        for (rays, hits) in rays.chunks(STREAM).zip(hits.chunks_mut(STREAM / 4)) {
+            let queries = rays.iter().map(|&ray| Query {
+                ray,
+                origin_surface: None,
+                t_max: f64::INFINITY,
+                kind: RayKind::Camera,
+            });
+            let queries: ArrayVec<Query, STREAM> = queries.collect();
+            self.world
+                .nearest_of_stream(queries.len(), |ray| &queries[ray], hits, query);
+        }
+    }
+
+    /// The sample at a position, whose turn it is: the one with this index of those looked ahead to.
+    pub fn sample_ahead(
+        &self,
+        ahead: &Ahead,
+        number: usize,
+        (x, y): (f64, f64),
+        (width, height): (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let Some(&ray) = ahead.rays.get(number) else {
+            return self.pixel(x, y, width, height, scratch);
+        };
+        begin_sample(x, y, scratch);
+        let (hits, lane) = (&ahead.all.hits[number / 4], number % 4);
+        let known = LightSamples::at(&ahead.all, number);
+        if let Some(sample) = ahead.samples[number] {
+            if hits.is_hit(lane) {
+                self.skip_random(hits.surface[lane], known, scratch);
+            }
+            return sample;
+        }
+        self.trace(
+            self.camera_path(ray),
+            Some((hits.hit(lane), known)),
+            scratch,
+        )
+    }
+
+    /// Leaves out the random numbers of the area lights whose light arrives at a surface.
+    fn skip_random(&self, surface: u32, known: LightSamples, scratch: &mut Scratch) {
+        let lights = &self.world.lights;
+        for &number in lights.of(self.world.surfaces[surface as usize].lights) {
+            if let Some(area) = &lights.get(number).area
+                && known.occlusion(number) == Some(Occlusion::Clear)
+            {
+                skip_clear(area, scratch);
+            }
+        }
+    }
+}
