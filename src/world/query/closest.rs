@@ -24,6 +24,8 @@ pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;
 /// POV-Ray's minimum hit distances, in scene units: for shadow rays and for all other rays.
 pub(in crate::world) const POV_RAY_SHADOW: f64 = 1e-3;
 pub(in crate::world) const POV_RAY_T_MIN: f64 = 1e-4;
+/// POV-Ray's minimum hit distance of blobs, in scene units.
+const POV_RAY_BLOB: f64 = 1e-2;
 /// POV-Ray's maximum hit distance, in scene units.
 pub(in crate::world) const POV_RAY_T_MAX: f64 = 1e7;
 
@@ -460,6 +462,20 @@ impl World {
         }
     }
 
+    /// Distance up to which hits on blobs are ignored: POV-Ray's where its distances are followed, in scenes of 3.8.
+    #[inline(always)]
+    fn blob_t_min(&self, kind: RayKind) -> f64 {
+        let follows = self.least_distance == TMinRule::PovRay
+            || matches!(
+                kind,
+                RayKind::Radiosity | RayKind::Photon | RayKind::PhotonReflection
+            );
+        match follows && self.globals.is_3_8 {
+            true => POV_RAY_BLOB * self.globals.unit,
+            false => 0.0,
+        }
+    }
+
     /// Returns true if POV-Ray ignores a hit for its distance, and its distances are followed. It is tested for the closest
     /// hit alone: shapes without that limit do not show behind one.
     #[inline(always)]
@@ -517,6 +533,7 @@ impl World {
             ray: &query.ray,
             origin_surface: query.origin_surface.as_ref(),
             t_min: self.t_min(query),
+            blob_t_min: self.blob_t_min(query.kind),
             origin_error: query.origin_surface.map_or(0.0, |origin| origin.blur),
             start: IndexBase::default(),
             exited_leaf: self

@@ -27,6 +27,7 @@ impl Instance {
             exited_leaf: self.model.exited_convex(origin_surface.as_ref(), &ray),
             origin_surface: origin_surface.as_ref(),
             t_min: search.t_min,
+            blob_t_min: search.blob_t_min,
             origin_error: search.origin_error,
             start: IndexBase {
                 leaf: search.start.leaf + self.first,

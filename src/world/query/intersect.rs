@@ -4,7 +4,7 @@ use super::QueryScratch;
 use super::packet::hits::NO_LEAF;
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
-use crate::scene::shape::{Geometry, Root};
+use crate::scene::shape::{Geometry, Root, Shape};
 use crate::world::csg::sweep::{RawHit, RayInterval, SweepContext, hide_departure};
 use crate::world::model::{Item, Model};
 use crate::world::primitive::Leaf;
@@ -39,12 +39,25 @@ pub(in crate::world) struct Search<'a> {
     pub(in crate::world) origin_surface: Option<&'a SpawnSurface>,
     /// Hits up to this distance are ignored.
     pub(in crate::world) t_min: f64,
+    /// The same for blobs, if it is larger.
+    pub(in crate::world) blob_t_min: f64,
     /// Up to this distance a hit may be rejected as a self-intersection, so that the search goes on behind it.
     pub(in crate::world) origin_error: f64,
     /// Base of the indices in the hits.
     pub(in crate::world) start: IndexBase,
     /// The convex leaf that the ray has exited, which need not be tested; [`NO_LEAF`] for none.
     pub(in crate::world) exited_leaf: u32,
+}
+
+impl Search<'_> {
+    /// Hits on this leaf up to this distance are ignored.
+    #[inline(always)]
+    fn t_min_of(&self, leaf: &Leaf) -> f64 {
+        if self.blob_t_min > self.t_min && matches!(leaf.shape, Shape::Blob(_)) {
+            return self.blob_t_min;
+        }
+        self.t_min
+    }
 }
 
 impl Model {
@@ -91,12 +104,13 @@ impl Model {
                 };
                 let mut first = None;
                 program.nearest(context, interval, sweep, |hit| {
+                    let t_min = search.t_min_of(&self.leaves[hit.leaf as usize]);
                     let hit = RawHit {
                         leaf: start.leaf + hit.leaf,
                         surface: start.surface + hit.surface,
                         ..*hit
                     };
-                    let is_wanted = policy.accepts(&hit);
+                    let is_wanted = hit.root.t >= t_min && policy.accepts(&hit);
                     first = is_wanted.then_some(hit);
                     is_wanted
                 })?;
@@ -105,7 +119,7 @@ impl Model {
             Item::Leaf(number) if number == search.exited_leaf => None,
             Item::Leaf(number) => {
                 let leaf = &self.leaves[number as usize];
-                let (ray, mut t_min) = (search.ray, search.t_min);
+                let (ray, mut t_min) = (search.ray, search.t_min_of(leaf));
                 loop {
                     let root = match search.origin_surface {
                         Some(origin) if origin.leaf == number && leaf.shape.is_faceted() => {
