@@ -18,7 +18,7 @@ use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::function::RidgedCalls;
 use crate::scene::interior::PreparedMedia;
-use crate::scene::shape::{Geometry, Shape, TextureWeights};
+use crate::scene::shape::{Geometry, TextureWeights};
 use crate::scene::{RadiositySettings, Subsurface};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
@@ -249,14 +249,13 @@ impl World {
         surfaces.into_iter().map(interior).collect()
     }
 
-    /// Returns true if inside and outside of a primitive are exchanged: it is inverse, or a difference subtracts it.
-    pub(super) fn is_inverse(&self, leaf: u32) -> bool {
+    /// Returns true if POV-Ray's normals of a primitive point into its shape: it is inverse, or a difference subtracts it.
+    #[must_use]
+    pub fn turns_normals(&self, leaf: u32) -> bool {
+        let shape = self.model.shape(leaf);
         self.model.is_inverse(leaf)
-    }
-
-    /// The shape of a primitive.
-    pub(super) fn shape(&self, leaf: u32) -> &Shape {
-        self.model.shape(leaf)
+            && !shape.keeps_normal()
+            && (self.globals.is_3_8 || !shape.keeps_normal_before_3_8())
     }
 
     /// Returns true if a point lies in any object.

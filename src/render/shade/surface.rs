@@ -164,8 +164,12 @@ impl<'w> Tracer<'w> {
         dir: DVec3,
         purpose: TextureUse,
     ) -> WeightedTextures<'s> {
+        let is_inside = || {
+            let is_turned = self.world.turns_normals(hit.spawn_surface.leaf);
+            (hit.shading_normal.dot(dir) > 0.0) != is_turned && !self.world.has_one_side(hit)
+        };
         let outside = match surface.inside_texture() {
-            Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
+            Some(inside) if is_inside() => {
                 return self.single_texture(inside, hit, dir, purpose);
             }
             _ => &*surface.texture,

@@ -311,8 +311,13 @@ pub trait Geometry {
         None
     }
 
-    /// True if the normal does not flip where the inside is inverted, as POV-Ray has it for single triangles.
+    /// True if POV-Ray's normal does not flip where the inside is inverted, which `trace` and `interior_texture` show.
     fn keeps_normal(&self) -> bool {
+        false
+    }
+
+    /// The same of versions before 3.8 alone.
+    fn keeps_normal_before_3_8(&self) -> bool {
         false
     }
 

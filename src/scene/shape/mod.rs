@@ -261,6 +261,9 @@ macro_rules! shapes {
             fn keeps_normal(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.keeps_normal()),+ }
             }
+            fn keeps_normal_before_3_8(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.keeps_normal_before_3_8()),+ }
+            }
             fn moves_face_textures(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.moves_face_textures()),+ }
             }

@@ -4,7 +4,7 @@ use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
 use crate::base::options::{RenderOptions, TMinRule};
 use crate::scene::pattern::{Settings, Solid};
-use crate::scene::shape::{Geometry, Shape};
+use crate::scene::shape::Shape;
 use crate::scene::{Object, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::lowering::Lowering;
@@ -53,7 +53,7 @@ impl ProbeModel {
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.spawn_surface.leaf;
-        let is_turned = world.is_inverse(leaf) && !world.shape(leaf).keeps_normal();
+        let is_turned = world.turns_normals(leaf);
         let (point, normal) = match world.rounded_hit(&query.ray, &hit) {
             Some(rounded) => (rounded.point, rounded.normal),
             None => (hit.point, hit.shading_normal),

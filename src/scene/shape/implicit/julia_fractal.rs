@@ -517,6 +517,10 @@ impl Geometry for JuliaFractal {
         true
     }
 
+    fn keeps_normal_before_3_8(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         let radius = DVec3::splat(self.0.radius);
         Bounds {

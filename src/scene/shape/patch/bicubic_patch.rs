@@ -333,6 +333,10 @@ impl Geometry for BicubicPatch {
         !self.is_clipped
     }
 
+    fn keeps_normal(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         let points = self.net.points.iter().flatten();
         points.fold(Bounds::EMPTY, |bounds, point| bounds.with_point(*point))

@@ -202,6 +202,10 @@ impl Geometry for Polygon {
         false
     }
 
+    fn keeps_normal(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         self.0.bounds
     }

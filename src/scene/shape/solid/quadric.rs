@@ -325,6 +325,10 @@ impl Geometry for Quadric {
         self.value(point) <= 0.0
     }
 
+    fn keeps_normal_before_3_8(&self) -> bool {
+        true
+    }
+
     /// Finite for ellipsoids only.
     fn bounds(&self) -> Bounds {
         let inverse = self.matrix.inverse();

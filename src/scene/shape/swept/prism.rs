@@ -13,7 +13,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::solid::axial::Slab;
+use crate::scene::shape::solid::axial::{APEX, BASE, SIDE, Slab};
 use crate::scene::shape::{FlatFace, Geometry, INSIDE_TOLERANCE, Root, Start, read};
 use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
@@ -365,7 +365,7 @@ impl Geometry for Prism {
     /// A cap of a linear sweep.
     fn flat_face(&self, face: u32) -> Option<FlatFace> {
         let is_low = face == 1;
-        let is_cap = self.sweep == Sweep::Linear && face != 0;
+        let is_cap = self.sweep == Sweep::Linear && face != SIDE;
         is_cap.then_some(FlatFace {
             axis: 1,
             coordinate: if is_low { self.low } else { self.high },
@@ -406,15 +406,18 @@ impl Geometry for Prism {
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match face {
-            crate::scene::shape::solid::axial::BASE => DVec3::NEG_Y,
-            crate::scene::shape::solid::axial::APEX => DVec3::Y,
+            BASE => DVec3::NEG_Y,
+            APEX => DVec3::Y,
             _ => self.side_normal(point, Side::Outward),
         }
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
-        let is_turned = self.side == Side::Right && face == crate::scene::shape::solid::axial::SIDE;
-        is_turned.then(|| self.side_normal(point, Side::Right))
+        match (face, self.side) {
+            (BASE, Side::Outward) => Some(DVec3::Y),
+            (SIDE, Side::Right) => Some(self.side_normal(point, Side::Right)),
+            _ => None,
+        }
     }
 
     fn contains(&self, point: DVec3) -> bool {

@@ -56,6 +56,8 @@ struct Line {
     overlaps: bool,
     /// True for a single letter whose outline lies within its box from the font.
     is_single: bool,
+    /// True if the normals of the sides point inward, as those of POV-Ray 3.7 do.
+    has_inward_sides: bool,
     /// From object space to the space of the line.
     turn: DMat3,
 }
@@ -90,7 +92,11 @@ impl Text {
             let message = format!("cannot read the font `{name}`: {why}");
             Diagnostic::error(at, message).with_hint("Give the name of a TrueType font.")
         })?;
-        Ok(Text(Arc::new(Line::new(letters, thickness))))
+        let line = Line {
+            has_inward_sides: !args.is_for_3_8(),
+            ..Line::new(letters, thickness)
+        };
+        Ok(Text(Arc::new(line)))
     }
 
     /// Transforms a ray to the space of the line.
@@ -162,6 +168,7 @@ impl Line {
             depth,
             bounds,
             overlaps,
+            has_inward_sides: false,
             turn: turn.transpose(),
         }
     }
@@ -382,6 +389,11 @@ impl Geometry for Text {
 
     fn contains(&self, point: DVec3) -> bool {
         self.0.contains(self.0.turn * point)
+    }
+
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
+        let is_side = self.0.letter(face).1 >= CAPS;
+        (is_side && self.0.has_inward_sides).then(|| -self.normal(point, face))
     }
 
     fn bounds(&self) -> Bounds {
