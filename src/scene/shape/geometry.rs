@@ -83,8 +83,6 @@ pub struct FlatFace {
     pub is_low: bool,
     /// Points exactly on it are inside.
     pub is_closed: bool,
-    /// POV-Ray's distance of a hit is the difference of the coordinates divided by that of the direction.
-    pub has_exact_points: bool,
 }
 
 impl FlatFace {

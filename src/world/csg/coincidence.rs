@@ -6,6 +6,7 @@
 //! cuts everywhere, one surface is shown if the ray enters or leaves the node as a whole there: no double surface, no
 //! hole. A packet of rays hands every ray with ends near each other to the sweep, see [`Widening::of_packets`].
 
+use super::inside::InsideState;
 use super::program::CsgProgram;
 use super::sweep::{Event, Sweep, SweepContext};
 use crate::base::math::COINCIDENT;
@@ -13,7 +14,6 @@ use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, SurfaceSide};
 use crate::world::primitive::Leaf;
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::cmp::Ordering;
 
 /// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,32 +135,24 @@ impl CsgProgram {
             ..
         } = sweep;
         let events = &events[at..end];
+        let by_rounding = self.shown_by_rounding(events, context, state);
         let mut is_certain = true;
-        let by_rounding = self.rounded_position(events, context);
-        for event in events {
-            if event.root.crossing == Crossing::Touch {
-                continue;
-            }
-            let leaf = &context.leaves[(self.first + event.leaf) as usize];
-            let face = by_rounding.and_then(|position| Some((position, flat_face(leaf, event)?)));
-            let side = match face {
-                Some((position, face)) => face.side(position),
-                None => leaf.shape.surface_side(),
-            };
-            is_certain &= side != SurfaceSide::Rounded;
-            let is_inverse = self.operands[event.leaf as usize].is_inverse;
-            let on_surface = match side {
-                SurfaceSide::Inside | SurfaceSide::Rounded => !is_inverse,
-                SurfaceSide::Outside => is_inverse,
-                SurfaceSide::Both => is_inverse == self.is_inverse(event.leaf),
-            };
-            self.put(event.leaf, on_surface, state);
-        }
         shown.clear();
-        for event in events {
-            let is_shown = self.lets_through(event.leaf, state);
-            is_certain |= is_shown && !self.operands[event.leaf as usize].is_hidden;
-            shown.push(is_shown);
+        match by_rounding {
+            Some(by_rounding) => shown.extend_from_slice(&by_rounding),
+            None => {
+                for event in events {
+                    let leaf = &context.leaves[(self.first + event.leaf) as usize];
+                    let side = leaf.shape.surface_side();
+                    is_certain &= side != SurfaceSide::Rounded;
+                    self.put_on_surface(event, side, state);
+                }
+                for event in events {
+                    let is_shown = self.lets_through(event.leaf, state);
+                    is_certain |= is_shown && !self.operands[event.leaf as usize].is_hidden;
+                    shown.push(is_shown);
+                }
+            }
         }
         // Back to the state after them: the last event of each operand decides, as in the first pass.
         for event in events {
@@ -169,41 +161,64 @@ impl CsgProgram {
         is_certain
     }
 
-    /// The position of a ray's point after rounding, relative to the coordinate of the world at which faces of boxes
-    /// coincide, or those of boxes and prisms; `None` for other shapes and where it may differ from ray to ray.
+    /// Puts the ray on the surface of an operand, points of which count as on this side.
+    fn put_on_surface(&self, event: &Event, side: SurfaceSide, state: &mut InsideState) {
+        if event.root.crossing == Crossing::Touch {
+            return;
+        }
+        let is_inverse = self.operands[event.leaf as usize].is_inverse;
+        let is_in = match side {
+            SurfaceSide::Inside | SurfaceSide::Rounded => !is_inverse,
+            SurfaceSide::Outside => is_inverse,
+            SurfaceSide::Both => is_inverse == self.is_inverse(event.leaf),
+        };
+        self.put(event.leaf, is_in, state);
+    }
+
+    /// The surfaces shown where all are faces across one axis, of boxes and prisms: those whose points, after rounding,
+    /// every ancestor lets through. `None` for other shapes and where it may differ from ray to ray.
     ///
-    /// In POV-Ray the point has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the last bit for
-    /// all directions at which a face is looked at squarely and for most others. Below a power of two, where numbers are
-    /// twice as dense, it may be the number before; that must not matter. Rays of the camera start at one point, so that
-    /// it is the same all over a face; for others it must not depend on the last bit of where they start. The distance of
-    /// a prism has more roundings, so that its own point varies; but that of the box decides whether anything shows.
-    fn rounded_position(&self, events: &[Event], context: SweepContext) -> Option<Ordering> {
-        let mut common = None;
-        let mut has_exact_point = false;
+    /// In POV-Ray the point of a face at `c` has the coordinate `o + t·d` with `t = (c − o)/d`. The product is `c − o` to the
+    /// last bit for all directions at which a face is looked at squarely and for most others. Below a power of two, where
+    /// numbers are twice as dense, it may be the number before; that must not matter. Rays of the camera start at one point,
+    /// so that it is the same all over a face; for others it must not depend on the last bit of where they start.
+    fn shown_by_rounding(
+        &self,
+        events: &[Event],
+        context: SweepContext,
+        state: &mut InsideState,
+    ) -> Option<SmallVec<[bool; 4]>> {
+        let mut faces: SmallVec<[WorldFace; 4]> = SmallVec::new();
         for event in events {
             let leaf = &context.leaves[(self.first + event.leaf) as usize];
-            let face = flat_face(leaf, event)?;
-            let plane = (face.axis, face.coordinate);
-            if *common.get_or_insert(plane) != plane {
+            let face = WorldFace::of(leaf, event)?;
+            if faces.first().is_some_and(|first| first.axis != face.axis) {
                 return None;
             }
-            has_exact_point |= face.has_exact_points;
+            faces.push(face);
         }
-        if !has_exact_point {
-            return None;
-        }
-        let (axis, coordinate) = common?;
-        let position = |origin: f64| {
-            let offset = coordinate - origin;
-            let at = |offset: f64| (origin + offset).partial_cmp(&coordinate);
-            let is_certain = !is_power_of_two(offset) || at(toward_zero(offset)) == at(offset);
-            at(offset).filter(|_| is_certain)
+        let mut shown = |origin: f64, toward: fn(f64) -> f64| {
+            let mut shown: SmallVec<[bool; 4]> = SmallVec::new();
+            for (event, own) in events.iter().zip(&faces) {
+                let position = origin + toward(own.offset(origin));
+                for (other, face) in events.iter().zip(&faces) {
+                    self.put_on_surface(other, face.side(position)?, state);
+                }
+                shown.push(self.lets_through(event.leaf, state));
+            }
+            Some(shown)
         };
-        let origin = context.ray.origin[axis];
-        let own = position(origin);
+        let origin = context.ray.origin[faces.first()?.axis];
+        let own = shown(origin, |offset| offset)?;
+        let near_power = |offset: f64| match is_power_of_two(offset) {
+            true => toward_zero(offset),
+            false => offset,
+        };
+        let mut is_same = |origin: f64| shown(origin, |offset| offset).as_ref() == Some(&own);
         let is_from_camera = context.departure.is_none() && !context.is_shadow;
-        let is_even = || [origin.next_down(), origin.next_up()].map(position) == [own; 2];
-        own.filter(|_| is_from_camera || is_even())
+        let is_even = is_from_camera || is_same(origin.next_down()) && is_same(origin.next_up());
+        let is_certain = is_even && shown(origin, near_power).as_ref() == Some(&own);
+        is_certain.then_some(own)
     }
 
     /// Selects the surfaces shown among several at the same `t` so that they bound the solid: at a node whose other
@@ -235,23 +250,46 @@ impl CsgProgram {
     }
 }
 
-/// The face of a leaf that an event is on, in world space, if it lies across an axis and no transform rounds the
-/// coordinate there.
-fn flat_face(leaf: &Leaf, event: &Event) -> Option<FlatFace> {
-    let face = leaf.shape.flat_face(event.root.face)?;
-    let Some(matrix) = &leaf.object_from_world else {
-        return Some(face);
-    };
-    let row = matrix.matrix3.row(face.axis);
-    let scale = row[face.axis];
-    let is_exact = scale > 0.0
-        && is_power_of_two(scale)
-        && row == scale * DVec3::AXES[face.axis]
-        && matrix.translation[face.axis] == 0.0;
-    is_exact.then_some(FlatFace {
-        coordinate: face.coordinate / scale,
-        ..face
-    })
+/// A flat face of a leaf across an axis, and its coordinate there in the world: `(coordinate − shift) / scale`.
+#[derive(Clone, Copy)]
+struct WorldFace {
+    axis: usize,
+    scale: f64,
+    shift: f64,
+    face: FlatFace,
+}
+
+impl WorldFace {
+    /// The face that an event is on, if the transform of the leaf keeps it across its axis.
+    fn of(leaf: &Leaf, event: &Event) -> Option<WorldFace> {
+        let face = leaf.shape.flat_face(event.root.face)?;
+        let axis = face.axis;
+        let (scale, shift) = match &leaf.object_from_world {
+            None => (1.0, 0.0),
+            Some(matrix) => {
+                let row = matrix.matrix3.row(axis);
+                let is_across = row == row[axis] * DVec3::AXES[axis];
+                (is_across.then_some(row[axis])?, matrix.translation[axis])
+            }
+        };
+        Some(WorldFace {
+            axis,
+            scale,
+            shift,
+            face,
+        })
+    }
+
+    /// The offset of the face from a coordinate of the world.
+    fn offset(&self, origin: f64) -> f64 {
+        (self.face.coordinate - (origin * self.scale + self.shift)) / self.scale
+    }
+
+    /// The side of the solid on which a point at a coordinate of the world lies.
+    fn side(&self, position: f64) -> Option<SurfaceSide> {
+        let local = position * self.scale + self.shift;
+        Some(self.face.side(local.partial_cmp(&self.face.coordinate)?))
+    }
 }
 
 /// The number next to one in the direction of zero; zero itself for zero.

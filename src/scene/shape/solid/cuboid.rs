@@ -148,7 +148,6 @@ impl Geometry for Cuboid {
             coordinate: corner[axis],
             is_low,
             is_closed: true,
-            has_exact_points: true,
         })
     }
 

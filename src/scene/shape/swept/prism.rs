@@ -362,17 +362,14 @@ fn bezier_outline(points: &[DVec2]) -> Result<Outline, Fault> {
 }
 
 impl Geometry for Prism {
-    /// A cap of a linear sweep.
+    /// A cap.
     fn flat_face(&self, face: u32) -> Option<FlatFace> {
         let is_low = face == 1;
-        let is_cap = self.sweep == Sweep::Linear && face != SIDE;
-        is_cap.then_some(FlatFace {
+        (face != SIDE).then_some(FlatFace {
             axis: 1,
             coordinate: if is_low { self.low } else { self.high },
             is_low,
             is_closed: is_low,
-            // It is divided by the length of the direction as well.
-            has_exact_points: false,
         })
     }
 
