@@ -225,6 +225,11 @@ pub trait Geometry {
         false
     }
 
+    /// True if rays that miss its `bounded_by` miss it, although it is no part of a CSG object.
+    fn tests_bounds(&self) -> bool {
+        false
+    }
+
     /// True if `bounded_by` does not change its box.
     fn keeps_its_box(&self) -> bool {
         false

@@ -397,10 +397,14 @@ impl Lowering {
     }
 }
 
-/// Returns true if the bounding objects themselves are tested: of shapes that are no part of a CSG object only their box
-/// is, see [`seen_in`].
+/// Returns true if the bounding objects themselves are tested: of most shapes that are no part of a CSG object only their
+/// box is, see [`seen_in`].
 pub(crate) fn is_gated(object: &Object) -> bool {
-    !object.bounded_by().is_empty() && !matches!(object.kind, Kind::Shape(_))
+    let tests_bounds = match &object.kind {
+        Kind::Shape(shape) => shape.tests_bounds(),
+        _ => true,
+    };
+    tests_bounds && !object.bounded_by().is_empty()
 }
 
 /// The objects that clip an object.

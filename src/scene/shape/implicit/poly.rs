@@ -437,6 +437,10 @@ impl Geometry for Poly {
         }
     }
 
+    fn tests_bounds(&self) -> bool {
+        true
+    }
+
     fn contains(&self, point: DVec3) -> bool {
         self.0.value(point) < INSIDE_TOLERANCE
     }
