@@ -48,10 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         looks_like: None,
         projected_through: None,
     })));
-    let ground = Plane {
-        normal: DVec3::Y,
-        distance: 0.0,
-    };
+    let ground = Plane::new(DVec3::Y, 0.0);
     scene
         .objects
         .push(object(Shape::Plane(ground), Rgb::new(0.5, 0.6, 0.5)));

@@ -195,7 +195,7 @@ mod tests {
     }
 
     fn plane(normal: DVec3, distance: f64, steps: &[Step]) -> Leaf {
-        leaf(Shape::Plane(Plane { normal, distance }), steps)
+        leaf(Shape::Plane(Plane::new(normal, distance)), steps)
     }
 
     fn quadric(squares: DVec3, linear: DVec3, constant: f64, steps: &[Step]) -> Leaf {

@@ -258,10 +258,7 @@ pub(crate) mod tests {
     fn shape(rng: &mut Random) -> Shape {
         let point = coarse(rng);
         match rng.bits() % 8 {
-            0 => Shape::Plane(Plane {
-                normal: DVec3::AXES[usize::from(point.x > 0.0)],
-                distance: point.y,
-            }),
+            0 => Shape::Plane(Plane::new(DVec3::AXES[usize::from(point.x > 0.0)], point.y)),
             1 => Shape::Triangle(Triangle {
                 corners: [point, coarse(rng), coarse(rng)],
             }),

@@ -28,7 +28,8 @@ pub struct Plane {
 
 impl Plane {
     /// The half-space behind a unit normal, `distance` from the origin.
-    pub(crate) fn new(normal: DVec3, distance: f64) -> Self {
+    #[must_use]
+    pub fn new(normal: DVec3, distance: f64) -> Self {
         Plane {
             normal,
             distance,

@@ -109,7 +109,7 @@ impl World {
             #[inline(always)]
             |lanes| {
                 let around = &Bounds::new(point.point, point.point);
-                self.items_before(lanes, around, light, |item| is_left_out(item))
+                self.items_before(lanes, around, light, is_left_out)
             },
         )?;
         Some(AreaBlockers {
