@@ -247,13 +247,6 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
 pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
     if args.is_for_3_8() {
         args.comma()?;
-    } else if args.at_mark(',')? {
-        let error = Diagnostic::error(
-            args.span(),
-            "a comma behind the last item needs version 3.8",
-        );
-        let hint = "Remove the comma, or begin the scene with `#version 3.8;`.";
-        return Err(Box::new(error.with_hint(hint)));
     }
     Ok(())
 }

@@ -77,6 +77,14 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         *entry = args.float()?;
     }
     trailing_comma(args)?;
+    if args.comma()? && args.at_mark('>')? {
+        let error = Diagnostic::error(
+            args.last_span(),
+            "a comma behind the last item needs version 3.8",
+        );
+        let hint = "Remove the comma, or begin the scene with `#version 3.8;`.";
+        return Err(Box::new(error.with_hint(hint)));
+    }
     if !args.accept_mark('>')? {
         return Err(args.expected("`>` after the twelve numbers of `matrix`"));
     }

@@ -411,7 +411,7 @@ mod tests {
 
     #[test]
     fn points_are_counted_and_finite() {
-        let mut args = TextArgs::new("2.7, <1,2>, <3,4> <5,6>");
+        let mut args = TextArgs::new("2.7, <1,2>, <3,4>, <5,6>");
         assert_eq!(read_points(&mut args, "lathe").unwrap().len(), 2);
         let error = read_points(&mut TextArgs::new("1 <1,nan>"), "prism").unwrap_err();
         assert_eq!(
