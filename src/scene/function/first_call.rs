@@ -3,7 +3,7 @@
 use super::internal::ridged_mf;
 use std::sync::{Mutex, OnceLock};
 
-/// What the weights follow from: `H` and the lacunarity of a call.
+/// The `H` and the lacunarity of a call, which determine the octave weights.
 pub(super) type OctaveWeights = [f64; 2];
 
 /// The calls of `f_ridged_mf` in a scene for POV-Ray 3.8. The first one that is evaluated sets the weights for all.

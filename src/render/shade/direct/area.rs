@@ -307,7 +307,7 @@ impl Tracer<'_> {
             let (light, query) = (area_light.light_index, shadow_rays.query(hits, lane));
             let known = shadow_rays.occlusion(lane).map(|result| {
                 let scratch = &mut scratch.query;
-                // What blocks this ray may be remembered for the next ones.
+                // The blocker of this ray may be remembered for the next ones.
                 depends_on_memory |= result == Occlusion::Opaque;
                 if !depends_on_memory {
                     return result;

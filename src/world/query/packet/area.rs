@@ -21,7 +21,7 @@ use smallvec::{SmallVec, smallvec};
 /// Minimum cosine between the normal of a convex shape and a shadow ray that certainly leaves it.
 const MIN_COSINE: f64 = 1e-3;
 
-/// How much larger than the light a parallelogram is whose corners are tested for all of it.
+/// The size of the parallelogram whose corners are tested for all of a light, as a multiple of that of the light.
 const UMBRA_MARGIN: f64 = 1.0 + 1.0 / 16.0;
 /// Minimum size of such a light, relative to its distance, and distance of its blocker, relative to the coordinates.
 const UMBRA_SHARE: f64 = 1e-4;
