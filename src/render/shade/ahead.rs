@@ -1,16 +1,16 @@
 //! Samples in POV-Ray's order: what their camera rays hit, and the colours that do not depend on the order, are found
 //! for many of them at once before their turns come.
 
+use super::block::CameraRays;
 use super::direct::area::skip_clear;
-use super::direct::block_hits::{BlockHits, RaySource};
+use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, ShadeBuffers};
 use super::shading_point::LightSamples;
-use super::{InteriorStack, Path, Sample, Scratch, Tracer, begin_sample};
+use super::{InteriorStack, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::world::{HitPacket4, InteriorId, Occlusion, Query, RayKind};
+use crate::world::{HitPacket4, Occlusion, Query, RayKind};
 use arrayvec::ArrayVec;
-use glam::DVec3;
 
 /// The number of camera rays that are traced as one bundle.
 const BUNDLE: usize = 256;
@@ -27,34 +27,6 @@ pub struct Ahead {
     all: BlockHits,
     /// Those that do not depend on the order.
     samples: Vec<Option<Sample>>,
-}
-
-/// Up to four camera rays.
-struct CameraRays<'a, 'w> {
-    tracer: &'a Tracer<'w>,
-    rays: &'a [Ray],
-    interior_stacks: &'a [InteriorStack],
-}
-
-impl RaySource for CameraRays<'_, '_> {
-    #[inline(always)]
-    fn kind(&self, _lane: usize) -> RayKind {
-        RayKind::Camera
-    }
-
-    #[inline(always)]
-    fn common_kind(&self) -> Option<RayKind> {
-        Some(RayKind::Camera)
-    }
-
-    fn inside(&self, lane: usize) -> &[InteriorId] {
-        let around_camera = &self.tracer.around_camera;
-        self.interior_stacks.get(lane).unwrap_or(around_camera)
-    }
-
-    fn path(&self, lane: usize, _dir: DVec3) -> Path {
-        self.tracer.camera_path(self.rays[lane])
-    }
 }
 
 impl Tracer<'_> {

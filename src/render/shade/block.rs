@@ -8,7 +8,7 @@ use super::direct::packet::{RadiancePacket4, ShadeBuffers};
 use super::shade_cache::ShadeCache;
 use super::shading_point::LightSamples;
 use super::wavefront::{MANY_LIGHTS, PixelSamples, SMALL_BATCH, Wavefront};
-use super::{Path, Sample, Scratch, Tracer, begin_sample};
+use super::{InteriorStack, Path, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
 use crate::world::{HitPacket4, InteriorId, RayCounts, RayKind};
@@ -49,10 +49,16 @@ pub struct BlockScratch {
     ahead: Ahead,
 }
 
-/// Camera rays with a common origin.
-struct FromCamera<'t, 'w>(&'t Tracer<'w>);
+/// Up to four camera rays.
+pub(super) struct CameraRays<'a, 'w> {
+    pub(super) tracer: &'a Tracer<'w>,
+    /// The rays; none if they start at the location of the camera.
+    pub(super) rays: &'a [Ray],
+    /// The interiors around their starts, where these differ.
+    pub(super) interior_stacks: &'a [InteriorStack],
+}
 
-impl RaySource for FromCamera<'_, '_> {
+impl RaySource for CameraRays<'_, '_> {
     #[inline(always)]
     fn kind(&self, _lane: usize) -> RayKind {
         RayKind::Camera
@@ -63,13 +69,15 @@ impl RaySource for FromCamera<'_, '_> {
         Some(RayKind::Camera)
     }
 
-    fn inside(&self, _lane: usize) -> &[InteriorId] {
-        &self.0.around_camera
+    fn inside(&self, lane: usize) -> &[InteriorId] {
+        let around_camera = &self.tracer.around_camera;
+        self.interior_stacks.get(lane).unwrap_or(around_camera)
     }
 
-    fn path(&self, _lane: usize, dir: DVec3) -> Path {
-        self.0
-            .camera_path(Ray::new(self.0.world.camera.location(), dir))
+    fn path(&self, lane: usize, dir: DVec3) -> Path {
+        let from_location = || Ray::new(self.tracer.world.camera.location(), dir);
+        let ray = self.rays.get(lane).copied();
+        self.tracer.camera_path(ray.unwrap_or_else(from_location))
     }
 }
 
@@ -328,6 +336,11 @@ impl Tracer<'_> {
         }
         let count = positions.len();
         self.light_all(count, true, &mut scratch.all, &mut scratch.single);
+        let rays = CameraRays {
+            tracer: self,
+            rays: &[],
+            interior_stacks: &[],
+        };
         with_widest(
             #[inline(always)]
             |_| {
@@ -343,7 +356,7 @@ impl Tracer<'_> {
                         scratch: single,
                         cache: shade_cache,
                     };
-                    self.shade_packet4(&FromCamera(self), packet, count, all, buffers, &mut seen);
+                    self.shade_packet4(&rays, packet, count, all, buffers, &mut seen);
                     if seen.is_known(positions.len()) {
                         let known = |lane| (4 * packet + lane, seen.known(lane));
                         scratch.samples.extend((0..positions.len()).map(known));
