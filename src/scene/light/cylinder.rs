@@ -7,6 +7,10 @@ use crate::base::math::Ray;
 use crate::base::math::powers::exact_power;
 use glam::DVec3;
 
+/// A ray has no interval in the beam if its discriminant is within this of zero, relative to the square of the radius, as
+/// the sine of its angle with the axis is then within the root of it. POV-Ray takes it for a beam of radius 1.
+const PARALLEL: f64 = 1e-10;
+
 /// A cylindrical beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
@@ -59,21 +63,22 @@ impl Cylinder {
 
 impl Cylinder {
     /// The interval of parameters of a ray of unit direction inside the infinite cylinder, which extends behind the light
-    /// too. The last digits are POV-Ray's, as in [`super::spotlight::Spotlight::interval`].
+    /// too. In POV-Ray a ray that leaves it there, or is parallel to it, has none. The last digits are POV-Ray's, as in
+    /// [`super::spotlight::Spotlight::interval`].
     pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
         let from = ray.origin - centre;
         let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
         let a = 1.0 - rise * rise;
         let b = ray.dir.dot(from) - rise * height;
-        let c = from.length_squared() - height * height - self.falloff * self.falloff;
-        if a <= 0.0 {
-            return (c < 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
-        }
+        let radius_sq = self.falloff * self.falloff;
+        let c = from.length_squared() - height * height - radius_sq;
         let discriminant = b * b - a * c;
-        (discriminant > 0.0).then(|| {
-            let root = discriminant.sqrt();
-            ((-b - root) / a, (-b + root) / a)
-        })
+        if discriminant <= PARALLEL * radius_sq {
+            return None;
+        }
+        let root = discriminant.sqrt();
+        let (enter, leave) = ((-b - root) / a, (-b + root) / a);
+        (height + leave * rise > 0.0).then_some((enter, leave))
     }
 }
 
@@ -103,6 +108,28 @@ mod tests {
         for (from_axis, expected) in [(1.0, 0.69444), (3.0, 0.25), (5.0, 0.02777)] {
             assert!((attenuation(0.0, 6.0, 2.0, from_axis) - expected).abs() < 2e-5);
         }
+    }
+
+    #[test]
+    fn interval_of_a_ray_in_the_beam() {
+        let beam = Cylinder {
+            falloff: 5.0,
+            ..Cylinder::default()
+        };
+        let interval = |origin: DVec3, dir: DVec3| {
+            beam.interval(&Ray::new(origin, dir), DVec3::ZERO, DVec3::Z)
+        };
+        let at = |height: f64| height * DVec3::Z;
+        let slope = DVec3::new(0.6, 0.0, 0.8);
+        assert_eq!(interval(at(1.0), DVec3::X), Some((-5.0, 5.0)));
+        assert!(interval(at(7.0), slope).is_some());
+        assert!(interval(at(-1.0), slope).is_some());
+        assert!(interval(at(7.0), slope.with_z(-0.8)).is_some());
+        // They leave it behind the light.
+        assert_eq!(interval(at(6.0), slope.with_z(-0.8)), None);
+        assert_eq!(interval(at(-7.0), slope), None);
+        // Parallel to it.
+        assert_eq!(interval(at(1.0), DVec3::Z), None);
     }
 
     #[test]
