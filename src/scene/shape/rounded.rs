@@ -4,6 +4,7 @@
 //! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.
 
 use super::implicit::julia_fractal::ExactSearch;
+use super::mesh::height_field::RoundedField;
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::solid::cone::is_almost_cylinder;
 use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
@@ -71,6 +72,7 @@ enum Form {
     },
     Quadric(Box<Quadratic>),
     Search(Box<ExactSearch>),
+    Field(Box<RoundedField>),
 }
 
 /// The coefficients of a quadric in the world: of `x²`, `y²`, `z²`, of `xy`, `xz`, `yz`, of `x`, `y`, `z`, and the constant.
@@ -117,6 +119,11 @@ impl Rounded {
     /// The search of a fractal.
     pub(super) fn of_search(search: ExactSearch, steps: &Steps<'_>) -> Self {
         steps.rounded(Form::Search(Box::new(search)))
+    }
+
+    /// The planes of a height field.
+    pub(super) fn of_field(field: RoundedField, steps: &Steps<'_>) -> Self {
+        steps.rounded(Form::Field(Box::new(field)))
     }
 
     /// True if its hits are those of another search, with their own normals.
@@ -189,6 +196,7 @@ impl Rounded {
                 }
             }
             Form::Search(search) => search.hit(ray, t)?,
+            Form::Field(field) => field.hit(ray, face)?,
             Form::Quadric(quadratic) => {
                 let t = quadratic.root(ray, t);
                 let point = ray.at(t);

@@ -13,6 +13,7 @@
 //! are visible in the image.
 
 mod image;
+mod rounded;
 mod steps;
 mod walk;
 
@@ -21,9 +22,10 @@ use crate::base::bitmap;
 use crate::base::color::Gamma;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, read};
+use crate::scene::shape::{Geometry, Root, Rounded, Start, Steps, read};
 use glam::{DAffine3, DVec3, Vec3};
 use image::{Decoder, Kind, Samples};
+pub(in crate::scene::shape) use rounded::RoundedField;
 use std::sync::{Arc, OnceLock};
 
 /// Height steps per unit.
@@ -339,6 +341,28 @@ impl Field {
         [near, far].map(|row| [row[0].as_dvec3(), row[1].as_dvec3()])
     }
 
+    /// The mixture of the normals at the corners of a cell, each taken to the world before; `None` if the field or the
+    /// face is not smooth.
+    #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
+    #[inline]
+    fn smooth_normal(
+        &self,
+        at: DVec3,
+        face: u32,
+        to_world: impl Fn(DVec3) -> DVec3,
+    ) -> Option<DVec3> {
+        if !self.is_smooth || face >= WATER {
+            return None;
+        }
+        let (x, z, _) = self.cell(face);
+        let u = (at.x - x as f64).clamp(0.0, 1.0);
+        let v = (at.z - z as f64).clamp(0.0, 1.0);
+        let [near, far] = self.corner_normals(x, z);
+        let near_normal = (1.0 - u) * to_world(near[0]) + u * to_world(near[1]);
+        let far_normal = (1.0 - u) * to_world(far[0]) + u * to_world(far[1]);
+        Some((1.0 - v) * near_normal + v * far_normal)
+    }
+
     /// The averaged normal at a pixel, quantised as in POV-Ray.
     fn pixel_normal(&self, x: usize, z: usize) -> DVec3 {
         let centre = self.height(x, z);
@@ -379,21 +403,9 @@ impl Geometry for HeightField {
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
-        if !self.field.is_smooth || face >= WATER {
-            return None;
-        }
-        let (x, z, _) = self.field.cell(face);
-        let field_point = self.point_to_field(point);
-        #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
-        let (u, v) = (
-            (field_point.x - x as f64).clamp(0.0, 1.0),
-            (field_point.z - z as f64).clamp(0.0, 1.0),
-        );
-        let [near, far] = self.field.corner_normals(x, z);
         let corner = |normal: DVec3| self.to_world(normal).normalize_or_zero();
-        let near_normal = (1.0 - u) * corner(near[0]) + u * corner(near[1]);
-        let far_normal = (1.0 - u) * corner(far[0]) + u * corner(far[1]);
-        Some((1.0 - v) * near_normal + v * far_normal)
+        self.field
+            .smooth_normal(self.point_to_field(point), face, corner)
     }
 
     fn contains(&self, point: DVec3) -> bool {
@@ -429,6 +441,11 @@ impl Geometry for HeightField {
 
     fn extends_beyond_bounds(&self) -> bool {
         true
+    }
+
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
+        let has_triangles = !self.field.is_empty();
+        has_triangles.then(|| Rounded::of_field(RoundedField::new(self, steps), steps))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {
