@@ -3,6 +3,7 @@
 //! POV-Ray's directives act between any two tokens, and a macro is text substituted for its call. So `peek` runs every
 //! directive, enters every include and opens every macro call before the next token; the readers see none of that.
 
+use super::expr::scope_key::is_scope;
 use super::expr::value::Value;
 use super::frame::{Entered, Frame, Start, is_bare_directive};
 use super::reader::Reader;
@@ -50,7 +51,7 @@ impl Reader<'_> {
             Kind::Name => {
                 !self.scopes.is_macro(Symbol(token.value)) && self.usage.deprecated.is_empty()
             }
-            Kind::Word => !is_bare_directive(token),
+            Kind::Word => !is_bare_directive(token) && !is_scope(token),
             _ => false,
         };
         if stays {
@@ -103,6 +104,7 @@ impl Reader<'_> {
                     self.discard_recording();
                     self.run_bare_directive(token)?;
                 }
+                Kind::Word if self.begins_scope_key(token) => self.resolve_scope_key()?,
                 Kind::DataSegment => {
                     self.discard_recording();
                     self.read_on();
@@ -185,7 +187,7 @@ impl Reader<'_> {
     #[inline(always)]
     fn in_version(&self, token: Token) -> Token {
         match self.dialect.has_words_of_3_8() {
-            true => self.dialect.token(token),
+            true => self.dialect.token(token, self.here.tokens.file),
             false => token,
         }
     }
@@ -373,10 +375,18 @@ impl Reader<'_> {
             Kind::End => "the end of the file".to_owned(),
             Kind::Number => format!("the number `{}`", text()),
             Kind::String => format!("the string {}", text()),
-            Kind::Name => match self.scopes.get(Symbol(token.value)) {
-                None => format!("the undeclared identifier `{}`", text()),
-                Some(value) => format!("`{}`, which is {}", text(), value.kind()),
-            },
+            Kind::Name => {
+                let symbol = Symbol(token.value);
+                // A computed key stands in the text as an expression.
+                let name = match self.names.is_qualified(symbol) {
+                    true => self.names.spelling(symbol).to_owned(),
+                    false => text(),
+                };
+                match self.scopes.get(symbol) {
+                    None => format!("the undeclared identifier `{name}`"),
+                    Some(value) => format!("`{name}`, which is {}", value.kind()),
+                }
+            }
             Kind::Mark if token.is_mark('`') => "a backquote".to_owned(),
             Kind::Mark if is_invisible(token.value) => {
                 format!("the invisible character U+{:04X}", token.value)

@@ -5,7 +5,9 @@
 
 use super::syntax::{Kind, Names, Symbol, Token};
 use crate::base::args::Word;
+use crate::base::source::FileId;
 use crate::base::word::FREE_SINCE_3_8;
+use rustc_hash::FxHashMap;
 use std::cell::Cell;
 
 /// The reserved words in force.
@@ -18,6 +20,8 @@ pub(crate) struct Dialect {
     freed: u32,
     /// The words read so far, a bit for each of `words`.
     used: Cell<u32>,
+    /// The names that computed keys of scopes stand for, by the place of their `]`.
+    keys: FxHashMap<(FileId, u32), Symbol>,
 }
 
 impl Dialect {
@@ -30,6 +34,7 @@ impl Dialect {
                 .symbol(FREE_SINCE_3_8.spelling())
                 .map_or(u32::MAX, |symbol| symbol.0),
             used: Cell::new(0),
+            keys: FxHashMap::default(),
         }
     }
 
@@ -44,8 +49,18 @@ impl Dialect {
         self.has_words
     }
 
-    /// A token where the words of 3.8 are reserved.
-    pub(crate) fn token(&self, token: Token) -> Token {
+    /// Makes the `]` of a computed key the name that it stands for.
+    pub(crate) fn set_key(&mut self, close: (FileId, u32), name: Symbol) {
+        self.keys.insert(close, name);
+    }
+
+    /// Makes the `]` of a computed key a mark again, as long as the key is computed.
+    pub(crate) fn forget_key(&mut self, close: (FileId, u32)) {
+        self.keys.remove(&close);
+    }
+
+    /// A token of a file where the words of 3.8 are reserved.
+    pub(crate) fn token(&self, token: Token, file: FileId) -> Token {
         let (kind, value) = match token.kind {
             Kind::Name => match self.words.get(token.value as usize) {
                 Some(&word) => {
@@ -55,6 +70,12 @@ impl Dialect {
                 None => return token,
             },
             Kind::Word if token.value == FREE_SINCE_3_8 as u32 => (Kind::Name, self.freed),
+            Kind::Mark if token.value == u32::from(b']') && !self.keys.is_empty() => {
+                match self.keys.get(&(file, token.start)) {
+                    Some(name) => (Kind::Name, name.0),
+                    None => return token,
+                }
+            }
             _ => return token,
         };
         Token {

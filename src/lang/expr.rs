@@ -15,6 +15,7 @@ pub(super) mod function;
 pub(super) mod function_picture;
 pub(super) mod functions;
 pub(super) mod probe_calls;
+pub(super) mod scope_key;
 pub(super) mod streams;
 pub(super) mod strings;
 pub(super) mod text;

@@ -488,6 +488,9 @@ impl Reader<'_> {
     /// has a value, a reserved word, a number or a mark has none.
     pub(crate) fn names_a_value(&mut self) -> Parse<bool> {
         self.pass_hash();
+        if self.begins_scope_key(self.raw()) {
+            self.resolve_scope_key()?;
+        }
         let token = self.raw();
         let is_empty = token.is_mark(')') && !self.raw_ahead(1).is_mark(')');
         if matches!(

@@ -249,7 +249,7 @@ impl Reader<'_> {
         format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
 
-    /// A bare identifier is passed by reference, everything else by value.
+    /// A bare identifier is passed by reference, everything else by value, also names of one scope (`global.Name`).
     fn macro_argument(&mut self, arguments: &mut Arguments) -> Parse<()> {
         let token = self.peek()?;
         let behind = self.raw_ahead(1);
@@ -257,6 +257,7 @@ impl Reader<'_> {
             behind.kind == Kind::Mark && (behind.value == ',' as u32 || behind.value == ')' as u32);
         if token.kind == Kind::Name
             && ends
+            && !self.names.is_qualified(Symbol(token.value))
             && let Some(target) = self.scopes.target(Symbol(token.value))
         {
             self.pass();
@@ -301,6 +302,9 @@ impl Reader<'_> {
 
     /// An identifier as it is written, whatever it holds; a macro of that name is not called.
     pub(crate) fn identifier(&mut self, what: &str) -> Parse<Symbol> {
+        if self.begins_scope_key(self.raw()) {
+            self.resolve_scope_key()?;
+        }
         let token = self.raw();
         match token.kind {
             Kind::Name => {

@@ -311,6 +311,9 @@ impl Reader<'_> {
         let Some(Value::Array(array)) = held else {
             return Err(self.error_taken("expected an array"));
         };
+        if array.is_dictionary() {
+            return Err(self.error_taken("expected an array, found a dictionary"));
+        }
         let sizes = array.sizes.clone();
         if word == Word::Dimensions {
             return Ok(Number::float(sizes.len() as f64));
