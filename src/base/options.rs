@@ -319,7 +319,8 @@ impl Default for Antialias {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TMinRule {
     /// Derived from the rounding error of the origin: thin objects are rendered correctly in any unit of length. Pictures
-    /// with POV-Ray's random numbers follow [`TMinRule::PovRay`] all the same: a ray more or less would shift them.
+    /// with radiosity or POV-Ray's random numbers follow [`TMinRule::PovRay`] all the same: a ray more or less would shift
+    /// the samples or numbers after it.
     #[default]
     Rounding,
     /// POV-Ray's 1/10000 of a unit, 1/1000 for shadow rays: thinner objects are lost, as in POV-Ray. So are hits at 1e7

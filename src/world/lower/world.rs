@@ -122,8 +122,9 @@ impl World {
         let has_povray_hits =
             |leaf: &Leaf| matches!(&leaf.shape, Shape::Sor(sor) if sor.has_povray_hits());
         let shows_sors = world.model.leaves.par_iter().any(has_povray_hits);
+        let gathers = world.radiosity.is_some();
         // Not with subsurface light: 12 of its scenes differ more from POV-Ray then.
-        if (world.draws_in_order(options) || shows_sors) && world.subsurface.is_none() {
+        if (world.draws_in_order(options) || shows_sors || gathers) && world.subsurface.is_none() {
             world.least_distance = TMinRule::PovRay;
         }
         if world.has_povray_distances() {
