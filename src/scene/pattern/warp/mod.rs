@@ -65,7 +65,14 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
         return Err(args.expected("a kind of `warp`"));
     };
     let Some((_, read)) = WARPS.iter().find(|entry| entry.0 == word) else {
-        return Err(args.expected("a kind of `warp`"));
+        let error = args.expected("a kind of `warp`");
+        return Err(match word {
+            Word::Disc => Box::new(
+                error
+                    .with_hint("`warp { disc }` is of HG-POV, which POV-Ray does not read either."),
+            ),
+            _ => error,
+        });
     };
     args.accept(word)?;
     let warp = read(args)?;
