@@ -263,7 +263,15 @@ impl<T> Map<T> {
         T: Send + Sync + 'static,
     {
         args.open()?;
+        let before = args.span();
+        let blend = blend(what, args)?;
+        let has_blend = args.span() != before;
         if let Some(known) = declared::<Map<T>>(args)? {
+            if has_blend {
+                let message = format!("a declared `{what}` keeps its own blending");
+                let warning = Diagnostic::warning(before, message);
+                args.warn(warning.with_hint("Write the words of blending where it is declared."));
+            }
             if what == "density_map" {
                 let reason = "a declared `density_map` cannot stand for its entries";
                 args.refused_by_povray(args.last_span(), reason, "Write the entries here.");
@@ -275,7 +283,6 @@ impl<T> Map<T> {
             true => MOST_ENTRIES,
             false => MAX_ENTRIES,
         };
-        let blend = blend(what, args)?;
         let mut entries = Vec::new();
         while args.accept_mark('[')? {
             entry(args, &mut entries)?;
