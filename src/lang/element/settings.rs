@@ -126,8 +126,14 @@ impl Reader<'_> {
     }
 
     fn gamma(&mut self) -> Parse<Gamma> {
-        if self.take_word(Word::Srgb)? {
-            return Ok(Gamma::Srgb);
+        for (name, gamma) in [
+            (Word::Srgb, Gamma::Srgb),
+            (Word::Bt709, Gamma::Bt709),
+            (Word::Bt2020, Gamma::Bt2020),
+        ] {
+            if self.take_word(name)? {
+                return Ok(gamma);
+            }
         }
         let gamma = self.float()?;
         if gamma > 0.0 && gamma.is_finite() {
