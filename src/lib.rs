@@ -47,7 +47,7 @@ use base::options::{
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
 use base::sync::lock;
-use base::word::Word;
+use base::version::Novelty;
 use compiled::SceneCamera;
 use glam::DVec3;
 use lang::{ReadEvent, Texts, TokenCache};
@@ -391,7 +391,7 @@ fn load(input: &Input, sources: &mut Sources) -> Result<FileId, Box<Diagnostic>>
     }
 }
 
-/// As [`read()`], for the findings alone. Returns the words that the scene uses and POV-Ray 3.7 lacks.
+/// As [`read()`], for the findings alone. Returns what the scene has that POV-Ray 3.7 lacks.
 ///
 /// # Errors
 /// When the scene could not be drawn.
@@ -399,8 +399,8 @@ pub fn check(
     input: &Input,
     options: &ReadOptions,
     listen: &EventHandler<'_>,
-) -> Result<Vec<Word>, Failure> {
-    read(input, options, listen).map(|scene| scene.words_of_3_8)
+) -> Result<Vec<Novelty>, Failure> {
+    read(input, options, listen).map(|scene| scene.novelties)
 }
 
 /// Runs `work` on a stack that is deep enough for deeply nested scenes.

@@ -396,6 +396,15 @@ fn the_words_that_need_version_3_8_are_named() {
         file["words_of_3_8"],
         serde_json::json!(["fresnel", "lemon", "mixed"])
     );
+    let marks = "#version 3.8;\ncamera { location -5*z }\nlight_source { -9*z, rgb 1 }\n\
+                 #declare (A, B) = (1, 2);\n#declare global.C = A;\nsphere { 0, C matrix <B,0,0, 0,1,0, 0,0,1, 0,0,0,> }\n";
+    fs::write(folder.path().join("marks.pov"), marks).expect("a file");
+    let out = of(&["check", "--message-format=short", "marks.pov"]);
+    let needs = "`#declare (...)`, `global.`, a comma behind the last value";
+    assert_eq!(
+        out,
+        format!("marks.pov: ok; needs POV-Ray 3.8 for {needs}\n")
+    );
     let plain =
         "#version 3.8;\ncamera { location -5*z }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 }\n";
     fs::write(folder.path().join("plain.pov"), plain).expect("a file");

@@ -1,5 +1,7 @@
 //! The language versions of scenes for POV-Ray 3.8.
 
+use crate::base::word::Word;
+
 /// The first version that POV-Ray 3.7 does not know: that of the early releases of 3.8.
 const FIRST: f64 = 3.71;
 /// The first version with the defaults of POV-Ray 3.8.
@@ -17,6 +19,44 @@ pub fn is_for_3_8(version: f64) -> bool {
 #[must_use]
 pub fn has_defaults_of_3_8(version: f64) -> bool {
     version >= FIRST_WITH_DEFAULTS - EQUAL
+}
+
+/// Something of a scene that POV-Ray 3.7 lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Novelty {
+    /// The version alone.
+    Version,
+    /// A word.
+    Word(Word),
+    /// Several names in one declaration.
+    Tuple,
+    /// A name of one scope: `global.Name`, `local["Name"]`.
+    ScopedName,
+    /// A comma behind the last value of a list.
+    LastComma,
+}
+
+impl Novelty {
+    /// As it is written in a scene, or called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Novelty::Version => "#version",
+            Novelty::Word(word) => word.spelling(),
+            Novelty::Tuple => "#declare (...)",
+            Novelty::ScopedName => "global.",
+            Novelty::LastComma => "a comma behind the last value",
+        }
+    }
+
+    /// The name in a sentence: between backquotes if it is written so.
+    #[must_use]
+    pub fn quoted(self) -> String {
+        match self {
+            Novelty::LastComma => self.name().to_owned(),
+            _ => format!("`{}`", self.name()),
+        }
+    }
 }
 
 #[cfg(test)]

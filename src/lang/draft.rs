@@ -3,8 +3,7 @@
 use crate::base::color::Color;
 use crate::base::options::ReadOptions;
 use crate::base::source::Span;
-use crate::base::version::has_defaults_of_3_8;
-use crate::base::word::Word;
+use crate::base::version::{Novelty, has_defaults_of_3_8};
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::texture::{Layer, Texture};
@@ -20,7 +19,7 @@ pub(super) struct SceneDraft {
     pub(super) version: f64,
     pub(super) has_version: bool,
     /// The words so far that POV-Ray 3.7 lacks.
-    pub(super) words_of_3_8: Vec<Word>,
+    pub(super) novelties: Vec<Novelty>,
     /// True once a `#default` was read: a later `#version` leaves the defaults alone.
     pub(super) has_default: bool,
     /// Width over height of the image, for pixels as wide as high.
@@ -44,7 +43,7 @@ impl SceneDraft {
         let mut draft = SceneDraft {
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
-            words_of_3_8: Vec::new(),
+            novelties: Vec::new(),
             has_default: false,
             aspect: f64::from(options.width) / f64::from(options.height),
             default_layer: Layer::default(),
@@ -90,18 +89,18 @@ impl SceneDraft {
         }
     }
 
-    /// Notes that the scene uses a word which POV-Ray 3.7 lacks.
-    pub(super) fn note_word_of_3_8(&mut self, word: Word) {
-        if !self.words_of_3_8.contains(&word) {
-            self.words_of_3_8.push(word);
+    /// Notes that the scene has something which POV-Ray 3.7 lacks.
+    pub(super) fn note_novelty(&mut self, novelty: Novelty) {
+        if !self.novelties.contains(&novelty) {
+            self.novelties.push(novelty);
         }
     }
 
     /// The scene, at the end of its text.
     pub(super) fn into_scene(mut self) -> Scene {
         let version = self.version_of_rules();
-        if self.words_of_3_8.is_empty() && self.globals.is_for_3_8 {
-            self.words_of_3_8.push(Word::Version);
+        if self.novelties.is_empty() && self.globals.is_for_3_8 {
+            self.novelties.push(Novelty::Version);
         }
         // Without any camera the aspect ratio plays no part in version 3.8 either.
         let camera_of_none = match self.has_stock_camera() {
@@ -117,7 +116,7 @@ impl SceneDraft {
             atmosphere: self.atmosphere,
             globals: self.globals,
             version,
-            words_of_3_8: self.words_of_3_8,
+            novelties: self.novelties,
         }
     }
 }

@@ -22,7 +22,7 @@ use super::token_cache::TokenCache;
 use crate::base::args::{Parse, Word};
 use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
-use crate::base::version::is_for_3_8;
+use crate::base::version::{Novelty, is_for_3_8};
 use crate::lang::syntax::{Kind, Names, Tokens, tokenize_around_data};
 use crate::scene::Scene;
 use crate::scene::texture::Texture;
@@ -339,7 +339,7 @@ impl<'a> Reader<'a> {
             self.warn_of_unused();
         }
         for word in self.dialect.used() {
-            self.draft.note_word_of_3_8(word);
+            self.draft.note_novelty(Novelty::Word(word));
         }
         let has_new_tokens = self.token_cache.take().is_some_and(|token_cache| {
             let names = std::mem::take(&mut self.names);

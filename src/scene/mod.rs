@@ -32,7 +32,7 @@ pub(crate) use scaled::CameraLimit;
 use crate::base::color::{Color, Gamma, Rgb};
 use crate::base::encoding::Rounding;
 use crate::base::math::noise::NoiseGenerator;
-use crate::base::word::Word;
+use crate::base::version::Novelty;
 use crate::scene::atmosphere::Atmosphere;
 use crate::scene::camera::Camera;
 use crate::scene::function::RidgedCalls;
@@ -55,8 +55,8 @@ pub struct Scene {
     pub globals: Globals,
     /// The effective language version: the last `#version` of the file, or 3.62 without any.
     pub version: f64,
-    /// The words that the scene uses and POV-Ray 3.7 lacks, each once; `version` if it has none but asks for 3.8.
-    pub words_of_3_8: Vec<Word>,
+    /// What the scene has that POV-Ray 3.7 lacks, each once; the version if it asks for 3.8 and has nothing of it.
+    pub novelties: Vec<Novelty>,
 }
 
 impl Default for Scene {
@@ -69,7 +69,7 @@ impl Default for Scene {
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             version: 3.7,
-            words_of_3_8: Vec::new(),
+            novelties: Vec::new(),
         }
     }
 }

@@ -28,7 +28,6 @@ use crate::app::batch::scenes_below;
 use crate::base::nearest::nearest;
 use crate::base::options::{CancelToken, Event, ReadOptions};
 use crate::base::source::{Code, Diagnostic, Message, Sources};
-use crate::base::word::Word;
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
@@ -58,7 +57,7 @@ Exit code: 0 no errors, 1 errors found, 2 bad command line.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
 is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints, fix), `scene_output` (text of #debug), \
 `file` (counts of errors and warnings, words_of_3_8) or `total` (counts).
-Of a scene without errors the words are named that POV-Ray 3.7 lacks."
+Of a scene without errors that is named which POV-Ray 3.7 lacks."
 )]
 struct CommandOptions {
     /// How to print errors and warnings: povray, human, short or json
@@ -249,18 +248,15 @@ fn check(
     let (mut errors, mut warnings, mut faulty) = (0, 0, 0);
     for scene in scenes {
         let listen = |event: Event<'_>| reporter.report(event);
-        let mut words_of_3_8 = Vec::new();
+        let mut novelties = Vec::new();
         let options = options(scene);
         let output = (reporter.format, reporter.stream);
         let watch = Watch::over_command(limits, Some(options.stop.clone()), output);
         match scene.input() {
             Ok(input) => {
                 // The reason of a failure has already been reported.
-                if let Ok(words) = crate::check(&input, &options, &listen) {
-                    words_of_3_8.extend(words.iter().map(|&word| match word {
-                        Word::Version => "#version",
-                        word => word.spelling(),
-                    }));
+                if let Ok(result) = crate::check(&input, &options, &listen) {
+                    novelties = result;
                 }
             }
             Err(refusal) => {
@@ -279,12 +275,13 @@ fn check(
                 file: &file,
                 errors: counts.errors,
                 warnings: counts.warnings,
-                words_of_3_8: &words_of_3_8,
+                words_of_3_8: novelties.iter().map(|novelty| novelty.name()).collect(),
             });
         } else if counts.errors > 0 || !is_quiet {
-            let needs = match words_of_3_8.as_slice() {
+            let quoted: Vec<String> = novelties.iter().map(|novelty| novelty.quoted()).collect();
+            let needs = match quoted.as_slice() {
                 [] => String::new(),
-                words => format!("; needs POV-Ray 3.8 for `{}`", words.join("`, `")),
+                names => format!("; needs POV-Ray 3.8 for {}", names.join(", ")),
             };
             reporter.line(format_args!("{file}: {counts}{needs}"));
         }

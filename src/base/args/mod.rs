@@ -12,7 +12,7 @@ pub use steps::transform_step;
 
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Code, Diagnostic, Span};
-use crate::base::version::is_for_3_8;
+use crate::base::version::{Novelty, is_for_3_8};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -194,9 +194,9 @@ pub trait Args {
     fn is_for_3_8(&self) -> bool {
         is_for_3_8(self.version())
     }
-    /// Notes that the scene uses a word which POV-Ray 3.7 lacks.
-    fn note_word_of_3_8(&mut self, word: Word) {
-        let _ = word;
+    /// Notes that the scene has something which POV-Ray 3.7 lacks.
+    fn note_novelty(&mut self, novelty: Novelty) {
+        let _ = novelty;
     }
 }
 
@@ -245,8 +245,8 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
 
 /// Skips a comma behind the last item of a list, which POV-Ray 3.8 allows.
 pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
-    if args.is_for_3_8() {
-        args.comma()?;
+    if args.is_for_3_8() && args.comma()? {
+        args.note_novelty(Novelty::LastComma);
     }
     Ok(())
 }
@@ -254,7 +254,7 @@ pub(crate) fn trailing_comma(args: &mut dyn Args) -> Parse<()> {
 /// An error for a word, read last, that an element takes since version 3.8 only.
 pub(crate) fn since_3_8(args: &mut dyn Args, word: Word, element: Word) -> Parse<()> {
     if args.is_for_3_8() {
-        args.note_word_of_3_8(word);
+        args.note_novelty(Novelty::Word(word));
         return Ok(());
     }
     let message = format!("`{word}` in `{element}` needs version 3.8");

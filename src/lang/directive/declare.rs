@@ -2,6 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Code, Diagnostic};
+use crate::base::version::Novelty;
 use crate::lang::expr::callee::{FUNCTION, is_callable};
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::replay::cache::Level;
@@ -176,6 +177,7 @@ impl Reader<'_> {
     /// `#declare (A, B[0], optional C, ) = (value, value, , value);` of version 3.8. Each name gets its value before the
     /// next one is read; a name may be left out, and its value then too.
     fn declare_tuple(&mut self, is_local: bool) -> Parse<()> {
+        self.draft.note_novelty(Novelty::Tuple);
         self.pass();
         let mut names = Vec::new();
         loop {
@@ -371,9 +373,12 @@ impl Reader<'_> {
         self.warning(Diagnostic::warning(self.here_span(), message));
     }
 
-    /// Warns of `global.Name` and `local.Name`, taken last, which are of version 3.8.
+    /// Notes `global.Name` and `local.Name`, taken last, which are of version 3.8, and warns of them in older scenes.
     pub(crate) fn warn_of_qualified(&mut self, symbol: Symbol) {
         if self.scopes.is_qualified(symbol) {
+            if self.dialect.has_words_of_3_8() {
+                return self.draft.note_novelty(Novelty::ScopedName);
+            }
             let reason = "`global.` and `local.` before a name are of version 3.8";
             let remedy = "Write the name alone, or begin the scene with `#version 3.8;`.";
             self.refused_by_povray(self.taken_span(), reason, remedy);

@@ -2,6 +2,7 @@
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
+use crate::base::version::Novelty;
 use crate::lang::diagnose::notation::TYPES;
 use crate::lang::directive::sealed::Slot;
 use crate::lang::expr::value::Value;
@@ -309,8 +310,11 @@ impl Reader<'_> {
         match token.kind {
             Kind::Name => {
                 let symbol = Symbol(token.value);
-                if self.names.is_qualified(symbol) && !self.dialect.has_words_of_3_8() {
-                    return Err(self.expected_here(what));
+                if self.names.is_qualified(symbol) {
+                    if !self.dialect.has_words_of_3_8() {
+                        return Err(self.expected_here(what));
+                    }
+                    self.draft.note_novelty(Novelty::ScopedName);
                 }
                 self.pass();
                 Ok(symbol)

@@ -4,6 +4,7 @@ use crate::base::args::{Args, ColorOrSingle, Interner, Parse, SampledFunction, W
 use crate::base::color::{Color, Gamma};
 use crate::base::math::Transform;
 use crate::base::source::{Diagnostic, Span};
+use crate::base::version::Novelty;
 use crate::lang::expr::value::{Number, Value};
 use crate::lang::frame::Start;
 use crate::lang::reader::Reader;
@@ -298,8 +299,8 @@ impl Args for Reader<'_> {
         self.draft.globals.is_for_3_8
     }
 
-    fn note_word_of_3_8(&mut self, word: Word) {
-        self.draft.note_word_of_3_8(word);
+    fn note_novelty(&mut self, novelty: Novelty) {
+        self.draft.note_novelty(novelty);
     }
 
     fn effective_version(&self) -> f64 {

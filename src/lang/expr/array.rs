@@ -6,6 +6,7 @@ use super::streams::Streams;
 use super::value::{Array, Extent, Value};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
+use crate::base::version::Novelty;
 use crate::lang::diagnose::unclosed::begins_new;
 use crate::lang::directive::sealed::Slot;
 use crate::lang::frame::{Declaring, Position};
@@ -412,7 +413,7 @@ impl Reader<'_> {
             false => Extent::Fixed,
         };
         if sizes.is_empty() {
-            self.draft.note_word_of_3_8(Word::Array);
+            self.draft.note_novelty(Novelty::Word(Word::Array));
             sizes.push(0);
         }
         let mut array = Array::new(sizes);

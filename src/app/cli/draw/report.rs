@@ -73,9 +73,9 @@ pub(crate) enum Line<'a> {
         file: &'a str,
         errors: usize,
         warnings: usize,
-        /// The words that POV-Ray 3.7 lacks.
-        #[serde(skip_serializing_if = "<[&str]>::is_empty")]
-        words_of_3_8: &'a [&'static str],
+        /// What POV-Ray 3.7 lacks.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        words_of_3_8: Vec<&'static str>,
     },
     Total {
         files: usize,

@@ -15,6 +15,7 @@ use crate::base::math::roots::interval_roots::first_below_zero;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::{Diagnostic, Span};
+use crate::base::version::Novelty;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, push_span, read, span};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -148,7 +149,7 @@ impl Ovus {
         loop {
             let words = [Word::Radius, Word::Distance, Word::Precision];
             if let Some(word) = args.word()?.filter(|word| words.contains(word)) {
-                args.note_word_of_3_8(word);
+                args.note_novelty(Novelty::Word(word));
             }
             if args.accept(Word::Radius)? {
                 arc_radius = read::number(args, "the radius of the ovus")?;
