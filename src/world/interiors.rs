@@ -29,7 +29,7 @@ pub struct Interiors {
     hollow: [Vec<bool>; 2],
     unnamed: u32,
     default: Interior,
-    /// Those that finishes have changed of the others, by rising id.
+    /// Interiors that the scene does not write but finishes have changed, by rising id.
     changed: Vec<(InteriorId, Interior)>,
     /// The media of the written interiors, up to the last one that has any.
     media: Vec<Arc<[PreparedMedia]>>,

@@ -477,10 +477,14 @@ impl Surface {
         self.traits.has(SurfaceFlags::FRESNEL)
     }
 
-    /// Returns true if the two are interchangeable. No ray enters an opaque object, so interiors that the scene does
-    /// not write do not matter there.
+    /// Returns true if its interior shows nowhere: no ray enters it, and no Fresnel reflection depends on it.
+    pub(super) fn hides_interior(&self) -> bool {
+        self.is_opaque() && !self.has_fresnel()
+    }
+
+    /// Returns true if the two are interchangeable, where interiors that the scene does not write may be hidden.
     pub(super) fn is_same(&self, other: &Surface) -> bool {
-        let has_no_inside = |one: &Surface| one.is_opaque() && one.interior.is_unnamed();
+        let has_no_inside = |one: &Surface| one.hides_interior() && one.interior.is_unnamed();
         let same_beside = match (&self.rare, &other.rare) {
             (None, None) => true,
             (Some(a), Some(b)) => a.is_same(b),

@@ -230,6 +230,11 @@ impl Texture {
         &self.layers
     }
 
+    /// True if a finish has values that belong in the interior since version 3.1.
+    pub(crate) fn has_interior_finish(&self) -> bool {
+        self.layers.iter().any(|layer| layer.finish.has_interior())
+    }
+
     /// The colour and the finish of a texture that has nothing else.
     #[must_use]
     pub(crate) fn bare(&self) -> Option<(Color, &Arc<Finish>)> {

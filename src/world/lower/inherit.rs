@@ -29,7 +29,8 @@ impl Lowering {
             && above.group.is_none()
             && !above.says_uv
             && self.slots.is_none()
-            && self.targets.is_none();
+            && self.targets.is_none()
+            && !above.has_interior_finish();
         match above.interior {
             Some(interior) if is_known && object.is_plain_part() => {
                 self.interiors.set_hollow(interior, above.flags.hollow);
@@ -151,7 +152,7 @@ impl Lowering {
             && surface.face_textures().is_empty()
             && attributes.cutaway.is_none()
             && !surface.uses_uv()
-            && attributes.is_same_material(last, surface.is_opaque());
+            && attributes.is_same_material(last, surface.hides_interior());
         is_same.then_some(*number)
     }
 

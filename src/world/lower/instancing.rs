@@ -26,6 +26,13 @@ impl Lowering {
         let Some(children) = object.shared_parts() else {
             return false;
         };
+        // Parts without attributes, which have no slot, change the interior too.
+        if match &self.slots {
+            Some(slots) => slots.has_interior_finish(below.slot),
+            None => below.has_interior_finish(),
+        } {
+            return false;
+        }
         let keeps_uv = self.keeps_uv || object.uses_uv() || below.uses_uv();
         let key = (Arc::as_ptr(children).addr(), keeps_uv);
         let Some(mut shared) = self.shared.remove(&key).or_else(|| {
@@ -101,7 +108,7 @@ impl Lowering {
         }
         if let Some(last) = &shared.last
             && shared.is_reusable
-            && last.root.is_same_material(root, last.is_opaque)
+            && last.root.is_same_material(root, last.hides_interiors)
         {
             return last.first;
         }
@@ -140,9 +147,9 @@ impl Lowering {
         shared.last = Some(CopyMaterial {
             root: root.clone(),
             first,
-            is_opaque: self.surfaces[first as usize..]
+            hides_interiors: self.surfaces[first as usize..]
                 .iter()
-                .all(Surface::is_opaque),
+                .all(Surface::hides_interior),
         });
         first
     }

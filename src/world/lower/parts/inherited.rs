@@ -67,6 +67,12 @@ pub(crate) struct TransformedTexture {
 }
 
 impl Inherited {
+    /// Returns true if the texture has a finish that changes the interior, which then every part does that inherits it.
+    pub(crate) fn has_interior_finish(&self) -> bool {
+        let texture = self.texture.as_ref();
+        texture.is_some_and(|above| above.texture.has_interior_finish())
+    }
+
     /// Returns true if some attribute needs texture coordinates.
     pub(crate) fn uses_uv(&self) -> bool {
         let textures = [&self.texture, &self.inside_texture];
@@ -74,9 +80,9 @@ impl Inherited {
         self.flags.uv_mapping || textures.any(|transformed| transformed.texture.uses_uv())
     }
 
-    /// Returns true if both give the same surface, whatever their transforms. With `is_opaque` all surfaces are opaque,
-    /// so that interiors not written in the scene do not matter.
-    pub(crate) fn is_same_material(&self, other: &Inherited, is_opaque: bool) -> bool {
+    /// Returns true if both give the same surface, whatever their transforms. With `hides_interior` interiors not
+    /// written in the scene do not matter.
+    pub(crate) fn is_same_material(&self, other: &Inherited, hides_interior: bool) -> bool {
         let is_unnamed = |one: &Inherited| one.interior.is_none_or(InteriorId::is_unnamed);
         let same = |one: &Option<TransformedTexture>, other: &Option<TransformedTexture>| match (
             one, other,
@@ -90,7 +96,7 @@ impl Inherited {
         same(&self.texture, &other.texture)
             && same(&self.inside_texture, &other.inside_texture)
             && (self.interior == other.interior
-                || is_opaque && is_unnamed(self) && is_unnamed(other))
+                || hides_interior && is_unnamed(self) && is_unnamed(other))
             && self.flags == other.flags
             && self.obeyed == other.obeyed
             && self.lights == other.lights

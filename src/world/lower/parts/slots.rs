@@ -62,8 +62,8 @@ pub(crate) struct CopyMaterial {
     pub(crate) root: Inherited,
     /// Index of the first surface.
     pub(crate) first: u32,
-    /// True if all of them are opaque: then no ray enters, and interiors do not matter.
-    pub(crate) is_opaque: bool,
+    /// True if the interiors of all of them are hidden.
+    pub(crate) hides_interiors: bool,
 }
 
 /// A bounding volume of some parts of a model.
@@ -91,7 +91,7 @@ impl SlotTable {
         // Inherited visibility switches may take effect for it alone.
         let is_in_sum = matches!(above.role, CsgRole::Union | CsgRole::Merge);
         let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
-        if object.has_no_attributes() && !is_hidden_there {
+        if object.has_no_attributes() && !is_hidden_there && !self.has_interior_finish(above.slot) {
             return above.slot;
         }
         self.push(MaterialSlot::Object {
@@ -100,6 +100,19 @@ impl SlotTable {
             steps: Arc::clone(&above.steps),
             role: above.role,
         })
+    }
+
+    /// Returns true if the texture of a slot is known to have a finish that changes the interior.
+    pub(crate) fn has_interior_finish(&self, slot: u32) -> bool {
+        match &self.list[slot as usize] {
+            MaterialSlot::Whole => false,
+            MaterialSlot::Same(of) => self.has_interior_finish(*of),
+            MaterialSlot::Skins { above, .. } => self.has_interior_finish(*above),
+            MaterialSlot::Object { above, object, .. } => match &object.texture {
+                Some(own) => own.what.has_interior_finish(),
+                None => self.has_interior_finish(*above),
+            },
+        }
     }
 
     /// The slot of a shape.
@@ -160,14 +173,8 @@ impl SlotTable {
 impl MaterialSlot {
     /// Returns true if it gives the same surface for all copies with the same inherited attributes.
     pub(crate) fn is_reusable(&self) -> bool {
-        let is_fixed = |texture: &Texture| {
-            let mut layers = texture.layers().iter();
-            !texture.depends_on_position()
-                && layers.all(|layer| {
-                    let finish = &layer.finish;
-                    finish.ior.is_none() && finish.refraction.is_none() && finish.caustics.is_none()
-                })
-        };
+        let is_fixed =
+            |texture: &Texture| !texture.depends_on_position() && !texture.has_interior_finish();
         match self {
             MaterialSlot::Whole | MaterialSlot::Same(_) => true,
             MaterialSlot::Skins { .. } => false,
