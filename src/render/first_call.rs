@@ -3,16 +3,25 @@
 use super::shade::{BlockScratch, Tracer};
 use super::tiles::tiles_of;
 use crate::base::options::RenderOptions;
+use std::sync::Arc;
 
-/// Traces pixels in POV-Ray's order until a call is evaluated, if the picture depends on it.
+/// Traces pixels of the whole picture in POV-Ray's order until a call is evaluated, if the picture depends on it. Where
+/// none is, each call has weights of its own.
 pub(super) fn find(tracer: &Tracer<'_>, options: &RenderOptions) {
     let calls = &tracer.world().globals.ridged_calls;
-    if !calls.is_open() {
+    // What the scene only declares is gone.
+    let is_used = Arc::strong_count(calls) > 1;
+    if !is_used || !calls.is_open() {
         return;
     }
     let (width, height) = (options.width, options.height);
+    let whole = RenderOptions {
+        columns: 0..width,
+        rows: 0..height,
+        ..options.clone()
+    };
     let mut scratch = BlockScratch::default();
-    for tile in tiles_of(options) {
+    for tile in tiles_of(&whole) {
         for y in tile.rows.clone().map(f64::from) {
             for x in tile.columns.clone().map(f64::from) {
                 if !calls.is_open() || options.stop.is_cancelled() {
@@ -22,4 +31,5 @@ pub(super) fn find(tracer: &Tracer<'_>, options: &RenderOptions) {
             }
         }
     }
+    calls.close();
 }

@@ -9,9 +9,20 @@ pub(super) type OctaveWeights = [f64; 2];
 /// The calls of `f_ridged_mf` in a scene for POV-Ray 3.8. The first one that is evaluated sets the weights for all.
 #[derive(Debug, Default)]
 pub struct RidgedCalls {
-    first: OnceLock<OctaveWeights>,
-    /// The different calls in the scene, with `None` for one whose arguments vary.
-    known: Mutex<Vec<Option<OctaveWeights>>>,
+    /// Set by the first call; holds nothing if each call has its own.
+    first: OnceLock<Option<OctaveWeights>>,
+    written: Mutex<Written>,
+}
+
+/// The calls in the formulas of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Written {
+    #[default]
+    None,
+    /// All with the same weights.
+    Same(OctaveWeights),
+    /// With different weights, or with arguments that vary.
+    Different,
 }
 
 impl RidgedCalls {
@@ -22,29 +33,36 @@ impl RidgedCalls {
         else {
             return 0.0;
         };
-        let weights = *self.first.get_or_init(|| [h, lacunarity]);
+        let own = [h, lacunarity];
+        let weights = self.first.get_or_init(|| Some(own)).unwrap_or(own);
         let arguments = [x, y, z, h, lacunarity, octaves, offset, gain, noise];
         ridged_mf(&arguments, weights)
     }
 
-    /// Notes a call in a formula.
+    /// Notes a call in a formula, with `None` for arguments that vary.
     pub(super) fn note(&self, call: Option<OctaveWeights>) {
-        let Ok(mut known) = self.known.lock() else {
-            return;
-        };
-        if !known.contains(&call) {
-            known.push(call);
+        if let Ok(mut written) = self.written.lock() {
+            *written = match (*written, call) {
+                (Written::None, Some(weights)) => Written::Same(weights),
+                (Written::Same(known), Some(weights)) if known == weights => *written,
+                _ => Written::Different,
+            };
         }
     }
 
     /// Returns true if the picture depends on which call is the first one, and none was evaluated yet.
     #[must_use]
     pub fn is_open(&self) -> bool {
-        let differs = self
-            .known
+        let written = self
+            .written
             .lock()
-            .is_ok_and(|known| known.len() > 1 || known.contains(&None));
-        differs && self.first.get().is_none()
+            .map_or(Written::None, |written| *written);
+        written == Written::Different && self.first.get().is_none()
+    }
+
+    /// Gives each call weights of its own, unless one was evaluated.
+    pub fn close(&self) {
+        let _ = self.first.set(None);
     }
 }
 
@@ -77,6 +95,17 @@ mod tests {
             second.to_bits(),
             ridged_mf(&at(0.4, 3.1), [0.07, 2.2]).to_bits()
         );
+    }
+
+    #[test]
+    fn calls_that_come_after_all_have_weights_of_their_own() {
+        let calls = RidgedCalls::default();
+        calls.close();
+        for [h, lacunarity] in [[0.07, 2.2], [0.4, 3.1]] {
+            let arguments = [0.3, 0.4, 0.5, h, lacunarity, 7.0, 0.6, 0.9, 1.0];
+            let own = ridged_mf(&arguments, [h, lacunarity]);
+            assert_eq!(calls.value(&arguments).to_bits(), own.to_bits());
+        }
     }
 
     #[test]
