@@ -6,6 +6,7 @@ use super::direct::area::skip_clear;
 use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, ShadeBuffers};
 use super::shading_point::LightSamples;
+use super::wavefront::MANY_LIGHTS;
 use super::{InteriorStack, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
@@ -49,8 +50,9 @@ impl Tracer<'_> {
         rays.clear();
         interior_stacks.clear();
         samples.clear();
-        // Radiosity takes some samples from its first pass.
-        if self.has_many_rays() || self.radiosity.is_some() {
+        // Radiosity takes some samples from its first pass; the shadow rays to many lights would take too much memory.
+        let has_many_lights = self.world.lights.len() > MANY_LIGHTS;
+        if self.has_many_rays() || self.radiosity.is_some() || has_many_lights {
             return;
         }
         let camera = &self.world.camera;
@@ -60,10 +62,6 @@ impl Tracer<'_> {
             rays.clear();
             return;
         }
-        if self.features.needs_interiors && !camera.has_one_origin() {
-            let inside = |ray: &Ray| self.camera_path(*ray).inside;
-            interior_stacks.extend(rays.iter().map(inside));
-        }
         self.find_hits(rays, all, scratch);
         samples.resize(rays.len(), None);
         all.shadow_rays.clear();
@@ -71,6 +69,10 @@ impl Tracer<'_> {
         let has_memory = scratch.query.memory.is_some();
         if has_memory && !self.features.has_area_lights {
             return;
+        }
+        if self.has_stacks_of_rays() {
+            let inside = |ray: &Ray| self.world.interiors_at(ray.origin);
+            interior_stacks.extend(rays.iter().map(inside));
         }
         self.light_all(rays.len(), !has_memory, all, scratch);
         with_widest(
@@ -152,7 +154,7 @@ impl Tracer<'_> {
             return sample;
         }
         self.trace(
-            self.camera_path(ray),
+            self.camera_path(ray, ahead.interior_stacks.get(number)),
             Some((hits.hit(lane), known)),
             scratch,
         )

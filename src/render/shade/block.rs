@@ -77,7 +77,8 @@ impl RaySource for CameraRays<'_, '_> {
     fn path(&self, lane: usize, dir: DVec3) -> Path {
         let from_location = || Ray::new(self.tracer.world.camera.location(), dir);
         let ray = self.rays.get(lane).copied();
-        self.tracer.camera_path(ray.unwrap_or_else(from_location))
+        let ray = ray.unwrap_or_else(from_location);
+        self.tracer.camera_path(ray, self.interior_stacks.get(lane))
     }
 }
 
@@ -491,7 +492,7 @@ impl Tracer<'_> {
                 single,
             );
         }
-        let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
+        let path = self.camera_path(Ray::new(self.world.camera.location(), dir), None);
         if self.radiosity.is_some() {
             let see = |single: &mut Scratch| self.trace(path, Some((hit, known)), single);
             return Some(self.recall_or_trace(x, y, single, see));

@@ -236,16 +236,17 @@ impl<'w> Tracer<'w> {
     /// Traces a camera ray, if there is one.
     fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
         match ray {
-            Some(ray) => self.trace(self.camera_path(ray), None, scratch),
+            Some(ray) => self.trace(self.camera_path(ray, None), None, scratch),
             None => Sample::OUTSIDE,
         }
     }
 
-    fn camera_path(&self, ray: Ray) -> Path {
-        let inside = if self.features.needs_interiors && !self.world.camera.has_one_origin() {
-            self.world.interiors_at(ray.origin)
-        } else {
-            InteriorStack::from_slice(&self.around_camera)
+    /// The path of a camera ray, with the interiors around its start if they are known.
+    fn camera_path(&self, ray: Ray, inside: Option<&InteriorStack>) -> Path {
+        let inside = match inside {
+            Some(inside) => inside.clone(),
+            None if self.has_stacks_of_rays() => self.world.interiors_at(ray.origin),
+            None => InteriorStack::from_slice(&self.around_camera),
         };
         Path {
             ray,
@@ -258,6 +259,11 @@ impl<'w> Tracer<'w> {
             inside,
             wavelength: None,
         }
+    }
+
+    /// Returns true if the interiors around camera rays matter and differ from ray to ray.
+    fn has_stacks_of_rays(&self) -> bool {
+        self.features.needs_interiors && !self.world.camera.has_one_origin()
     }
 
     /// Traces a ray. `first` is its closest hit with the light samples there, if the caller has queried them.

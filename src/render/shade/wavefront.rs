@@ -261,7 +261,7 @@ impl Tracer<'_> {
 
     /// Queues a camera ray, to be traced with the secondary rays.
     pub(super) fn queue_camera_ray(&self, wavefront: &mut Wavefront, pixel: usize, ray: Ray) {
-        let path = self.camera_path(ray);
+        let path = self.camera_path(ray, None);
         if wavefront.interior_stacks.last() != Some(&path.inside) {
             wavefront.interior_stacks.push(path.inside);
         }
