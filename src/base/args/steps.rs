@@ -77,7 +77,7 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         *entry = args.float()?;
     }
     trailing_comma(args)?;
-    if args.comma()? && args.at_mark('>')? {
+    if !args.is_for_3_8() && args.comma()? && args.at_mark('>')? {
         let error = Diagnostic::error(
             args.last_span(),
             "a comma behind the last item needs version 3.8",

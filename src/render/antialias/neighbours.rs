@@ -23,7 +23,7 @@ pub(super) struct Neighbours<'s, 'a> {
     scratch: &'s mut BlockScratch,
     /// True if each sample is traced as soon as it is needed.
     in_order: bool,
-    /// Its centres then, and the index of each pixel among these.
+    /// In that case the centres of the pixels, and the index of each pixel among these.
     ahead: Ahead,
     numbers: Vec<usize>,
     /// The position of pixel 0, with which nothing is compared.

@@ -199,10 +199,13 @@ impl CsgProgram {
         }
         let mut shown = |origin: f64, toward: fn(f64) -> f64| {
             let mut shown: SmallVec<[bool; 4]> = SmallVec::new();
+            let mut last = None;
             for (event, own) in events.iter().zip(&faces) {
                 let position = origin + toward(own.offset(origin));
-                for (other, face) in events.iter().zip(&faces) {
-                    self.put_on_surface(other, face.side(position)?, state);
+                if last.replace(position) != Some(position) {
+                    for (other, face) in events.iter().zip(&faces) {
+                        self.put_on_surface(other, face.side(position)?, state);
+                    }
                 }
                 shown.push(self.lets_through(event.leaf, state));
             }

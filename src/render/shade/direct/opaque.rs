@@ -76,8 +76,8 @@ impl Tracer<'_> {
         self.add_contribution(&contribution, at, bsdf, scratch)
     }
 
-    /// Shades a hit seen in this direction, if it is plain. The light samples are complete for every light, or there
-    /// are none.
+    /// Shades a hit seen in this direction, if it is plain and the samples of area lights, where there are such, are
+    /// complete.
     #[inline]
     pub(in crate::render::shade) fn shade_plain(
         &self,

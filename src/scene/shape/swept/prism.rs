@@ -1,12 +1,11 @@
 //! `prism { [spline] [sweep] height 1, height 2, number of points, <x, z>, ... [open] }`: an outline in the xz plane,
 //! translated along y (`linear_sweep`) or scaled in proportion to y (`conic_sweep`).
 //!
-//! A point between the heights is inside if the outline winds around it an odd number of times. A ray that is not
-//! parallel to y projects to a line in the plane of the outline; for a conic sweep to the line
+//! A ray that is not parallel to y projects to a line in the plane of the outline; for a conic sweep to the line
 //! `(origin × dir) · (X, 1, Z) = 0` in the plane `y = 1`. Its crossings with the outline, in order along the ray, bound
-//! intervals inside, which are clipped to the slab between the heights: enter and leave alternate by construction.
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`); no line
-//! slips through a corner (`spline`).
+//! intervals inside, by the even-odd rule, which are clipped to the slab between the heights: enter and leave alternate
+//! by construction. Error bound: roots lie within 2 roundings of the problem's size from the surface
+//! (`shape/roundings.rs`); no line slips through a corner (`spline`).
 
 use super::spline::{self, Chain, Kind, Line, Segment};
 use crate::base::args::{Args, Parse, Word};
@@ -201,7 +200,7 @@ impl Prism {
         crossings
     }
 
-    /// True if a point is within the infinite sweep.
+    /// The outward normal of the side nearest to a point.
     fn side_normal(&self, point: DVec3, toward: Side) -> DVec3 {
         let scale = match self.sweep {
             Sweep::Linear => 1.0,

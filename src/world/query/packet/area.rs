@@ -1,4 +1,4 @@
-//! Shadow rays from a point to an area light: their common blockers, and their occlusion.
+//! Shadow rays from points to an area light: their common blockers, and their occlusion.
 
 use super::bundle::{ItemRays, each_bit, unblocked};
 use super::hits::{HitPacket4, ShadowPacket4};
@@ -25,6 +25,13 @@ const MIN_COSINE: f64 = 1e-3;
 const UMBRA_MARGIN: f64 = 1.0 + 1.0 / 16.0;
 /// Minimum size of such a light, relative to its distance, and distance of its blocker, relative to the coordinates.
 const UMBRA_SHARE: f64 = 1e-4;
+/// Maximum diameter of its blocker, as a share of the least distance of the light: the rays leave it before they end.
+const UMBRA_BLOCKER: f64 = 0.9;
+/// The end of its rays, before the light.
+const UMBRA_END: f64 = 0.99;
+/// Minimum ratio of the least distance of the light to the largest, and maximum share of the limit near the point.
+const UMBRA_EVENNESS: f64 = 0.5;
+const UMBRA_NEAR: f64 = 0.01;
 
 /// A parallelogram that holds all lights of an area light.
 #[derive(Clone, Copy, Debug)]
@@ -64,8 +71,8 @@ struct LitPoint {
 }
 
 impl LitPoint {
-    /// The point of one lane.
-    fn new(hits: &HitPacket4, lane: usize, light: &LightArea) -> LitPoint {
+    /// The point of one lane, the one with this index among others.
+    fn new(hits: &HitPacket4, lane: usize, light: &LightArea, number: usize) -> LitPoint {
         let [across, up] = light.half_edges;
         let (point, own) = (hits.point(lane), hits.spawn_surface(lane));
         let to_corner = |offset: DVec3| light.centre + offset - point;
@@ -73,7 +80,7 @@ impl LitPoint {
             point,
             own,
             to_corners: [across + up, across - up, up - across, -across - up].map(to_corner),
-            number: lane,
+            number,
         }
     }
 
@@ -92,7 +99,7 @@ impl World {
         light: &LightArea,
         scratch: &mut QueryScratch,
     ) -> Option<AreaBlockers> {
-        let point = LitPoint::new(hits, 0, light);
+        let point = LitPoint::new(hits, 0, light, 0);
         let leaves_own = with_widest(
             #[inline(always)]
             |lanes| self.leaves_own(lanes, &point),
@@ -118,8 +125,8 @@ impl World {
         })
     }
 
-    /// Mask of those of up to eight hits, in the `active` lanes, to which all of an area light arrives, as far as one
-    /// beam from all hits on a surface shows.
+    /// Mask of those of up to eight `active` hits that certainly receive all of an area light. One beam serves all hits
+    /// on a surface.
     #[must_use]
     #[inline(always)]
     pub(crate) fn lanes_without_blockers(
@@ -132,9 +139,9 @@ impl World {
     ) -> u32 {
         let mut points = ArrayVec::<LitPoint, MAX_STREAM_RAYS>::new();
         each_bit(active, |number| {
-            let point = LitPoint::new(&hits[number / 4], number % 4, light);
-            if points.len() < points.capacity() && self.leaves_own(lanes, &point) {
-                points.push(LitPoint { number, ..point });
+            let point = LitPoint::new(&hits[number / 4], number % 4, light, number);
+            if self.leaves_own(lanes, &point) {
+                points.push(point);
             }
         });
         let mut clear = 0;
@@ -195,6 +202,7 @@ impl World {
                 half_edges,
                 ..*light
             },
+            0,
         );
         let [across, up] = half_edges.map(DVec3::length);
         let distance = light.centre.distance(point.point);
@@ -204,15 +212,15 @@ impl World {
         // The least distance of shadow rays, and more than the roundings of coordinates.
         let near = (2.0 * POV_RAY_SHADOW * self.globals.unit).max(UMBRA_SHARE * size);
         let is_fit = across.min(up) > UMBRA_SHARE * largest
-            && (bounds.max - bounds.min).length() < 0.9 * least
-            && 0.5 * largest < least
-            && near < 0.01 * least;
+            && (bounds.max - bounds.min).length() < UMBRA_BLOCKER * least
+            && UMBRA_EVENNESS * largest < least
+            && near < UMBRA_NEAR * least;
         if !is_fit {
             return false;
         }
         let mut rays = RayPacket4::from_point(point.point, &point.to_corners);
         rays.t_min = [near / least; 4];
-        rays.t_max = [0.99; 4];
+        rays.t_max = [UMBRA_END; 4];
         let nearest = with_widest(
             #[inline(always)]
             |lanes| {
@@ -331,6 +339,13 @@ impl World {
                     self.occlude_by_unbounded(lanes, &query, &mut stream, &mut occlusions, scratch);
                 }
                 if let Some(blockers) = blockers {
+                    let blocked = |occlusions: &[Occlusion]| {
+                        occlusions
+                            .iter()
+                            .filter(|&&one| one == Occlusion::Opaque)
+                            .count()
+                    };
+                    let blocked_before = blocked(&occlusions);
                     for &position in &blockers.bounded {
                         let item = self.bvh().bounded[position as usize];
                         for first in (0..count).step_by(MAX_STREAM_RAYS) {
@@ -351,14 +366,13 @@ impl World {
                                 scratch,
                             );
                         }
-                        if !is_blocked && occlusions.contains(&Occlusion::Opaque) {
+                        if !is_blocked && blocked(&occlusions) > blocked_before {
                             is_blocked = true;
                             scratch.set_last_blocker(light, item);
                         }
                     }
                     return;
                 }
-                self.occlude_by_unbounded(lanes, &query, &mut stream, &mut occlusions, scratch);
                 let is_bundled = bundle.fill(
                     &self.bvh().tree,
                     hits.point(0),
