@@ -8,7 +8,7 @@ mod lattice;
 mod perlin;
 mod tables;
 
-use super::simd::vec3::{self, Vec3Lanes};
+use super::simd::vec3::{self, Vec3Lanes, to_arrays};
 use super::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec3;
 use lattice::VectorPoints;
@@ -161,26 +161,21 @@ impl NoiseGenerator {
     /// The noise at four points.
     #[must_use]
     pub fn noise_x4(self, points: &[DVec3; 4]) -> [f64; 4] {
-        if let NoiseGenerator::Perlin(_) = self {
-            return points.map(|point| self.noise(point));
-        }
-        let sums = with_widest(
+        with_widest(
             #[inline(always)]
-            |lanes| lanes.run(ScalarX4(points)),
-        );
-        sums.map(|sum| self.scaled(sum))
+            |lanes| lanes.run(NoiseX4(self, points)),
+        )
     }
 
-    /// The sum of `count` octaves of noise, `each` applied to every one. The first octave has amplitude 1 and the given
-    /// frequency; amplitudes halve and frequencies double from octave to octave.
+    /// The sum of `count` octaves of noise, of which `term` makes the terms. The first octave has amplitude 1 and the
+    /// given frequency; amplitudes halve and frequencies double from octave to octave.
     pub(crate) fn octaves(
         self,
         point: DVec3,
         (count, frequency): (u32, f64),
-        each: impl Fn(f64) -> f64,
+        term: impl OctaveTerm,
     ) -> f64 {
-        let octaves = Series::halved(count, frequency);
-        self.summed(point, octaves, |sum, _| each(self.scaled(sum)))
+        self.summed(point, Series::halved(count, frequency), term)
     }
 
     /// [`NoiseGenerator::octaves`] at four points.
@@ -188,64 +183,42 @@ impl NoiseGenerator {
         self,
         points: &[DVec3; 4],
         (count, frequency): (u32, f64),
-        each: impl Fn(f64) -> f64,
+        term: impl OctaveTerm,
     ) -> [f64; 4] {
-        let octaves = Series::halved(count, frequency);
-        self.summed_x4(points, octaves, |sum, _| each(self.scaled(sum)))
+        self.summed_x4(points, Series::halved(count, frequency), term)
     }
 
     /// Maps the raw lattice sum to noise from 0 to 1.
     #[inline(always)]
-    fn scaled(self, sum: f64) -> f64 {
+    fn scaled<F: F64Lanes>(self, sum: F) -> F {
         let noise = match self {
-            NoiseGenerator::Original => sum + 0.5,
-            NoiseGenerator::RangeCorrected => (sum + 1.05242) * 0.489_855_82,
-            NoiseGenerator::Perlin(_) => 0.5 * (1.59 * sum + 0.985),
+            NoiseGenerator::Original => sum + F::splat(0.5),
+            NoiseGenerator::RangeCorrected => (sum + F::splat(1.05242)) * F::splat(0.489_855_82),
+            NoiseGenerator::Perlin(_) => F::splat(0.5) * (F::splat(1.59) * sum + F::splat(0.985)),
         };
-        noise.clamp(0.0, 1.0)
-    }
-
-    /// Maps the raw lattice sum to the noise that turbulence sums: for generators 2 and 3 stretched to -0.5 to 1.5.
-    #[inline(always)]
-    fn centred(self, sum: f64) -> f64 {
-        match self {
-            NoiseGenerator::Original => self.scaled(sum),
-            _ => 2.0 * self.scaled(sum) - 0.5,
-        }
+        clamped(noise)
     }
 
     /// Turbulence: a sum of octaves. The first octave is clamped to 0 and 1, the sum is not.
     #[must_use]
     pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
-        let each = |sum, is_first| self.octave_of_turbulence(sum, is_first);
-        self.summed(point, octaves.series(), each)
+        self.summed(point, octaves.series(), TurbulenceTerm)
     }
 
     /// [`NoiseGenerator::turbulence`] at four points.
     #[must_use]
     pub fn turbulence_x4(self, points: &[DVec3; 4], octaves: &Octaves) -> [f64; 4] {
-        let each = |sum, is_first| self.octave_of_turbulence(sum, is_first);
-        self.summed_x4(points, octaves.series(), each)
+        self.summed_x4(points, octaves.series(), TurbulenceTerm)
     }
 
+    /// A sum of octaves of what `term` makes of the noise.
     #[inline(always)]
-    fn octave_of_turbulence(self, sum: f64, is_first: bool) -> f64 {
-        let noise = self.centred(sum);
-        if is_first {
-            noise.clamp(0.0, 1.0)
-        } else {
-            noise
-        }
-    }
-
-    /// A sum of octaves of the values that `each` makes of the raw lattice sum; it also gets whether this is the first.
-    #[inline(always)]
-    fn summed(self, point: DVec3, octaves: Series, each: impl Fn(f64, bool) -> f64) -> f64 {
+    fn summed(self, point: DVec3, octaves: Series, term: impl OctaveTerm) -> f64 {
         let sum = OctaveSum {
             generator: self,
             point,
             octaves,
-            each,
+            term,
         };
         with_widest(
             #[inline(always)]
@@ -255,25 +228,45 @@ impl NoiseGenerator {
 
     /// [`NoiseGenerator::summed`] at four points.
     #[inline(always)]
-    fn summed_x4(
-        self,
-        points: &[DVec3; 4],
-        octaves: Series,
-        each: impl Fn(f64, bool) -> f64,
-    ) -> [f64; 4] {
-        if let NoiseGenerator::Perlin(_) = self {
-            return points.map(|point| self.summed(point, octaves, &each));
-        }
+    fn summed_x4(self, points: &[DVec3; 4], octaves: Series, term: impl OctaveTerm) -> [f64; 4] {
         let sums = OctaveSumX4 {
+            generator: self,
             points,
             octaves,
-            each,
+            term,
         };
         with_widest(
             #[inline(always)]
             |lanes| lanes.run(sums),
         )
     }
+}
+
+/// The terms of a sum of octaves.
+pub(crate) trait OctaveTerm: Copy {
+    /// The terms for noises from 0 to 1; `is_first` is true for the first octave.
+    fn of<F: F64Lanes>(self, generator: NoiseGenerator, noise: F, is_first: F::Mask) -> F;
+}
+
+/// The terms of turbulence: for generators 2 and 3 the noise stretched to -0.5 to 1.5.
+#[derive(Clone, Copy)]
+struct TurbulenceTerm;
+
+impl OctaveTerm for TurbulenceTerm {
+    #[inline(always)]
+    fn of<F: F64Lanes>(self, generator: NoiseGenerator, noise: F, is_first: F::Mask) -> F {
+        let centred = match generator {
+            NoiseGenerator::Original => noise,
+            _ => F::splat(2.0) * noise - F::splat(0.5),
+        };
+        F::select(is_first, clamped(centred), centred)
+    }
+}
+
+/// `f64::clamp` to 0 and 1 in lanes.
+#[inline(always)]
+pub(crate) fn clamped<F: F64Lanes>(x: F) -> F {
+    F::splat(1.0).lane_min(F::splat(0.0).lane_max(x))
 }
 
 /// Kernel of the raw lattice sum at a point.
@@ -288,15 +281,33 @@ impl SimdKernel for Scalar {
     }
 }
 
-/// Kernel of the raw lattice sums at four points.
-struct ScalarX4<'a>(&'a [DVec3; 4]);
+/// Kernel of [`NoiseGenerator::noise_x4`].
+struct NoiseX4<'a>(NoiseGenerator, &'a [DVec3; 4]);
 
-impl SimdKernel for ScalarX4<'_> {
+impl SimdKernel for NoiseX4<'_> {
     type Output = [f64; 4];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [f64; 4] {
-        lattice::scalar_x4::<F>(in_lanes(self.0), 4)
+        let NoiseX4(generator, points) = self;
+        let sum = generator.raw_x4::<F>(in_lanes(points));
+        generator.scaled(sum).to_array()
+    }
+}
+
+impl NoiseGenerator {
+    /// The raw sums at four points.
+    #[inline(always)]
+    fn raw_x4<F: F64x4>(self, points: Vec3Lanes<F>) -> F {
+        let NoiseGenerator::Perlin(perlin) = self else {
+            return lattice::scalar_x4(points);
+        };
+        let [x, y, z] = to_arrays(points);
+        let mut sums = [0.0; 4];
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            *sum = perlin.noise(DVec3::new(x[lane], y[lane], z[lane]));
+        }
+        F::from_array(&sums)
     }
 }
 
@@ -305,16 +316,16 @@ struct OctaveSum<T> {
     generator: NoiseGenerator,
     point: DVec3,
     octaves: Series,
-    each: T,
+    term: T,
 }
 
-impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSum<T> {
+impl<T: OctaveTerm> SimdKernel for OctaveSum<T> {
     type Output = f64;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> f64 {
         let mut total = 0.0;
-        let mut is_first = true;
+        let mut first = 0b0001;
         for octaves in self.octaves {
             let sums = match self.generator {
                 NoiseGenerator::Perlin(perlin) => {
@@ -323,15 +334,19 @@ impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSum<T> {
                     for (sum, frequency) in wanted.take(octaves.count) {
                         *sum = perlin.noise(self.point * frequency);
                     }
-                    sums
+                    F::from_array(&sums)
                 }
-                _ => lattice::scalar_x4::<F>(octaves.points(self.point), octaves.count),
+                _ => lattice::scalar_apart::<F>(octaves.points(self.point), octaves.count),
             };
-            let terms = octaves.amplitudes.into_iter().zip(sums);
-            for (amplitude, sum) in terms.take(octaves.count) {
-                total += amplitude * (self.each)(sum, is_first);
-                is_first = false;
+            let noise = self.generator.scaled(sums);
+            let term = self
+                .term
+                .of(self.generator, noise, F::mask_from_bits(first));
+            let terms = (F::from_array(&octaves.amplitudes) * term).to_array();
+            for term in terms.into_iter().take(octaves.count) {
+                total += term;
             }
+            first = 0;
         }
         total
     }
@@ -339,31 +354,33 @@ impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSum<T> {
 
 /// Kernel of [`NoiseGenerator::summed_x4`].
 struct OctaveSumX4<'a, T> {
+    generator: NoiseGenerator,
     points: &'a [DVec3; 4],
     octaves: Series,
-    each: T,
+    term: T,
 }
 
-impl<T: Fn(f64, bool) -> f64> SimdKernel for OctaveSumX4<'_, T> {
+impl<T: OctaveTerm> SimdKernel for OctaveSumX4<'_, T> {
     type Output = [f64; 4];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [f64; 4] {
         let points = in_lanes::<F>(self.points);
-        let mut totals = [0.0; 4];
-        let mut is_first = true;
+        let mut totals = F::splat(0.0);
+        let mut first = 0b1111;
         for octaves in self.octaves {
             for octave in 0..octaves.count {
                 let frequency = F::splat(octaves.frequencies[octave]);
-                let sums = lattice::scalar_x4::<F>(vec3::scale(points, frequency), 4);
-                for lane in 0..4 {
-                    let value = (self.each)(sums[lane], is_first);
-                    totals[lane] += octaves.amplitudes[octave] * value;
-                }
-                is_first = false;
+                let sums = self.generator.raw_x4(vec3::scale(points, frequency));
+                let noise = self.generator.scaled(sums);
+                let term = self
+                    .term
+                    .of(self.generator, noise, F::mask_from_bits(first));
+                totals = totals + F::splat(octaves.amplitudes[octave]) * term;
+                first = 0;
             }
         }
-        totals
+        totals.to_array()
     }
 }
 
@@ -432,10 +449,9 @@ impl<T: Fn(DVec3, f64) -> DVec3> SimdKernel for VectorOctaves<T> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
-        let mut points = VectorPoints::default();
         let mut sum = DVec3::ZERO;
         for octaves in self.octaves {
-            points.set::<F>(octaves.points(self.point), octaves.count);
+            let points = VectorPoints::apart::<F>(octaves.points(self.point), octaves.count);
             for octave in 0..octaves.count {
                 let noise = from_lanes(points.noise::<F>(octave));
                 sum += (self.each)(noise, octaves.frequencies[octave]);
@@ -453,8 +469,7 @@ impl SimdKernel for Vector {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
-        let mut points = VectorPoints::default();
-        points.set::<F>(vec3::splat(self.0), 1);
+        let points = VectorPoints::apart::<F>(vec3::splat(self.0), 1);
         from_lanes(points.noise::<F>(0))
     }
 }
@@ -468,10 +483,9 @@ impl SimdKernel for VectorTurbulence<'_> {
     #[inline(always)]
     fn run<F: F64x4>(self) -> DVec3 {
         let VectorTurbulence(point, octaves) = self;
-        let mut points = VectorPoints::default();
         let mut sum = F::splat(0.0);
         for octaves in octaves.series() {
-            points.set::<F>(octaves.points(point), octaves.count);
+            let points = VectorPoints::apart::<F>(octaves.points(point), octaves.count);
             for octave in 0..octaves.count {
                 let amplitude = F::splat(octaves.amplitudes[octave]);
                 sum = sum + amplitude * points.noise(octave);
@@ -491,20 +505,17 @@ impl SimdKernel for VectorTurbulenceX4<'_> {
     fn run<F: F64x4>(self) -> [DVec3; 4] {
         let VectorTurbulenceX4(points, octaves) = self;
         let points = in_lanes::<F>(points);
-        let mut at_octave = VectorPoints::default();
-        let mut sums = [F::splat(0.0); 4];
+        let mut sum = [F::splat(0.0); 3];
         for octaves in octaves.series() {
             for octave in 0..octaves.count {
                 let frequency = F::splat(octaves.frequencies[octave]);
-                at_octave.set::<F>(vec3::scale(points, frequency), 4);
+                let noise = lattice::vector_x4(vec3::scale(points, frequency));
                 let amplitude = F::splat(octaves.amplitudes[octave]);
-                for (point, sum) in sums.iter_mut().enumerate() {
-                    *sum = *sum + amplitude * at_octave.noise(point);
-                }
+                sum = vec3::add(sum, vec3::scale(noise, amplitude));
             }
         }
-        let [a, b, c, d] = sums;
-        [from_lanes(a), from_lanes(b), from_lanes(c), from_lanes(d)]
+        let [x, y, z] = to_arrays(sum);
+        [0, 1, 2, 3].map(|point| DVec3::new(x[point], y[point], z[point]))
     }
 }
 

@@ -27,13 +27,14 @@ fn prepared(text: &str) -> PreparedPattern {
 
 #[test]
 fn packets_of_points_have_the_values_of_single_ones() {
-    let points = [
+    let apart = [
         DVec3::new(0.3, 0.2, 0.1),
         DVec3::new(-1.7, 2.25, 0.6),
         DVec3::new(12.34, -5.67, 8.9),
         DVec3::new(5e9, -0.5, 3.0),
     ];
-    let [a, b, c, d] = points.map(SurfacePoint::at);
+    // In one cell in the first octaves.
+    let near = [0.02, 0.04, 0.07, 0.03].map(|shift| DVec3::new(0.4 + shift, 0.3, 0.5 - shift));
     for word in [
         "bozo",
         "spotted",
@@ -52,14 +53,17 @@ fn packets_of_points_have_the_values_of_single_ones() {
             for noise in ["", "noise_generator 1", "noise_generator 3"] {
                 let text = format!("{word} {modifiers} scale 2 {noise}");
                 let prepared = prepared(&text);
-                let in_pattern = prepared.to_pattern_space_x4(&points);
-                let together = prepared.values_x4(&in_pattern, [&a, &b, &c, &d]);
-                let alone = points.map(|point| value(&text, point));
-                assert_eq!(
-                    together.map(f64::to_bits),
-                    alone.map(f64::to_bits),
-                    "{text}"
-                );
+                for points in [apart, near] {
+                    let [a, b, c, d] = points.map(SurfacePoint::at);
+                    let in_pattern = prepared.to_pattern_space_x4(&points);
+                    let together = prepared.values_x4(&in_pattern, [&a, &b, &c, &d]);
+                    let alone = points.map(|point| value(&text, point));
+                    assert_eq!(
+                        together.map(f64::to_bits),
+                        alone.map(f64::to_bits),
+                        "{text}"
+                    );
+                }
             }
         }
     }

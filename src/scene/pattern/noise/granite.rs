@@ -1,7 +1,8 @@
 //! `granite`: six octaves of noise, folded at the middle of its range.
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::noise::NoiseGenerator;
+use crate::base::math::noise::{NoiseGenerator, OctaveTerm};
+use crate::base::math::simd::F64Lanes;
 use crate::scene::pattern::Pattern;
 use crate::scene::pattern::geometric::formula::NoiseFormula;
 use glam::DVec3;
@@ -16,17 +17,24 @@ pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
-    generator.octaves(point, (OCTAVES, SCALE), |noise| folded(generator, noise))
+    generator.octaves(point, (OCTAVES, SCALE), Folded)
 }
 
 fn values_x4(generator: NoiseGenerator, points: &[DVec3; 4]) -> [f64; 4] {
-    generator.octaves_x4(points, (OCTAVES, SCALE), |noise| folded(generator, noise))
+    generator.octaves_x4(points, (OCTAVES, SCALE), Folded)
 }
 
-#[inline(always)]
-fn folded(generator: NoiseGenerator, noise: f64) -> f64 {
-    match generator {
-        NoiseGenerator::Original => (0.5 - noise).abs(),
-        _ => (1.0 - 2.0 * noise).abs().min(0.5),
+/// Noise folded at the middle of its range.
+#[derive(Clone, Copy)]
+struct Folded;
+
+impl OctaveTerm for Folded {
+    #[inline(always)]
+    fn of<F: F64Lanes>(self, generator: NoiseGenerator, noise: F, _is_first: F::Mask) -> F {
+        let half = F::splat(0.5);
+        match generator {
+            NoiseGenerator::Original => (half - noise).abs(),
+            _ => (F::splat(1.0) - F::splat(2.0) * noise).abs().lane_min(half),
+        }
     }
 }
