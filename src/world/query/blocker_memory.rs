@@ -116,7 +116,8 @@ impl World {
         if self.is_blocked_by_memory(query, light, scratch) {
             return Occlusion::Opaque;
         }
-        let occlusion = result.unwrap_or_else(|| self.find_occlusion(lanes, query, light, scratch));
+        let occlusion =
+            result.unwrap_or_else(|| self.find_occlusion(lanes, query, light, None, scratch));
         if occlusion == Occlusion::Opaque
             && let Some((item, hit)) = self.first_blocker(lanes, query, scratch)
             && self.ends_light(&hit)

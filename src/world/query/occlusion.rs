@@ -111,39 +111,53 @@ impl World {
     #[must_use]
     pub fn occlusion(&self, query: &Query, light: u32, scratch: &mut QueryScratch) -> Occlusion {
         scratch.rays.shadow += 1;
-        self.occlusion_unrecorded(query, light, scratch)
+        self.occlusion_beyond(query, light, None, scratch)
     }
 
-    /// Same for a ray already counted in the ray statistics, because a bundle or stream tested it before.
-    pub fn occlusion_unrecorded(
+    /// Same for a ray that a bundle or stream counted and saw to pass transmissive surfaces alone.
+    pub fn gather_transmissive(
         &self,
         query: &Query,
         light: u32,
+        scratch: &mut QueryScratch,
+    ) -> Occlusion {
+        self.occlusion_beyond(query, light, Some(Occlusion::Transmissive), scratch)
+    }
+
+    /// The occlusion, as the memory of blockers changes it, if there is one.
+    fn occlusion_beyond(
+        &self,
+        query: &Query,
+        light: u32,
+        known: Option<Occlusion>,
         scratch: &mut QueryScratch,
     ) -> Occlusion {
         with_widest(
             #[inline(always)]
             |lanes| match scratch.memory.is_some() {
                 true => self.occlusion_by_memory(lanes, query, light, None, scratch),
-                false => self.find_occlusion(lanes, query, light, scratch),
+                false => self.find_occlusion(lanes, query, light, known, scratch),
             },
         )
     }
 
+    /// Searches for the occlusion. If it is known to be transmissive, only items that may be so are tested.
     #[inline(always)]
     pub(in crate::world) fn find_occlusion(
         &self,
         lanes: SimdLevel,
         query: &Query,
         number: u32,
+        known: Option<Occlusion>,
         scratch: &mut QueryScratch,
     ) -> Occlusion {
+        let is_free = known == Some(Occlusion::Transmissive);
         let search = self.search_for(query);
         let light = number as usize;
         // Neighbouring points are often in the shadow of the same object. With a light buffer, testing that object
         // first costs more than it saves.
         let last = scratch.blockers.get(light).copied().flatten();
-        let last = last.filter(|_| !self.has_light_buffer(number));
+        let last = last.filter(|_| !is_free && !self.has_light_buffer(number));
         // Not tested again in the traversal if it is clear of the ray.
         let mut passed = u32::MAX;
         if let Some(item) = last {
@@ -160,6 +174,9 @@ impl World {
         scratch.transmissive_items.clear();
         scratch.passed.clear();
         for &item in &self.model.bvh.unbounded {
+            if is_free && self.is_all_opaque(item.item) {
+                continue;
+            }
             if self.occludes_and_record(item, query, &search, &mut occlusion, scratch) {
                 scratch.set_last_blocker(number, item);
                 return Occlusion::Opaque;
@@ -172,7 +189,7 @@ impl World {
             #[inline(always)]
             |position| {
                 let item = self.model.bvh.bounded[position as usize];
-                if passed == item.number {
+                if passed == item.number || is_free && self.is_all_opaque(item.item) {
                     return false;
                 }
                 let blocks =

@@ -91,7 +91,7 @@ impl Tracer<'_> {
             // Packet queries do not record the transparent hits.
             Some(Occlusion::Transmissive) => {
                 self.world
-                    .occlusion_unrecorded(query, light, &mut scratch.query)
+                    .gather_transmissive(query, light, &mut scratch.query)
             }
             Some(known) => known,
             None => self.world.occlusion(query, light, &mut scratch.query),
