@@ -238,7 +238,7 @@ impl World {
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut items = self.model.bvh.around(point);
-        let is_bounded = |number: u32| self.ties_by_box && self.povray_box(number).is_finite();
+        let is_bounded = |number: u32| self.ties_by_box && self.tree_box(number).is_some();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
         let mut surfaces = Vec::new();
         for item in items {
@@ -310,10 +310,11 @@ impl World {
         &self.model.leaves
     }
 
-    /// The box of an item that POV-Ray compares where two surfaces tie.
-    pub(super) fn povray_box(&self, item: u32) -> &SingleBox {
+    /// The box of an item that POV-Ray compares where two surfaces tie; none of one that is unbounded to it.
+    pub(super) fn tree_box(&self, item: u32) -> Option<&SingleBox> {
         let own_box = self.povray_boxes.get(&item);
-        own_box.unwrap_or(&self.boxes[item as usize])
+        let item_box = own_box.unwrap_or(&self.boxes[item as usize]);
+        item_box.is_bounded(self.globals.unit).then_some(item_box)
     }
 
     /// Boxes around all objects, wider by the roundings to single precision.

@@ -15,6 +15,9 @@ const NODE_COST: f64 = 3.0;
 /// Box tests for one tie, at most: of many equal objects each is tied with all others.
 const MOST_TESTS: usize = 512;
 
+/// An object with a box of more than this volume is as good as unbounded to POV-Ray (measured).
+const LARGEST_VOLUME: f64 = 2e10;
+
 /// A box as POV-Ray keeps it: its lower corner and its size, in single precision, each rounded to the nearest.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct SingleBox {
@@ -48,9 +51,11 @@ impl SingleBox {
         }
     }
 
-    /// Returns true if no side is infinite.
-    pub(super) fn is_finite(&self) -> bool {
-        self.lower.is_finite() && self.size.is_finite()
+    /// Returns true if POV-Ray puts an object with this box into its tree; `unit` is the length that stands for one of
+    /// its units.
+    pub(super) fn is_bounded(&self, unit: f64) -> bool {
+        let volume = (self.size.as_dvec3() / unit).element_product();
+        self.lower.is_finite() && volume <= LARGEST_VOLUME
     }
 
     /// The distance at which the line of a ray enters the box, with POV-Ray's roundings to single precision; not
@@ -106,7 +111,7 @@ pub(super) struct SlabTree {
     /// The children of all inner nodes.
     children: Vec<u32>,
     root: u32,
-    /// The items without a finite box.
+    /// The items without a box.
     unbounded: Vec<u32>,
 }
 
@@ -128,9 +133,9 @@ enum Content {
 }
 
 impl SlabTree {
-    /// The tree of the finite ones among the boxes of the items. Levels are built from below: each round divides all
+    /// The tree of the boxes of the items that have one. Levels are built from below: each round divides all
     /// nodes of the last one where that lowers the estimated cost, and makes a node of each part.
-    pub(super) fn new<'b>(boxes: impl Iterator<Item = &'b SingleBox>) -> SlabTree {
+    pub(super) fn new<'b>(boxes: impl Iterator<Item = Option<&'b SingleBox>>) -> SlabTree {
         let mut tree = SlabTree {
             nodes: Vec::new(),
             children: Vec::new(),
@@ -138,7 +143,7 @@ impl SlabTree {
             unbounded: Vec::new(),
         };
         for (number, slabs) in (0..).zip(boxes) {
-            if slabs.is_finite() {
+            if let Some(slabs) = slabs {
                 tree.nodes.push(Node {
                     slabs: *slabs,
                     content: Content::Item(number),
@@ -388,5 +393,20 @@ impl Heap {
             self.0.swap(at, child);
             at = child;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn huge_boxes_and_infinite_ones_are_unbounded() {
+        let cube = |side: f64| SingleBox::new(&Bounds::new(DVec3::ZERO, DVec3::splat(side)));
+        assert!(cube(2714.0).is_bounded(1.0) && !cube(2715.0).is_bounded(1.0));
+        assert!(cube(2715.0).is_bounded(2.0) && !cube(1358.0).is_bounded(0.5));
+        assert!(!cube(f64::INFINITY).is_bounded(1.0));
+        let flat = Bounds::new(DVec3::ZERO, DVec3::new(1e20, 0.0, f64::INFINITY));
+        assert!(!SingleBox::new(&flat).is_bounded(1.0));
     }
 }

@@ -434,12 +434,8 @@ impl World {
     /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
     /// it uses no boxes.
     fn box_entry(&self, item: u32, ray: &Ray) -> f64 {
-        let item_box = self.povray_box(item);
-        if self.ties_by_box && item_box.is_finite() {
-            item_box.entry(ray)
-        } else {
-            f64::NEG_INFINITY
-        }
+        let item_box = self.tree_box(item).filter(|_| self.ties_by_box);
+        item_box.map_or(f64::NEG_INFINITY, |item_box| item_box.entry(ray))
     }
 
     /// Distance up to which hits are ignored: the error of the ray's origin.
@@ -549,7 +545,7 @@ impl World {
         tied.sort_by_key(|of| of.item);
         if self.ties_by_box && tied.len() > 1 {
             let tree = self.slab_tree.get_or_init(|| {
-                SlabTree::new((0..index(self.boxes.len())).map(|item| self.povray_box(item)))
+                SlabTree::new((0..index(self.boxes.len())).map(|item| self.tree_box(item)))
             });
             tree.sort(tied, |of| of.item, |of| self.box_entry(of.item, ray), ray);
         }
