@@ -225,8 +225,8 @@ pub trait Geometry {
         false
     }
 
-    /// True if rays that miss its `bounded_by` miss it, although it is no part of a CSG object.
-    fn tests_bounds(&self) -> bool {
+    /// True if rays that miss its `bounded_by` miss it, although it is no part of a CSG object; it may have a `clipped_by`.
+    fn tests_bounds(&self, _is_clipped: bool) -> bool {
         false
     }
 

@@ -261,8 +261,8 @@ macro_rules! shapes {
             fn keeps_normal(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.keeps_normal()),+ }
             }
-            fn tests_bounds(&self) -> bool {
-                match self { $(Shape::$name(shape) => shape.tests_bounds()),+ }
+            fn tests_bounds(&self, is_clipped: bool) -> bool {
+                match self { $(Shape::$name(shape) => shape.tests_bounds(is_clipped)),+ }
             }
             fn keeps_normal_before_3_8(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.keeps_normal_before_3_8()),+ }

@@ -104,6 +104,8 @@ pub(crate) struct BoundGate {
     pub(crate) bound: CsgProgram,
     /// True if shadow rays hit the operands all the same.
     pub(crate) spares_shadows: bool,
+    /// True if it holds only in scenes for which POV-Ray builds a tree.
+    pub(crate) needs_tree: bool,
 }
 
 impl CsgProgram {

@@ -4,7 +4,7 @@ use super::flatten::MOST_TYING;
 use super::lowering::Lowering;
 use super::parts::inherited::{CsgRole, Inherited, joined};
 use super::parts::model::PendingItem;
-use super::visibility_box::{holds, seen_in, spares_shadows};
+use super::visibility_box::{holds, seen_in};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
 use crate::scene::{Attached, Kind, Object, Operation};
@@ -69,7 +69,7 @@ impl Lowering {
         if let Some(seen_in) = seen_in(object, above)
             && !holds(&seen_in, &around.shown)
         {
-            let gate = self.gate(&program, seen_in, spares_shadows(object));
+            let gate = self.gate(&program, seen_in, object);
             program.gates.push(gate);
         }
         // POV-Ray runs inside tests only on objects whose box contains the camera; probes test all.
@@ -136,6 +136,7 @@ impl Lowering {
                 operands: gate.operands,
                 bound,
                 spares_shadows: false,
+                needs_tree: false,
             });
         }
         (program, around)
@@ -401,7 +402,7 @@ impl Lowering {
 /// box is, see [`seen_in`].
 pub(crate) fn is_gated(object: &Object) -> bool {
     let tests_bounds = match &object.kind {
-        Kind::Shape(shape) => shape.tests_bounds(),
+        Kind::Shape(shape) => shape.tests_bounds(!clips(object).is_empty()),
         _ => true,
     };
     tests_bounds && !object.bounded_by().is_empty()

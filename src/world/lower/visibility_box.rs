@@ -54,7 +54,7 @@ pub(crate) fn is_seen_whole(
 
 /// Returns true if an object casts its whole shadow, whatever its box hides. In POV-Ray that depends on what blocked the
 /// light before; of these kinds most of the shadow is whole.
-pub(crate) fn spares_shadows(object: &Object) -> bool {
+fn spares_shadows(object: &Object) -> bool {
     matches!(&object.kind, Kind::Shape(shape) if matches!(
         **shape,
         Shape::Sphere(_)
@@ -65,14 +65,19 @@ pub(crate) fn spares_shadows(object: &Object) -> bool {
     ))
 }
 
+fn is_plane(object: &Object) -> bool {
+    matches!(&object.kind, Kind::Shape(shape) if matches!(**shape, Shape::Plane(_)))
+}
+
 impl Lowering {
     /// A gate that shows a program only to the rays that hit a box.
     pub(crate) fn gate(
         &mut self,
         program: &CsgProgram,
         seen_in: Bounds,
-        spares_shadows: bool,
+        object: &Object,
     ) -> BoundGate {
+        let spares_shadows = spares_shadows(object);
         // No ray hits a box with a negative side, or a sphere of radius zero.
         let shape = if seen_in.is_empty() {
             Shape::Sphere(Sphere {
@@ -108,6 +113,7 @@ impl Lowering {
             operands: 0..program.len(),
             bound,
             spares_shadows,
+            needs_tree: spares_shadows || is_plane(object),
         }
     }
 }

@@ -33,6 +33,11 @@ impl World {
         options: &RenderOptions,
     ) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
+        if !has_tree {
+            for program in &mut flat.parts.programs {
+                program.gates.retain(|gate| !gate.needs_tree);
+            }
+        }
         let boxes = flat.parts.single_boxes();
         let povray_boxes = flat.parts.povray_boxes();
         let sends_rays = flat.surfaces.par_iter().any(Surface::sends_rays);

@@ -437,7 +437,7 @@ impl Geometry for Poly {
         }
     }
 
-    fn tests_bounds(&self) -> bool {
+    fn tests_bounds(&self, _: bool) -> bool {
         true
     }
 

@@ -34,6 +34,9 @@ pub(crate) const NEAR_ENOUGH: f64 = 2.0;
 /// discriminant is zero but for roundings, which differ with the start of the ray.
 const SHALLOW: f64 = 8.0;
 
+/// Coefficients up to this size are zero to POV-Ray's choice of bounds.
+const TINY: f64 = 1e-10;
+
 /// A surface of second order. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
@@ -113,6 +116,24 @@ impl Quadric {
             ..self.clone()
         };
         known.limited(around, sign < 0.0).unwrap_or(*around)
+    }
+
+    /// Returns true if a quadric without mixed terms is a hyperboloid of one sheet or a cone.
+    fn is_ruled_around(&self) -> bool {
+        let squares = DVec3::new(
+            self.matrix.x_axis.x,
+            self.matrix.y_axis.y,
+            self.matrix.z_axis.z,
+        );
+        if squares.abs().min_element() <= TINY {
+            return false;
+        }
+        let at_centre = self.constant - (0.25 * self.linear * self.linear / squares).element_sum();
+        match squares.cmplt(DVec3::ZERO).bitmask().count_ones() {
+            1 => at_centre <= TINY,
+            2 => at_centre >= -TINY,
+            _ => false,
+        }
     }
 
     fn value(&self, p: DVec3) -> f64 {
@@ -363,6 +384,16 @@ impl Geometry for Quadric {
 
     fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
         Some(Rounded::of_quadric(self, steps))
+    }
+
+    /// True of quadrics with mixed terms, and of hyperboloids of one sheet and cones that are not clipped (measured).
+    fn tests_bounds(&self, is_clipped: bool) -> bool {
+        let mixed = [
+            self.matrix.x_axis.y,
+            self.matrix.x_axis.z,
+            self.matrix.y_axis.z,
+        ];
+        mixed.iter().any(|half| half.abs() > TINY) || (!is_clipped && self.is_ruled_around())
     }
 
     fn decides_ties(&self) -> bool {
