@@ -1,5 +1,6 @@
 //! Ray queries, and the buffers that a thread reuses between them.
 
+mod again;
 pub(super) mod blocker_memory;
 pub(super) mod closest;
 mod instance;

@@ -31,11 +31,24 @@ pub(in crate::world) const POV_RAY_T_MAX: f64 = 1e7;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
-/// POV-Ray's distance of a hit is not taken if it differs by more than this many errors of the point: its formulas lose
-/// digits where shapes are small for their distance.
-const ROUNDING_LOSS: f64 = 65536.0;
-/// Nor is it if the normal differs by more than this.
-const NORMAL_LOSS: f64 = 1e-9;
+/// POV-Ray's distance of a hit is not taken if it or the normal is farther than this from the exact one: its formulas
+/// lose digits where shapes are small for their distance.
+struct Loss {
+    /// Errors of the point.
+    rounding: f64,
+    normal: f64,
+}
+
+const LOSS: Loss = Loss {
+    rounding: 65536.0,
+    normal: 1e-9,
+};
+
+/// Photons of far lights hit where few digits are left, and go on from there in POV-Ray.
+const LOSS_OF_PHOTONS: Loss = Loss {
+    rounding: f64::INFINITY,
+    normal: 0.1,
+};
 
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
@@ -572,10 +585,15 @@ impl World {
         }
     }
 
-    /// The hit with the rounding of POV-Ray, by which its photon maps are ordered.
+    /// The hit of a photon with the rounding of POV-Ray, by which its photon maps are ordered.
     #[must_use]
+    pub fn rounded_for_photon(&self, ray: &Ray, hit: Hit) -> Hit {
+        self.rounded(ray, hit, &LOSS_OF_PHOTONS)
+    }
+
+    /// The hit with the rounding of POV-Ray, unless that loses too much.
     #[inline(never)]
-    pub fn rounded(&self, ray: &Ray, hit: Hit) -> Hit {
+    fn rounded(&self, ray: &Ray, hit: Hit, most: &Loss) -> Hit {
         let form = self.model.rounding.forms.get(&hit.spawn_surface.leaf);
         match self.rounded_by(form, ray, &hit) {
             Some(RoundedHit { t, point, normal }) if form.is_some_and(Rounded::is_search) => Hit {
@@ -589,9 +607,9 @@ impl World {
                 ..hit
             },
             Some(RoundedHit { t, point, normal })
-                if (t - hit.t).abs() <= ROUNDING_LOSS * hit.spawn_surface.blur
-                    && (normal.length_squared() - 1.0).abs() < NORMAL_LOSS
-                    && normal.dot(hit.shading_normal).abs() > 1.0 - NORMAL_LOSS =>
+                if (t - hit.t).abs() <= most.rounding * hit.spawn_surface.blur
+                    && (normal.length_squared() - 1.0).abs() < most.normal
+                    && normal.dot(hit.shading_normal).abs() > 1.0 - most.normal =>
             {
                 Hit {
                     t,
@@ -627,7 +645,7 @@ impl World {
             spawn_surface: departure,
         };
         if self.model.rounding.is_wanted(hit.leaf) {
-            self.rounded(ray, exact)
+            self.rounded(ray, exact, &LOSS)
         } else {
             exact
         }

@@ -176,10 +176,14 @@ impl<'w> Tracer<'w> {
                 t_max: f64::INFINITY,
                 kind: path.kind,
             };
-            let Some(hit) = self.world.nearest(&query, &mut scratch.query) else {
+            let nearest = self.world.nearest(&query, &mut scratch.query);
+            let from = path.from.as_ref();
+            let again =
+                from.and_then(|from| self.world.hit_again(&path.ray, from, nearest.as_ref()));
+            let Some(hit) = again.or(nearest) else {
                 return;
             };
-            let hit = self.world.rounded(&path.ray, hit);
+            let hit = self.world.rounded_for_photon(&path.ray, hit);
             let surface = &self.world.surfaces[hit.surface as usize];
             let role = surface.photons();
             self.through_media(&mut photon, hit.t, surface.lights, tally, scratch);
