@@ -26,7 +26,7 @@ mod packet;
 mod rough;
 
 use self::exact::{Along, derivative, norm, norm_and_derivatives};
-use self::rough::{Estimate, Pieces, Rough};
+use self::rough::{Estimate, Pieces, Rough, SLACK};
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
 use crate::base::math::roots::bracket::Roots;
@@ -225,6 +225,12 @@ impl Superellipsoid {
 
     fn convex_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
         let mut roots = Crossings::new();
+        let starts_within = from < range.from && range.from < to;
+        if starts_within && self.is_well_inside(ray.at(range.from)) {
+            let leave = self.first_inside(ray, to, from);
+            roots.extend(leave.map(|(leave, _)| root(leave, true)));
+            return roots;
+        }
         let Some((enter, slope)) = self.first_inside(ray, from, to) else {
             return roots;
         };
@@ -236,6 +242,12 @@ impl Superellipsoid {
             roots.extend([root(enter, false), root(leave, true)]);
         }
         roots
+    }
+
+    /// True if a point is certainly inside, by ten digits.
+    fn is_well_inside(&self, point: DVec3) -> bool {
+        let rough = Rough::new(self, &Ray::new(point, DVec3::ZERO));
+        rough.is_some_and(|rough| rough.at(0.0).0 < -SLACK)
     }
 
     /// First point from one end to the other where a convex norm falls below 1, and its slope there.
