@@ -365,6 +365,14 @@ impl World {
     #[inline(never)]
     fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
         let ray = &query.ray;
+        if !best.is_settled && self.is_alike_for_shadows(new, best, query) {
+            let order = |of: &ClosestHit| (of.hit.root.t, of.item);
+            return if order(new) < order(best) {
+                *new
+            } else {
+                *best
+            };
+        }
         // Neither is rounded otherwise: the order of all tied hits is that of each pair.
         if self.tie_rounding(best).is_none() && self.tie_rounding(new).is_none() {
             let mut both = [*best, *new];
@@ -389,6 +397,13 @@ impl World {
             }
         };
         tied.into_iter().reduce(nearer).unwrap_or(*best)
+    }
+
+    /// Returns true if light is transmitted alike whichever of two tied hits is shown.
+    fn is_alike_for_shadows(&self, a: &ClosestHit, b: &ClosestHit, query: &Query) -> bool {
+        query.kind == RayKind::Shadow
+            && a.hit.surface == b.hit.surface
+            && self.uniform_transmittance(a.hit.surface).is_some()
     }
 
     /// The first hits of all items within a tie of the nearest one, which lies at `least` or before.
