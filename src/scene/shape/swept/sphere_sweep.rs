@@ -18,7 +18,7 @@
 use self::segment::{B_SPLINE, CATMULL_ROM, Part};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word, trailing_comma};
-use crate::base::math::{Bounds, Ray, Step};
+use crate::base::math::{Bounds, Ray, Step, Transform};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, SpanEnd, Start, first_visible, read, span};
 use glam::{DVec3, DVec4};
@@ -37,6 +37,8 @@ pub struct SphereSweep(Arc<Sweep>);
 #[derive(Clone, Debug)]
 struct Sweep {
     parts: Vec<Part>,
+    /// The spheres as POV-Ray bounds them, with twice the radius along a cubic curve.
+    around: Box<[DVec4]>,
     /// BVH over the boxes of the parts.
     tree: Bvh,
     bounds: Bounds,
@@ -104,6 +106,28 @@ impl SphereSweep {
         Ok(SphereSweep(Arc::new(Sweep::new(kind, &spheres))))
     }
 
+    /// POV-Ray's box after as many of these steps as move the spheres themselves, and their number; later ones transform
+    /// the box, from the first uneven scaling or matrix on (measured).
+    pub(crate) fn povray_box_after(&self, steps: &[Step]) -> (Bounds, usize) {
+        let moves_spheres = |step: &&Step| match step {
+            Step::Translate(_) | Step::Rotate(_) => true,
+            Step::Scale(by) => by.x == by.y && by.y == by.z,
+            Step::General(_) => false,
+        };
+        let count = steps.iter().take_while(moves_spheres).count();
+        let to_world = Transform::from_steps(&steps[..count]).world_from_object;
+        let size: f64 = steps[..count].iter().fold(1.0, |size, step| match step {
+            Step::Scale(by) => size * by.x.abs(),
+            _ => size,
+        });
+        let moved = self.0.around.iter().map(|sphere| {
+            let centre = to_world.transform_point3(sphere.truncate());
+            around_sphere(centre.extend(size * sphere.w))
+        });
+        let bounds = moved.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
+        (bounds, count)
+    }
+
     /// Disjoint spans of a ray inside the sweep, in order.
     fn spans(&self, ray: &Ray) -> Spans {
         let mut all = Spans::new();
@@ -147,21 +171,23 @@ impl Sweep {
         let boxes: Vec<Bounds> = parts.iter().map(Part::bounds).collect();
         // Includes POV-Ray's box.
         let factor = if kind == Kind::Cubic { 2.0 } else { 1.0 };
-        let of_spheres = spheres.iter().map(|sphere| {
-            let radius = DVec3::splat(factor * sphere.w.abs());
-            Bounds {
-                min: sphere.truncate() - radius,
-                max: sphere.truncate() + radius,
-            }
-        });
+        let widened = |sphere: &DVec4| sphere.truncate().extend(factor * sphere.w.abs());
+        let around: Box<[DVec4]> = spheres.iter().map(widened).collect();
+        let of_spheres = around.iter().map(|sphere| around_sphere(*sphere));
         let bounds = of_spheres.chain(boxes.iter().copied());
         let bounds = bounds.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
         Sweep {
             tree: Bvh::build(&boxes),
             parts,
+            around,
             bounds,
         }
     }
+}
+
+fn around_sphere(sphere: DVec4) -> Bounds {
+    let (centre, radius) = (sphere.truncate(), DVec3::splat(sphere.w));
+    Bounds::new(centre - radius, centre + radius)
 }
 
 impl Geometry for SphereSweep {
