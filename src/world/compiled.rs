@@ -164,6 +164,18 @@ impl World {
         self.summary.is_opaque || leaves.is_some_and(|leaves| leaves.iter().all(is_opaque))
     }
 
+    /// Returns true if shadow rays are traced faster in packets although those that pass transmissive surfaces are traced
+    /// again: there is CSG to be spared, and all of it is opaque.
+    #[must_use]
+    pub fn suits_shadow_packets(&self) -> bool {
+        let items = self.bvh().unbounded.iter().chain(self.bvh().bounded.iter());
+        let mut parts = items.filter(|item| !matches!(item.item, Item::Leaf(_)));
+        self.summary.is_opaque
+            || parts.next().is_some_and(|first| {
+                self.is_all_opaque(first.item) && parts.all(|item| self.is_all_opaque(item.item))
+            })
+    }
+
     /// Returns true if no surface of an item is opaque; false if unknown.
     #[inline(never)]
     fn is_clear(&self, item: Item) -> bool {

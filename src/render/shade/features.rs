@@ -55,6 +55,8 @@ pub(super) struct FastPaths {
     pub(super) queues_all_surfaces: bool,
     /// Plain surfaces may be shaded in packets ([`direct`]).
     pub(super) packets: bool,
+    /// Shadow rays from a wavefront are traced in packets.
+    pub(super) shadow_packets: bool,
 }
 
 impl FastPaths {
@@ -65,6 +67,7 @@ impl FastPaths {
         FastPaths {
             wavefront,
             queues_all_surfaces: wavefront && !has_radiosity,
+            shadow_packets: world.suits_shadow_packets(),
             packets: !features.has_media
                 && !has_radiosity
                 && direct::opaque::supports(world, quality),

@@ -492,8 +492,9 @@ impl Tracer<'_> {
             self.world
                 .nearest_of_stream(rays.len(), query, hits, &mut scratch.query);
         }
-        // With transparent objects each shadow ray is traced on its own.
-        self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
+        // Otherwise each shadow ray is traced on its own.
+        let traces = self.fast_paths.shadow_packets;
+        self.light_all(rays.len(), traces, &mut all, scratch);
         with_widest(
             #[inline(always)]
             |_| {
