@@ -46,10 +46,10 @@ impl Tracer<'_> {
         let mut lit_count = 0;
         for (i, unoccluded) in unoccluded.iter_mut().enumerate().take(at.points.len()) {
             let distance = at.distances[i];
-            if is_negligible(at.effects[i].scattering * length)
-                || distance < beam.from
-                || beam.to < distance
-            {
+            // POV-Ray samples lights where nothing scatters, too, which shows in their random numbers.
+            let is_idle =
+                !self.features.uses_random && is_negligible(at.effects[i].scattering * length);
+            if is_idle || distance < beam.from || beam.to < distance {
                 continue;
             }
             let arrival = light.arrival(at.points[i]);
