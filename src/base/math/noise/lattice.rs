@@ -80,7 +80,7 @@ impl<F: F64Lanes> CellPoints<F> {
 
     /// The offsets of the points from a corner.
     #[inline(always)]
-    fn from_corner<const CORNER: usize>(&self) -> Vec3Lanes<F> {
+    fn offsets_from<const CORNER: usize>(&self) -> Vec3Lanes<F> {
         let [dx, dy, dz] = const { [CORNER & 1, CORNER >> 1 & 1, CORNER >> 2] };
         [
             self.offsets[dx][0],
@@ -309,7 +309,7 @@ impl<F: F64x4> CellPoints<F> {
     /// The contribution of a corner to the scalar noise of each point.
     #[inline(always)]
     fn scalar_corner<const CORNER: usize, C: Corners>(&self, corners: &C) -> F {
-        self.weights[CORNER] * corners.linear(CORNER, self.from_corner::<CORNER>())
+        self.weights[CORNER] * corners.linear(CORNER, self.offsets_from::<CORNER>())
     }
 }
 
@@ -363,7 +363,7 @@ impl<F: F64Lanes> CellPoints<F> {
     #[inline(always)]
     fn add_corner<const CORNER: usize>(&self, first: &CornerCoefficients, sum: &mut Vec3Lanes<F>) {
         let [constant, of_x, of_y, of_z] = vector_rows(first[CORNER]);
-        let [x, y, z] = self.from_corner::<CORNER>();
+        let [x, y, z] = self.offsets_from::<CORNER>();
         for (axis, sum) in sum.iter_mut().enumerate() {
             let linear = F::splat(constant[axis])
                 + F::splat(of_x[axis]) * x
