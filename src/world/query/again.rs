@@ -13,7 +13,8 @@ impl World {
     #[must_use]
     pub fn hit_again(&self, ray: &Ray, from: &SpawnSurface, nearest: Option<&Hit>) -> Option<Hit> {
         let sphere = self.model.world_sphere(from.leaf)?;
-        let (t, is_exit) = sphere.rounded_root_beyond(ray, POV_RAY_T_MIN * self.globals.unit)?;
+        let unit = self.globals.unit;
+        let (t, is_exit) = sphere.rounded_root_beyond(ray, POV_RAY_T_MIN * unit, unit)?;
         let is_nearest = |hit: &Hit| {
             let is_same_root = hit.spawn_surface.leaf == from.leaf && hit.t < 2.0 * t;
             hit.t <= t || is_same_root

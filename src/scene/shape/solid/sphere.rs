@@ -28,7 +28,8 @@ use std::f64::consts::{PI, TAU};
 /// A root this many times farther than the nearest distance that counts is not the one that the ray starts on.
 const CLEAR_START_FACTOR: f64 = 17.0;
 
-/// In POV-Ray's formula a ray whose half chord has a smaller square misses, and one from outside whose middle is nearer.
+/// In POV-Ray's formula a ray whose half chord has a smaller square misses, and one from outside whose middle is nearer;
+/// in units of the scene's unit.
 const LEAST_HALF_SQ: f64 = 1e-10;
 
 /// A sphere.
@@ -159,13 +160,19 @@ impl Sphere {
     }
 
     /// The first root beyond a distance by the formula of POV-Ray, which takes the direction for a unit one; true if the
-    /// ray leaves there.
-    pub(crate) fn rounded_root_beyond(&self, ray: &Ray, least: f64) -> Option<(f64, bool)> {
+    /// ray leaves there. `unit` is the length of the scene's unit.
+    pub(crate) fn rounded_root_beyond(
+        &self,
+        ray: &Ray,
+        least: f64,
+        unit: f64,
+    ) -> Option<(f64, bool)> {
         let to_centre = self.centre - ray.origin;
         let middle = to_centre.dot(ray.dir);
         let outside_sq = self.radius * self.radius - to_centre.dot(to_centre);
         let half_sq = outside_sq + middle * middle;
-        if (outside_sq <= 0.0 && middle < LEAST_HALF_SQ) || half_sq <= LEAST_HALF_SQ {
+        let is_behind = outside_sq <= 0.0 && middle < LEAST_HALF_SQ * unit;
+        if is_behind || half_sq <= LEAST_HALF_SQ * unit * unit {
             return None;
         }
         let half = half_sq.sqrt();
