@@ -73,8 +73,6 @@ enum Form {
     Quadric(Box<Quadratic>),
     Search(Box<ExactSearch>),
     Field(Box<RoundedField>),
-    /// The planes across z at two heights, the outer faces of letters.
-    Caps(Box<DAffine3>, [f64; 2]),
 }
 
 /// The coefficients of a quadric in the world: of `x²`, `y²`, `z²`, of `xy`, `xz`, `yz`, of `x`, `y`, `z`, and the constant.
@@ -126,12 +124,6 @@ impl Rounded {
     /// The planes of a height field.
     pub(super) fn of_field(field: RoundedField, steps: &Steps<'_>) -> Self {
         steps.rounded(Form::Field(Box::new(field)))
-    }
-
-    /// The faces at two heights of a shape that is turned at first; its sides are not known.
-    pub(super) fn of_caps(turn: DVec3, heights: [f64; 2], steps: &Steps<'_>) -> Self {
-        let stored = with_steps(&Transform::rotation(turn), steps.steps);
-        steps.rounded(Form::Caps(stored, heights))
     }
 
     /// True if its hits are those of another search, with their own normals.
@@ -205,17 +197,6 @@ impl Rounded {
             }
             Form::Search(search) => search.hit(ray, t)?,
             Form::Field(field) => field.hit(ray, face)?,
-            Form::Caps(stored, heights) => {
-                let local = ray.to_object(stored);
-                let ends = heights.map(|z| (z - local.origin.z) / local.dir.z);
-                let t = nearer(ends, t);
-                let normal = if t == ends[0] { -DVec3::Z } else { DVec3::Z };
-                RoundedHit {
-                    t,
-                    point: ray.at(t),
-                    normal: normalization.unit(normal_from_inverse(stored, normal)),
-                }
-            }
             Form::Quadric(quadratic) => {
                 let t = quadratic.root(ray, t);
                 let point = ray.at(t);

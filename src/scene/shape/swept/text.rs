@@ -15,9 +15,7 @@ use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{
-    Crossing, Geometry, Root, Rounded, SpanEnd, Start, Steps, first_visible, read,
-};
+use crate::scene::shape::{Crossing, Geometry, Root, SpanEnd, Start, first_visible, read};
 use font::Letter;
 use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
@@ -400,11 +398,6 @@ impl Geometry for Text {
 
     fn bounds(&self) -> Bounds {
         self.0.bounds
-    }
-
-    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
-        let turn = DVec3::splat(TURN_DEG);
-        Some(Rounded::of_caps(turn, self.0.depth, steps))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {
