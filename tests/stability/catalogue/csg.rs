@@ -270,8 +270,8 @@ fn clips(all: &mut Vec<Case>) {
     bounds(all);
 }
 
-/// A bounding object that is too small cuts off of a CSG object all that no ray through it can see, and nothing of a
-/// single solid, from which POV-Ray removes it (`Remove_Bounds`).
+/// A bounding object that is too small cuts off of a CSG object all that no ray through it can see. From a single solid
+/// POV-Ray removes it (`Remove_Bounds`); of some its box stays, but not in scenes of fewer than three things.
 fn bounds(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n\
         camera { orthographic location <0.01, 0.02, -4> direction z right 3*x up 2.25*y }\n";
@@ -307,9 +307,20 @@ fn bounds(all: &mut Vec<Case>) {
             "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
             "box { <-0.3, -0.6, -3>, <0.6, 0.4, 3> }",
         ),
+        (
+            "sphere alone",
+            "sphere { 0, 1",
+            "sphere { 0, 0.5 }",
+            everything,
+        ),
+        ("box alone", "box { -1, 1", "box { -0.5, 0.5 }", everything),
     ] {
-        let text = format!("{head}{body} bounded_by {{ {bound} }} }}\n");
-        let like = format!("{head}intersection {{ {body} }} {like} }}\n");
+        let others = match name.ends_with(" alone") {
+            true => "",
+            false => "sphere { 9*x, 1 }\nsphere { 9*y, 1 }\n",
+        };
+        let text = format!("{head}{others}{body} bounded_by {{ {bound} }} }}\n");
+        let like = format!("{head}{others}intersection {{ {body} }} {like} }}\n");
         let within = 0.0;
         all.push(Case::new(
             53,
