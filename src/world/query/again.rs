@@ -19,7 +19,12 @@ impl World {
             let is_same_root = hit.spawn_surface.leaf == from.leaf && hit.t < 2.0 * t;
             hit.t <= t || is_same_root
         };
-        if nearest.is_some_and(is_nearest) {
+        // Of roots in CSG the search has decided, which may hide them.
+        let is_in_csg = || {
+            let mut programs = self.model.programs.iter();
+            programs.any(|program| program.leaves().contains(&from.leaf))
+        };
+        if nearest.is_some_and(is_nearest) || is_in_csg() {
             return None;
         }
         let root = Root {
