@@ -21,7 +21,7 @@ pub fn has_defaults_of_3_8(version: f64) -> bool {
     version >= FIRST_WITH_DEFAULTS - EQUAL
 }
 
-/// Something of a scene that POV-Ray 3.7 lacks.
+/// A feature of the language that POV-Ray 3.7 lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Novelty {
     /// The version alone.

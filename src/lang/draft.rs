@@ -18,7 +18,7 @@ const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 pub(super) struct SceneDraft {
     pub(super) version: f64,
     pub(super) has_version: bool,
-    /// The words so far that POV-Ray 3.7 lacks.
+    /// The novelties of version 3.8 read so far, each once.
     pub(super) novelties: Vec<Novelty>,
     /// True once a `#default` was read: a later `#version` leaves the defaults alone.
     pub(super) has_default: bool,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// none is, each call has weights of its own.
 pub(super) fn find(tracer: &Tracer<'_>, options: &RenderOptions) {
     let calls = &tracer.world().globals.ridged_calls;
-    // What the scene only declares is gone.
+    // Functions that are only declared no longer exist.
     let is_used = Arc::strong_count(calls) > 1;
     if !is_used || !calls.is_open() {
         return;

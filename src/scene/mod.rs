@@ -55,7 +55,7 @@ pub struct Scene {
     pub globals: Globals,
     /// The effective language version: the last `#version` of the file, or 3.62 without any.
     pub version: f64,
-    /// What the scene has that POV-Ray 3.7 lacks, each once; the version if it asks for 3.8 and has nothing of it.
+    /// The novelties of version 3.8 in the scene, each once; the version alone if it asks for 3.8 without any.
     pub novelties: Vec<Novelty>,
 }
 

@@ -57,7 +57,7 @@ Exit code: 0 no errors, 1 errors found, 2 bad command line.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
 is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints, fix), `scene_output` (text of #debug), \
 `file` (counts of errors and warnings, words_of_3_8) or `total` (counts).
-Of a scene without errors that is named which POV-Ray 3.7 lacks."
+For a scene without errors the features that POV-Ray 3.7 lacks are named."
 )]
 struct CommandOptions {
     /// How to print errors and warnings: povray, human, short or json

@@ -73,7 +73,7 @@ pub(crate) enum Line<'a> {
         file: &'a str,
         errors: usize,
         warnings: usize,
-        /// What POV-Ray 3.7 lacks.
+        /// The novelties of version 3.8 in the scene.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         words_of_3_8: Vec<&'static str>,
     },
