@@ -145,11 +145,17 @@ impl Model {
         if let Some(instance) = self.instance_of(leaf) {
             return instance.model.is_inverse(leaf - instance.first);
         }
+        let program = self.program_of(leaf);
+        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+    }
+
+    /// The program of which one of the model's own leaves is an operand.
+    pub(super) fn program_of(&self, leaf: u32) -> Option<&CsgProgram> {
         let behind = self
             .programs
             .partition_point(|program| program.first <= leaf);
-        let program = behind.checked_sub(1).map(|at| &self.programs[at]);
-        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+        let program = behind.checked_sub(1).map(|at| &self.programs[at])?;
+        program.leaves().contains(&leaf).then_some(program)
     }
 
     /// The shape of a primitive.

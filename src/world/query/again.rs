@@ -20,10 +20,7 @@ impl World {
             hit.t <= t || is_same_root
         };
         // Of roots in CSG the search has decided, which may hide them.
-        let is_in_csg = || {
-            let mut programs = self.model.programs.iter();
-            programs.any(|program| program.leaves().contains(&from.leaf))
-        };
+        let is_in_csg = || self.model.program_of(from.leaf).is_some();
         if nearest.is_some_and(is_nearest) || is_in_csg() {
             return None;
         }
