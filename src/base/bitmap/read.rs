@@ -305,7 +305,8 @@ fn read_file(args: &mut dyn Args) -> Parse<Content> {
     }
 }
 
-/// Reads the value after `word`, which is `gamma` or `blend_gamma`: a positive number or `srgb`, from version 3.8 on also `bt709` and `bt2020`.
+/// Reads the value after `word` (`gamma`, `blend_gamma`, `assumed_gamma`): a positive number or `srgb`, from version 3.8
+/// on also `bt709` and `bt2020`.
 ///
 /// # Errors
 /// Anything else.
@@ -321,7 +322,7 @@ pub fn read_gamma(word: Word, args: &mut dyn Args) -> Parse<Gamma> {
     }
     let start = args.span();
     let gamma = args.float()?;
-    if gamma > 0.0 {
+    if gamma > 0.0 && gamma.is_finite() {
         return Ok(Gamma::power(gamma));
     }
     let span = start.to(args.last_span());

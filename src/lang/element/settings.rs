@@ -1,7 +1,7 @@
 //! `global_settings`, and the settings that old scenes write outside of it.
 
 use crate::base::args::{Args, Parse, Word};
-use crate::base::color::Gamma;
+use crate::base::bitmap::read_gamma;
 use crate::base::source::Diagnostic;
 use crate::lang::reader::Reader;
 use crate::scene::Charset;
@@ -34,7 +34,7 @@ impl Reader<'_> {
             Word::Subsurface => return self.subsurface(),
             Word::AssumedGamma => {
                 self.pass();
-                let gamma = self.gamma()?;
+                let gamma = read_gamma(word, self)?;
                 if self.draft.globals.assumed_gamma.is_some() {
                     self.warning(Diagnostic::warning(
                         at,
@@ -123,24 +123,6 @@ impl Reader<'_> {
         )]
         let number = number.clamp(*WAVES.start(), *WAVES.end()) as u32;
         Ok(number)
-    }
-
-    fn gamma(&mut self) -> Parse<Gamma> {
-        for (name, gamma) in [
-            (Word::Srgb, Gamma::Srgb),
-            (Word::Bt709, Gamma::Bt709),
-            (Word::Bt2020, Gamma::Bt2020),
-        ] {
-            if self.take_word(name)? {
-                return Ok(gamma);
-            }
-        }
-        let gamma = self.float()?;
-        if gamma > 0.0 && gamma.is_finite() {
-            Ok(Gamma::power(gamma))
-        } else {
-            Err(self.error_taken("`assumed_gamma` must be a positive number or `srgb`"))
-        }
     }
 }
 
