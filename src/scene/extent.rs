@@ -222,13 +222,11 @@ fn shape_box(shape: &Shape, steps: &[Step]) -> ExtentBox {
     if let Shape::Mesh(mesh) = shape {
         return transformed_by_steps(ExtentBox::new(&mesh.bounds()), steps);
     }
-    let (bounds, absorbed) = if let Shape::SphereSweep(sweep) = shape {
-        sweep.povray_box_after(steps)
-    } else {
+    let (bounds, absorbed) = shape.povray_box_after(steps).unwrap_or_else(|| {
         let mut shape = shape.clone();
         let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
         (shape.bounds(), absorbed)
-    };
+    });
     if !bounds.is_finite() {
         return EVERYTHING;
     }

@@ -252,6 +252,12 @@ pub trait Geometry {
         None
     }
 
+    /// POV-Ray's box after as many of these steps as it takes into account, and their number; later ones transform the box.
+    /// `None` if those are the steps of [`Geometry::absorb`].
+    fn povray_box_after(&self, _steps: &[Step]) -> Option<(Bounds, usize)> {
+        None
+    }
+
     /// True if the surface extends beyond POV-Ray's box, so that rays that miss the box do not show all of it.
     fn shows_beyond_its_box(&self) -> bool {
         false

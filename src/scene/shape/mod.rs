@@ -222,6 +222,9 @@ macro_rules! shapes {
             fn povray_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.povray_box()),+ }
             }
+            fn povray_box_after(&self, steps: &[Step]) -> Option<(Bounds, usize)> {
+                match self { $(Shape::$name(shape) => shape.povray_box_after(steps)),+ }
+            }
             fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
                 match self { $(Shape::$name(shape) => shape.rounded(steps)),+ }
             }

@@ -106,28 +106,6 @@ impl SphereSweep {
         Ok(SphereSweep(Arc::new(Sweep::new(kind, &spheres))))
     }
 
-    /// POV-Ray's box after as many of these steps as move the spheres themselves, and their number; later ones transform
-    /// the box, from the first uneven scaling or matrix on (measured).
-    pub(crate) fn povray_box_after(&self, steps: &[Step]) -> (Bounds, usize) {
-        let moves_spheres = |step: &&Step| match step {
-            Step::Translate(_) | Step::Rotate(_) => true,
-            Step::Scale(by) => by.x == by.y && by.y == by.z,
-            Step::General(_) => false,
-        };
-        let count = steps.iter().take_while(moves_spheres).count();
-        let to_world = Transform::from_steps(&steps[..count]).world_from_object;
-        let size: f64 = steps[..count].iter().fold(1.0, |size, step| match step {
-            Step::Scale(by) => size * by.x.abs(),
-            _ => size,
-        });
-        let moved = self.0.around.iter().map(|sphere| {
-            let centre = to_world.transform_point3(sphere.truncate());
-            around_sphere(centre.extend(size * sphere.w))
-        });
-        let bounds = moved.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
-        (bounds, count)
-    }
-
     /// Disjoint spans of a ray inside the sweep, in order.
     fn spans(&self, ray: &Ray) -> Spans {
         let mut all = Spans::new();
@@ -226,6 +204,27 @@ impl Geometry for SphereSweep {
 
     fn bounds(&self) -> Bounds {
         self.0.bounds
+    }
+
+    /// Moves the spheres themselves, up to the first uneven scaling or matrix (measured).
+    fn povray_box_after(&self, steps: &[Step]) -> Option<(Bounds, usize)> {
+        let moves_spheres = |step: &&Step| match step {
+            Step::Translate(_) | Step::Rotate(_) => true,
+            Step::Scale(by) => by.x == by.y && by.y == by.z,
+            Step::General(_) => false,
+        };
+        let count = steps.iter().take_while(moves_spheres).count();
+        let to_world = Transform::from_steps(&steps[..count]).world_from_object;
+        let size: f64 = steps[..count].iter().fold(1.0, |size, step| match step {
+            Step::Scale(by) => size * by.x.abs(),
+            _ => size,
+        });
+        let moved = self.0.around.iter().map(|sphere| {
+            let centre = to_world.transform_point3(sphere.truncate());
+            around_sphere(centre.extend(size * sphere.w))
+        });
+        let bounds = moved.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
+        Some((bounds, count))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {
