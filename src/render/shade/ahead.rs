@@ -1,7 +1,7 @@
 //! Samples in POV-Ray's order: what their camera rays hit, and the colours that do not depend on the order, are found
 //! for many of them at once before their turns come.
 
-use super::block::CameraRays;
+use super::block::{BlockScratch, CameraRays};
 use super::direct::area::skip_clear;
 use super::direct::block_hits::BlockHits;
 use super::direct::packet::{RadiancePacket4, ShadeBuffers};
@@ -31,16 +31,16 @@ pub struct Ahead {
 }
 
 impl Tracer<'_> {
-    /// Prepares the samples at these positions, neighbours in the list close to each other. All must be taken
-    /// later.
-    pub(super) fn look_at(
+    /// Prepares the samples at these positions, neighbours in the list close to each other, for
+    /// [`Tracer::sample_ahead`]. Each must be taken once: its rays are counted already.
+    pub fn look_ahead(
         &self,
         positions: &[(f64, f64)],
         (width, height): (u32, u32),
         ahead: &mut Ahead,
-        buffers: ShadeBuffers,
+        scratch: &mut BlockScratch,
     ) {
-        let ShadeBuffers { scratch, cache } = buffers;
+        let ShadeBuffers { scratch, cache } = scratch.buffers();
         let Ahead {
             rays,
             interior_stacks,
@@ -149,7 +149,7 @@ impl Tracer<'_> {
         let known = LightSamples::at(&ahead.all, number);
         if let Some(sample) = ahead.samples[number] {
             if hits.is_hit(lane) {
-                self.skip_random(hits.surface[lane], known, scratch);
+                self.skip_area_lights(hits.surface[lane], known, scratch);
             }
             return sample;
         }
@@ -161,7 +161,7 @@ impl Tracer<'_> {
     }
 
     /// Leaves out the random numbers of the area lights whose light arrives at a surface.
-    fn skip_random(&self, surface: u32, known: LightSamples, scratch: &mut Scratch) {
+    fn skip_area_lights(&self, surface: u32, known: LightSamples, scratch: &mut Scratch) {
         let lights = &self.world.lights;
         for &number in lights.of(self.world.surfaces[surface as usize].lights) {
             if let Some(area) = &lights.get(number).area

@@ -150,7 +150,7 @@ impl BlockScratch {
     }
 
     /// The buffers for shading.
-    fn buffers(&mut self) -> ShadeBuffers<'_> {
+    pub(super) fn buffers(&mut self) -> ShadeBuffers<'_> {
         ShadeBuffers {
             scratch: &mut self.single,
             cache: &mut self.shade_cache,
@@ -226,18 +226,6 @@ impl Tracer<'_> {
             });
             take(number, sample, first_hit);
         });
-    }
-
-    /// Prepares the samples at these positions, neighbours in the list close to each other. Each must be taken
-    /// later, by [`Tracer::sample_ahead`].
-    pub fn look_ahead(
-        &self,
-        positions: &[(f64, f64)],
-        size: (u32, u32),
-        ahead: &mut Ahead,
-        scratch: &mut BlockScratch,
-    ) {
-        self.look_at(positions, size, ahead, scratch.buffers());
     }
 
     /// Traces samples one after the other, in POV-Ray's order, at positions near each other.

@@ -103,10 +103,7 @@ impl<'a> AreaLight<'a> {
 
     /// The space that its lights take, unless they are parallel.
     fn extent(&self) -> Option<LightArea> {
-        (!self.light.is_parallel).then(|| LightArea {
-            centre: self.light.centre,
-            half_edges: self.area.half_edges(&self.axes),
-        })
+        (!self.light.is_parallel).then(|| LightArea::of(self.light, self.area, &self.axes))
     }
 
     /// The index of a grid light.

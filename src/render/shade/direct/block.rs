@@ -137,10 +137,7 @@ impl Tracer<'_> {
             hits, shadow_rays, ..
         } = all;
         let shadow_rays = &mut shadow_rays[number as usize * hits.len()..][..hits.len()];
-        let light_area = LightArea {
-            centre: light.centre,
-            half_edges: area.half_edges(&area.axes),
-        };
+        let light_area = LightArea::of(light, area, &area.axes);
         let samples = area.initial_grid_lights().len() as u64;
         self.set_up_pairs(
             number,

@@ -37,10 +37,7 @@ fn what_holds_for_all_of_a_light_holds_for_its_rays() {
     let world = world(&(area_light("") + PERSPECTIVE + SOLIDS), 3.7, false);
     let light = world.lights.get(0);
     let area = light.area.as_ref().expect("an area light");
-    let extent = LightArea {
-        centre: light.centre,
-        half_edges: area.half_edges(&area.axes),
-    };
+    let extent = LightArea::of(light, area, &area.axes);
     let (mut scratch, mut rng) = (QueryScratch::default(), Random::new(5));
     let (mut dark, mut clear) = (0, 0);
     for at in 0..SIZE * SIZE {

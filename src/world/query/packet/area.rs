@@ -7,6 +7,7 @@ use super::rays::{RayPacket4, RayStream};
 use crate::base::accel::{MAX_BEAM_ITEMS, MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
+use crate::scene::light::{Area, Axes, Light};
 use crate::scene::shape::Geometry;
 use crate::world::compiled::World;
 use crate::world::model::{IndexedItem, Item};
@@ -40,6 +41,17 @@ pub struct LightArea {
     pub centre: DVec3,
     /// Half its edges.
     pub half_edges: [DVec3; 2],
+}
+
+impl LightArea {
+    /// The parallelogram of an area light with these axes.
+    #[must_use]
+    pub fn of(light: &Light, area: &Area, axes: &Axes) -> LightArea {
+        LightArea {
+            centre: light.centre,
+            half_edges: area.half_edges(axes),
+        }
+    }
 }
 
 /// The items that shadow rays from a point to a [`LightArea`] may hit; no others.
