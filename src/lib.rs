@@ -391,7 +391,7 @@ fn load(input: &Input, sources: &mut Sources) -> Result<FileId, Box<Diagnostic>>
     }
 }
 
-/// As [`read()`], for the findings alone. Returns what the scene has that POV-Ray 3.7 lacks.
+/// As [`read()`], for the findings alone. Returns the novelties of version 3.8 in the scene.
 ///
 /// # Errors
 /// When the scene could not be drawn.

@@ -1,4 +1,4 @@
-// What `+A` alone means: method 1, threshold 0.3, depth 3, jitter.
+// `+A` alone: method 1, threshold 0.3, depth 3, jitter.
 // switches: +A
 #version 3.7;
 global_settings { assumed_gamma 1 }

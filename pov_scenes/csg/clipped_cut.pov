@@ -1,4 +1,4 @@
-// What clips a part that is taken away clips all that is left, at any depth.
+// The clipping of a part that is taken away clips all that is left, at any depth.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <2, 2.5, -5> look_at 0 angle 34 }

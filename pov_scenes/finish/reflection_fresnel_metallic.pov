@@ -1,4 +1,4 @@
-// Whether a fresnel reflection is worth following is asked before metal takes its part away.
+// A Fresnel reflection is dropped or followed by its strength before metal takes its part away.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1, 2.2, -5> look_at 0 angle 45 }

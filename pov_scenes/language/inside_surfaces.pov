@@ -1,4 +1,4 @@
-// How far from its surface a point counts as inside: a square for each shape and distance, dark where it is not.
+// The distance from a surface up to which a point counts as inside: a square for each shape and distance, dark where it is not.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <8.5, 12, -10> look_at <8.5, 12, 0> right 33*x up 25*y }

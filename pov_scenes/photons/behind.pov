@@ -1,4 +1,4 @@
-// What lies behind the target passes photons on only where it or the light says so.
+// Objects behind the target pass photons on only where they or the light say so.
 // compare: channel<=110 pixels<=0.1% because "single pixels at the edges of a shadow and of the box"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 } }

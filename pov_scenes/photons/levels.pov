@@ -1,4 +1,4 @@
-// How often photons bend and mirror: max_trace_level and adc_bailout of their own.
+// The depth of bent and mirrored photons: max_trace_level and adc_bailout of their own.
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 max_trace_level 3 adc_bailout .2 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

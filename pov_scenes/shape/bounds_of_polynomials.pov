@@ -1,4 +1,4 @@
-// What bounds a polynomial is tested, although it is no part of a combination; of other shapes it is not.
+// The bounds of a polynomial are tested, although it is no part of a combination; those of other shapes are not.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -12> look_at <0, 0.3, 0> angle 40 }

@@ -1,4 +1,4 @@
-// What bounds a quadric is tested if it is a hyperboloid of one sheet, a cone or has mixed terms, else only the box of it.
+// The bounds of a quadric are tested if it is a hyperboloid of one sheet, a cone or has mixed terms, else only their box.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -12> look_at <0, 0.3, 0> angle 40 }

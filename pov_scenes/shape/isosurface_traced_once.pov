@@ -1,4 +1,4 @@
-// What an isosurface takes away is exact, but without `max_trace` only its first surface on a ray can be seen.
+// A cut by an isosurface is exact, but without `max_trace` only its first surface on a ray can be seen.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <2.1, 2.4, -5.2> look_at 0 angle 34 }

@@ -1,4 +1,4 @@
-// What shines through may count less than nothing: negative transmit and filter, and colours below 0.
+// Transmittance below zero: negative transmit and filter, and colours below 0.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location -10*z look_at 0 right 16*x up 12*y }

@@ -95,7 +95,7 @@ struct CommandOptions {
     /// Print nothing but what failed
     #[arg(long)]
     quiet: bool,
-    /// How to print errors: povray, human, short or json
+    /// Format of errors: povray, human, short or json
     #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
 }

@@ -60,7 +60,7 @@ is `finding` (with severity, code, message, file, line, column, end, labels, tra
 For a scene without errors the features that POV-Ray 3.7 lacks are named."
 )]
 struct CommandOptions {
-    /// How to print errors and warnings: povray, human, short or json
+    /// Format of errors and warnings: povray, human, short or json
     #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
     /// Print errors, and nothing of scenes without errors

@@ -98,7 +98,7 @@ pub(super) struct CommandOptions {
     /// The POV-Ray to compare with, 3.7 or 3.8 [default: povray]
     #[arg(long, value_name = "PROGRAM")]
     against: Option<String>,
-    /// How long a renderer may take for a scene [default: 60s]
+    /// Time limit of a renderer for a scene [default: 60s]
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
     /// Scenes drawn side by side [default: one per core]

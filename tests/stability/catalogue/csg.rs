@@ -276,49 +276,58 @@ fn bounds(all: &mut Vec<Case>) {
     let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n\
         camera { orthographic location <0.01, 0.02, -4> direction z right 3*x up 2.25*y }\n";
     let everything = "box { -3, 3 }";
-    for (name, body, bound, like) in [
+    let [alone, others] = ["", "sphere { 9*x, 1 }\nsphere { 9*y, 1 }\n"];
+    for (name, others, body, bound, like) in [
         (
             "sphere",
+            others,
             "sphere { 0, 1",
             "sphere { 0, 0.5 }",
             "box { <-0.5, -0.5, -3>, <0.5, 0.5, 3> }",
         ),
         (
             "box",
+            others,
             "box { -1, 1",
             "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
             "box { <-0.3, -0.6, -3>, <0.6, 0.4, 3> }",
         ),
         (
             "torus",
+            others,
             "torus { 0.7, 0.3 rotate 90*x",
             "cylinder { -3*z, 3*z, 0.7 }",
             everything,
         ),
         (
             "difference",
+            others,
             "difference { box { -1, 1 } sphere { -z, 0.5 }",
             "sphere { 0, 0.8 }",
             "cylinder { -3*z, 3*z, 0.8 }",
         ),
         (
             "intersection",
+            others,
             "intersection { box { -1, 1 } sphere { -0.2*z, 1.2 }",
             "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
             "box { <-0.3, -0.6, -3>, <0.6, 0.4, 3> }",
         ),
         (
             "sphere alone",
+            alone,
             "sphere { 0, 1",
             "sphere { 0, 0.5 }",
             everything,
         ),
-        ("box alone", "box { -1, 1", "box { -0.5, 0.5 }", everything),
+        (
+            "box alone",
+            alone,
+            "box { -1, 1",
+            "box { -0.5, 0.5 }",
+            everything,
+        ),
     ] {
-        let others = match name.ends_with(" alone") {
-            true => "",
-            false => "sphere { 9*x, 1 }\nsphere { 9*y, 1 }\n",
-        };
         let text = format!("{head}{others}{body} bounded_by {{ {bound} }} }}\n");
         let like = format!("{head}{others}intersection {{ {body} }} {like} }}\n");
         let within = 0.0;

@@ -39,7 +39,7 @@ pub(crate) struct LongOptions {
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
-    /// How to print errors and warnings: povray, human, short or json
+    /// Format of errors and warnings: povray, human, short or json
     #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
     /// Print statistics and timings
