@@ -112,8 +112,14 @@ impl Program {
             0..=16 => self.run_in::<N, 16>(arguments),
             17..=64 => self.run_in::<N, 64>(arguments),
             65..=256 => self.run_in::<N, 256>(arguments),
-            _ => self.run_in::<N, MAX_REGISTERS>(arguments),
+            _ => self.run_in_most_registers(arguments),
         }
+    }
+
+    /// On its own, so that its large frame is not set up for small programs.
+    #[inline(never)]
+    fn run_in_most_registers<N: Number>(&self, arguments: &[N]) -> N {
+        self.run_in::<N, MAX_REGISTERS>(arguments)
     }
 
     /// Inlined, so that a known number of arguments is not copied by `memcpy`: isosurfaces took a quarter longer with it.
@@ -154,19 +160,25 @@ impl Program {
                 Op::Binary { to, a, b, f } => (to, of(frame, a).binary(f, of(frame, b))),
                 Op::Call { to, index } => {
                     let call = &self.calls[index as usize];
-                    // No `SmallVec` is collected: it would be moved as a whole.
-                    let mut arguments = [N::constant(0.0); ARGUMENTS];
-                    let value = match arguments.get_mut(..call.arguments.len()) {
-                        Some(arguments) => {
-                            for (argument, &a) in arguments.iter_mut().zip(&call.arguments) {
-                                *argument = of(frame, a);
+                    // Most functions are of a point.
+                    let value = if let [x, y, z] = *call.arguments {
+                        let point = [of(frame, x), of(frame, y), of(frame, z)];
+                        N::call(&call.function, &point, call.component)
+                    } else {
+                        // No `SmallVec` is collected: it would be moved as a whole.
+                        let mut arguments = [N::constant(0.0); ARGUMENTS];
+                        match arguments.get_mut(..call.arguments.len()) {
+                            Some(arguments) => {
+                                for (argument, &a) in arguments.iter_mut().zip(&call.arguments) {
+                                    *argument = of(frame, a);
+                                }
+                                N::call(&call.function, arguments, call.component)
                             }
-                            N::call(&call.function, arguments, call.component)
-                        }
-                        None => {
-                            let arguments: Vec<N> =
-                                call.arguments.iter().map(|&a| of(frame, a)).collect();
-                            N::call(&call.function, &arguments, call.component)
+                            None => {
+                                let arguments: Vec<N> =
+                                    call.arguments.iter().map(|&a| of(frame, a)).collect();
+                                N::call(&call.function, &arguments, call.component)
+                            }
                         }
                     };
                     (to, value)
