@@ -23,6 +23,8 @@ const TIME_LIMIT: Duration = Duration::from_secs(20);
 const MEMORY_LIMIT: u32 = 2 << 20;
 /// Number of scenes for each kind of damage.
 const VARIANTS: u64 = 16;
+/// After this time a render stops by itself: loops that count for ever would end only after minutes.
+const TIMEOUT: &str = "5s";
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
@@ -89,8 +91,7 @@ fn judge(name: &str, folder: &Path, picture: &Path) -> Result<(), String> {
         .arg(support::renderer())
         .args([&format!("+I{name}.pov"), &format!("+O{name}.png")])
         .args(["+W16", "+H12", "-D", "-A", "+WT2"])
-        // Loops that count for ever are stopped by themselves only after minutes.
-        .args(["--timeout", "10s"])
+        .args(["--timeout", TIMEOUT])
         // Each thread's stack and heap reserve address space, which is what the limit counts.
         .env("RAYON_NUM_THREADS", "2")
         .env("MALLOC_ARENA_MAX", "2");
@@ -108,7 +109,7 @@ fn judge(name: &str, folder: &Path, picture: &Path) -> Result<(), String> {
                 .map(|_| ())
                 .map_err(|error| format!("exit 0 without a picture: {error}")),
             Some(1) if said.contains("File '") && said.contains("Parse Error:") => Ok(()),
-            Some(1) if said.contains("this took longer than 10s") => Ok(()),
+            Some(1) if said.contains(&format!("this took longer than {TIMEOUT}")) => Ok(()),
             Some(1) => Err(format!("exit 1 without a parse error: {}", last(&said))),
             _ => Err(format!("it ended with {status}: {}", last(&said))),
         },

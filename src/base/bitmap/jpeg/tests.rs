@@ -54,13 +54,11 @@ fn a_file_without_its_end_is_rejected() {
 fn damaged_files_do_not_panic() {
     for bytes in [QUARTER, PROGRESSIVE, FOURTH] {
         for at in 0..bytes.len() {
-            for change in [0x01, 0x80, 0xff] {
-                let mut damaged = bytes.to_vec();
-                damaged[at] ^= change;
-                // Skip sizes that take too long.
-                if size(&damaged).is_ok_and(|(_, bytes)| bytes < 1 << 22) {
-                    let _ = decode(&damaged);
-                }
+            let mut damaged = bytes.to_vec();
+            damaged[at] ^= [0x01, 0x80, 0xff][at % 3];
+            // Skip sizes that take too long.
+            if size(&damaged).is_ok_and(|(_, bytes)| bytes < 1 << 22) {
+                let _ = decode(&damaged);
             }
         }
     }

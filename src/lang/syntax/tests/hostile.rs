@@ -121,8 +121,8 @@ fn assert_linear(name: &str, text: impl Fn(usize) -> String) {
         start.elapsed()
     };
     let mut tries = (0..4).map(|_| {
-        let short = time(1 << 16).max(Duration::from_millis(4));
-        (short, time(1 << 18))
+        let short = time(1 << 15).max(Duration::from_millis(4));
+        (short, time(1 << 17))
     });
     let is_linear = tries.any(|(short, long)| long < 16 * short);
     assert!(is_linear, "{name}");
@@ -168,7 +168,7 @@ fn time_is_linear_in_the_length() {
         "#/*",
         "*",
     ] {
-        assert_same_tokens(&piece.repeat(100_000 / piece.len()), piece);
+        assert_same_tokens(&piece.repeat(30_000 / piece.len()), piece);
         assert_linear(piece, |count| piece.repeat(count / piece.len()));
         assert_linear(piece, |count| {
             format!("{}\"", piece.repeat(count / piece.len()))
@@ -187,7 +187,7 @@ fn long_plain_text_is_read_as_by_hand() {
         proptest::collection::vec(pieces, 1..50),
         70_000_usize..1_200_000,
     );
-    runner(10)
+    runner(6)
         .run(&text, |(pieces, length)| {
             let once = pieces.concat();
             let text = once.repeat(length / once.len());

@@ -3,9 +3,13 @@
 use super::*;
 use crate::render::shade::{BLOCK, BlockScratch};
 
-/// Compares every pixel of a picture, traced in blocks and on its own.
+/// Compares every pixel of a picture of some blocks, traced in blocks and on its own.
 fn assert_same(text: &str) {
-    const SIZE: (u32, u32) = (75, 53);
+    assert_same_at((75, 53), text);
+}
+
+/// The same with a picture of `size`, columns and rows.
+fn assert_same_at(size: (u32, u32), text: &str) {
     let world = world(text, 3.7, false);
     let tracer = Tracer::new(&world, 9);
     let mut long = Tracer::new(&world, 9);
@@ -13,25 +17,25 @@ fn assert_same(text: &str) {
     long.fast_paths.queues_all_surfaces = false;
     let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
     let mut drawn = 0;
-    for top in (0..SIZE.1).step_by(BLOCK as usize) {
-        for left in (0..SIZE.0).step_by(BLOCK as usize) {
-            let columns = left..(left + BLOCK).min(SIZE.0);
-            let rows = top..(top + BLOCK).min(SIZE.1);
+    for top in (0..size.1).step_by(BLOCK as usize) {
+        for left in (0..size.0).step_by(BLOCK as usize) {
+            let columns = left..(left + BLOCK).min(size.0);
+            let rows = top..(top + BLOCK).min(size.1);
             tracer.block(
                 &columns,
                 &rows,
-                SIZE,
+                size,
                 &mut scratch,
                 |[right, down], sample| {
                     let (x, y) = (left + u32::from(right), top + u32::from(down));
-                    let alone = long.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
+                    let alone = long.pixel(f64::from(x), f64::from(y), size.0, size.1, &mut single);
                     assert_eq!(sample, alone, "at {x}, {y}");
                     drawn += 1;
                 },
             );
         }
     }
-    assert_eq!(drawn, SIZE.0 * SIZE.1);
+    assert_eq!(drawn, size.0 * size.1);
 }
 
 #[test]
@@ -242,7 +246,8 @@ fn secondary_rays_with_dispersion_or_crand() {
 
 #[test]
 fn more_panes_in_a_row_than_the_queue_holds() {
-    assert_same(
+    assert_same_at(
+        (BLOCK, BLOCK),
         "camera { location <0.3, 0.2, -8> look_at 0 angle 40 } light_source { <-8, 9, -9>, 1 }
         global_settings { adc_bailout 0 max_trace_level 6 }
         #for (I, 0, 60)
