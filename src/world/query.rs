@@ -43,11 +43,19 @@ pub struct QueryScratch {
     pub(super) passed: Vec<RawHit>,
 }
 
+/// How a hit was chosen among those at the same distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Tie {
+    /// In this number of comparisons with one other hit.
+    Pairs(u8),
+    /// Among all of them: no other at the same distance, or behind it, is shown instead.
+    Settled,
+}
+
 /// The closest hit so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClosestHit {
     pub(super) hit: RawHit,
     pub(super) item: u32,
-    /// It was chosen among all hits within a tie: no other at the same distance, or behind it, is shown instead.
-    pub(super) is_settled: bool,
+    pub(super) tie: Tie,
 }

@@ -4,7 +4,7 @@ use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
-use super::{ClosestHit, QueryScratch};
+use super::{ClosestHit, QueryScratch, Tie};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
 use crate::base::math::simd::{SimdLevel, with_widest};
@@ -52,6 +52,9 @@ const LOSS_OF_PHOTONS: Loss = Loss {
 
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
+
+/// Comparisons of two tied hits of one ray, after which all are compared at once: each may test as many boxes as that.
+const MOST_PAIRS: u8 = 8;
 
 /// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and of the
 /// ray's origin.
@@ -338,7 +341,7 @@ impl World {
         let mut nearest = ClosestHit {
             hit,
             item,
-            is_settled: false,
+            tie: Tie::Pairs(0),
         };
         if let Some(known) = best {
             let slack = tie_slack(hit.root.t, query);
@@ -347,7 +350,7 @@ impl World {
                 return far;
             }
             if ahead <= slack {
-                if known.is_settled && ahead <= 0.0 {
+                if known.tie == Tie::Settled && ahead <= 0.0 {
                     return far;
                 }
                 nearest = self.shown_of_tied(&nearest, known, query);
@@ -365,7 +368,7 @@ impl World {
     #[inline(never)]
     fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
         let ray = &query.ray;
-        if !best.is_settled && self.is_alike_for_shadows(new, best, query) {
+        if best.tie != Tie::Settled && self.is_alike_for_shadows(new, best, query) {
             let order = |of: &ClosestHit| (of.hit.root.t, of.item);
             return if order(new) < order(best) {
                 *new
@@ -373,9 +376,15 @@ impl World {
                 *best
             };
         }
-        // Neither is rounded otherwise: the order of all tied hits is that of each pair.
-        if self.tie_rounding(best).is_none() && self.tie_rounding(new).is_none() {
-            let mut both = [*best, *new];
+        // Neither is rounded otherwise: the order of all tied hits is that of each pair. Of many, all are sorted at once.
+        if let Tie::Pairs(pairs @ 0..MOST_PAIRS) = best.tie
+            && self.tie_rounding(best).is_none()
+            && self.tie_rounding(new).is_none()
+        {
+            let mut both = [*best, *new].map(|of| ClosestHit {
+                tie: Tie::Pairs(pairs + 1),
+                ..of
+            });
             if best.hit.root.t == new.hit.root.t {
                 self.sort_as_povray(&mut both, ray);
             } else {
@@ -422,7 +431,7 @@ impl World {
                 tied.push(ClosestHit {
                     hit,
                     item,
-                    is_settled: true,
+                    tie: Tie::Settled,
                 });
             }
             behind(least, query)
