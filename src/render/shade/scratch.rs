@@ -48,11 +48,35 @@ pub(super) struct GatheringState {
     memory: Option<Box<BlockerMemory>>,
 }
 
+/// The light that remains from one light of the grid of an area light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct GridSample {
+    pub(super) light: Rgb,
+    /// The distance from the last surface on its shadow ray to it.
+    pub(super) last_segment: f64,
+    /// A part of the grid has used it as a corner.
+    pub(super) is_used: bool,
+}
+
+impl GridSample {
+    /// That of a light not sampled yet.
+    pub(super) const DARK: GridSample = GridSample {
+        light: Rgb::BLACK,
+        last_segment: 0.0,
+        is_used: false,
+    };
+}
+
 /// Buffers for the samples of an area light.
 #[derive(Debug, Default)]
 pub(super) struct AreaScratch {
-    /// Light received from each sample, where computed.
-    pub(super) light: Vec<Option<Rgb>>,
+    /// The samples of the grid, where taken.
+    pub(super) samples: Vec<Option<GridSample>>,
+    /// What is left of the last shadow ray of the part divided last, if that needed any: the distance from the last
+    /// surface on it to the light.
+    pub(super) last_segment: Option<f64>,
+    /// The grid was divided.
+    pub(super) is_divided: bool,
     /// The shadow rays from a point to the samples.
     pub(super) shadow_rays: Vec<ShadowPacket4>,
 }

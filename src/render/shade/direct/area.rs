@@ -11,6 +11,7 @@ use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::Scratch;
 use crate::render::shade::Tracer;
 use crate::render::shade::bsdf::{LayerBsdf, LightContribution, is_negligible};
+use crate::render::shade::scratch::GridSample;
 use crate::render::shade::shading_point::ShadingPoint;
 use crate::render::shade::shading_point::shadow_query;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
@@ -28,8 +29,8 @@ pub(in crate::render::shade) struct AreaLight<'a> {
     area: &'a Area,
     axes: Axes,
     lit: &'a ShadingPoint<'a>,
-    /// The distance to the centre of the light.
-    distance: f64,
+    /// The direction and distance to its centre.
+    arrival: Arrival,
     /// The light that is spread over the grid.
     arriving: Rgb,
     /// The shading point in all four lanes, if shadow rays can be traced as packets.
@@ -38,6 +39,8 @@ pub(in crate::render::shade) struct AreaLight<'a> {
     blockers: Option<AreaBlockers>,
     /// True if grid lights must be sampled one after the other in POV-Ray's order.
     is_in_order: bool,
+    /// True if the atmosphere attenuates it.
+    is_attenuated: bool,
 }
 
 /// Sets up four shadow rays to grid lights with these offsets from the centre of a light.
@@ -93,11 +96,12 @@ impl<'a> AreaLight<'a> {
             area,
             axes: area.axes_for(arrival.to_light),
             lit,
-            distance: arrival.distance,
+            arrival,
             arriving,
             hits: None,
             blockers: None,
             is_in_order: false,
+            is_attenuated: false,
         }
     }
 
@@ -115,9 +119,10 @@ impl<'a> AreaLight<'a> {
     fn arrival(&self, offset: DVec3) -> Arrival {
         let centre = self.light.centre + offset;
         if self.light.is_parallel {
+            let to_light = (centre - self.light.points_at()).normalize_or_zero();
             return Arrival {
-                to_light: (centre - self.light.points_at()).normalize_or_zero(),
-                distance: self.distance,
+                to_light,
+                distance: (centre - self.lit.at.point).dot(to_light),
             };
         }
         let offset = centre - self.lit.at.point;
@@ -158,11 +163,34 @@ impl<'a> AreaLight<'a> {
 
 impl Tracer<'_> {
     /// The light that remains after the shadows of all grid lights.
+    ///
+    /// As in POV-Ray the atmosphere attenuates the sum behind the last surfaces on the shadow rays along one ray: towards
+    /// the centre of the light, or, if the grid was divided, towards a point twice as far from the origin. It is as long as
+    /// the last shadow ray of the last part of the grid behind the last surface on it, or, if that part needed none, ends at
+    /// that point.
     pub(in crate::render::shade) fn shadowed_area_light(
         &self,
         area_light: &mut AreaLight,
         scratch: &mut Scratch,
     ) -> Rgb {
+        let number = area_light.light_index;
+        area_light.is_attenuated = self.is_attenuated_by_atmosphere(number);
+        let light = self.before_last_segment(area_light, scratch);
+        if !area_light.is_attenuated || is_negligible(light) {
+            return light;
+        }
+        let arrival = match scratch.area.is_divided {
+            true => area_light.arrival(area_light.light.centre),
+            false => area_light.arrival,
+        };
+        let length = scratch.area.last_segment.unwrap_or(arrival.distance);
+        let lit = area_light.lit;
+        let ray = Ray::new(lit.at.point, arrival.to_light);
+        self.through_atmosphere(light, number, &ray, length, &lit.path.inside, scratch)
+    }
+
+    /// The same without the atmosphere behind the last surface on each shadow ray.
+    fn before_last_segment(&self, area_light: &mut AreaLight, scratch: &mut Scratch) -> Rgb {
         let [columns, rows] = area_light.area.sizes;
         area_light.hits = self.packet_for(area_light);
         area_light.is_in_order = scratch.random.continues;
@@ -171,10 +199,10 @@ impl Tracer<'_> {
             area_light.skip(first.len(), scratch);
             return Rgb::BLACK;
         }
-        scratch.area.light.clear();
+        scratch.area.samples.clear();
         scratch
             .area
-            .light
+            .samples
             .resize(columns as usize * rows as usize, None);
         if area_light.hits.is_some() {
             area_light.blockers = self.area_blockers(area_light, scratch);
@@ -191,7 +219,7 @@ impl Tracer<'_> {
         }
         if area_light.hits.is_some() {
             // POV-Ray divides a part before it samples the next one.
-            let may_return = area_light.is_in_order && first.len() < scratch.area.light.len();
+            let may_return = area_light.is_in_order && first.len() < scratch.area.samples.len();
             let before = may_return.then(|| {
                 let memory = scratch.query.memory.as_deref().cloned();
                 (scratch.random.lights, memory)
@@ -199,19 +227,20 @@ impl Tracer<'_> {
             self.sample_grid(area_light, first, scratch);
             let mut known = first
                 .iter()
-                .map(|&corner| scratch.area.light[area_light.index(corner)]);
-            if let Some(Some(light)) = known.next()
-                && known.all(|other| other == Some(light))
-                && is_its_own_mean(light)
+                .map(|&corner| scratch.area.samples[area_light.index(corner)]);
+            if let Some(Some(sample)) = known.next()
+                && !area_light.is_attenuated
+                && known.all(|other| other.is_some_and(|other| other.light == sample.light))
+                && is_its_own_mean(sample.light)
             {
-                return light;
+                return sample.light;
             }
             if let Some((random, memory)) = before {
                 scratch.random.lights = random;
                 if let (Some(now), Some(before)) = (scratch.query.memory.as_deref_mut(), memory) {
                     *now = before;
                 }
-                scratch.area.light.fill(None);
+                scratch.area.samples.fill(None);
             }
         }
         self.shadowed_part(area_light, Part::all(area_light.area.sizes), 0, scratch)
@@ -247,7 +276,7 @@ impl Tracer<'_> {
     fn is_clear(&self, area_light: &AreaLight) -> bool {
         let blockers = area_light.blockers.as_ref();
         blockers.is_some_and(AreaBlockers::is_empty)
-            && !self.is_attenuated_by_atmosphere(area_light.light_index)
+            && !area_light.is_attenuated
             && is_its_own_mean(area_light.arriving)
     }
 
@@ -269,7 +298,7 @@ impl Tracer<'_> {
         };
         if requested.len() < MIN_PACKET_RAYS {
             for &[u, v] in requested {
-                scratch.area.light[area_light.index([u, v])] = None;
+                scratch.area.samples[area_light.index([u, v])] = None;
                 self.sample_grid_light(area_light, [u, v], scratch);
             }
             return;
@@ -319,9 +348,11 @@ impl Tracer<'_> {
                 known,
                 inside: &area_light.lit.path.inside,
                 collects: area_light.lit.collects,
+                is_to_grid: true,
             };
-            scratch.area.light[area_light.index(grid_index)] =
-                Some(self.transmittance(area_light.arriving, &shadow_path, scratch));
+            let light = self.transmittance(area_light.arriving, &shadow_path, scratch);
+            let distance = shadow_path.distance;
+            keep_sample(area_light.index(grid_index), light, distance, scratch);
         }
         scratch.area.shadow_rays = shadow_rays;
     }
@@ -396,6 +427,10 @@ impl Tracer<'_> {
         let [a, b, c, d] = part.corners();
         let mut light = |corner| self.sample_grid_light(area_light, corner, scratch);
         let corners = [light(a), light(b), light(c), light(d)];
+        if area_light.is_attenuated {
+            note_last_segment(area_light, part, scratch);
+            scratch.area.is_divided = level > 0;
+        }
         let [low_low, high_low, low_high, high_high] = corners;
         let is_divided = part.can_be_divided()
             && (level < area_light.area.adaptive
@@ -425,20 +460,29 @@ impl Tracer<'_> {
         grid_index: [u32; 2],
         scratch: &mut Scratch,
     ) -> Rgb {
-        let index = area_light.index(grid_index);
-        if let Some(known) = scratch.area.light[index] {
-            return known;
+        if let Some(known) = scratch.area.samples[area_light.index(grid_index)] {
+            return known.light;
         }
         let arrival = area_light.arrival(area_light.offset(grid_index[0], grid_index[1], scratch));
-        let left = self.shadowed_point_light(
-            area_light.arriving,
-            area_light.lit,
-            area_light.light_index,
-            &arrival,
+        let path = self.shadow_path(area_light.lit, area_light.light_index, &arrival, scratch);
+        let light = match path {
+            None => Rgb::BLACK,
+            Some(_) if area_light.light.is_shadowless() => area_light.arriving,
+            Some(shadow_path) => {
+                let shadow_path = ShadowPath {
+                    is_to_grid: true,
+                    ..shadow_path
+                };
+                self.transmittance(area_light.arriving, &shadow_path, scratch)
+            }
+        };
+        keep_sample(
+            area_light.index(grid_index),
+            light,
+            arrival.distance,
             scratch,
         );
-        scratch.area.light[index] = Some(left);
-        left
+        light
     }
 
     /// Light of a layer from each grid light at its own position (`area_illumination`). The shadow is still that of all
@@ -504,10 +548,32 @@ fn request_corners(
     scratch: &mut Scratch,
 ) {
     for corner in part.corners() {
-        let known = &mut scratch.area.light[area_light.index(corner)];
+        let known = &mut scratch.area.samples[area_light.index(corner)];
         if known.is_none() {
-            *known = Some(Rgb::BLACK);
+            *known = Some(GridSample::DARK);
             requested.push(corner);
+        }
+    }
+}
+
+/// Keeps the light that remains from a grid light at this distance, whose shadow ray was traced last.
+fn keep_sample(index: usize, light: Rgb, distance: f64, scratch: &mut Scratch) {
+    let last_segment = scratch.area.last_segment.take().unwrap_or(distance);
+    scratch.area.samples[index] = Some(GridSample {
+        light,
+        last_segment,
+        is_used: false,
+    });
+}
+
+/// Notes the last segment of the last corner of a part that no part before had in common with it, if there is one.
+fn note_last_segment(area_light: &AreaLight, part: Part, scratch: &mut Scratch) {
+    scratch.area.last_segment = None;
+    for corner in part.corners() {
+        let sample = scratch.area.samples[area_light.index(corner)].as_mut();
+        if let Some(sample) = sample.filter(|sample| !sample.is_used) {
+            sample.is_used = true;
+            scratch.area.last_segment = Some(sample.last_segment);
         }
     }
 }

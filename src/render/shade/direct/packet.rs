@@ -325,6 +325,7 @@ impl<'w> Tracer<'w> {
             },
             inside,
             collects: false,
+            is_to_grid: false,
         };
         self.transmittance(arriving, &shadow_path, scratch)
     }

@@ -22,6 +22,17 @@ pub(in crate::render::shade) struct ShadowPath<'i> {
     pub(in crate::render::shade) inside: &'i [InteriorId],
     /// Photons replace the light that their targets would transmit to the point.
     pub(in crate::render::shade) collects: bool,
+    /// The light is one of the grid of an area light, for which the atmosphere attenuates the last segment only once.
+    pub(in crate::render::shade) is_to_grid: bool,
+}
+
+/// Light at the end of a shadow ray's last segment.
+#[derive(Clone, Copy)]
+struct LastSegment<'r> {
+    arriving: Rgb,
+    ray: &'r Ray,
+    length: f64,
+    inside: &'r [InteriorId],
 }
 
 impl Tracer<'_> {
@@ -43,25 +54,40 @@ impl Tracer<'_> {
             Some(Occlusion::Clear) if !self.is_attenuated_by_atmosphere(light) => return arriving,
             _ => {}
         }
+        match self.shadow_path(lit, light, arrival, scratch) {
+            None => Rgb::BLACK,
+            Some(_) if source.is_shadowless() => arriving,
+            Some(shadow_path) => {
+                let shadow_path = ShadowPath {
+                    known,
+                    ..shadow_path
+                };
+                self.transmittance(arriving, &shadow_path, scratch)
+            }
+        }
+    }
+
+    /// The shadow ray to a light; none if it misses the object through which the light is projected.
+    pub(super) fn shadow_path<'i>(
+        &self,
+        lit: &'i ShadingPoint,
+        light: u32,
+        arrival: &Arrival,
+        scratch: &mut Scratch,
+    ) -> Option<ShadowPath<'i>> {
         let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
-        let mut query = shadow_query(self.world, lit.spawn_surface.copied(), ray, distance);
-        let Some(far) = self.world.shadow_reach(&query, light, &mut scratch.query) else {
-            return Rgb::BLACK;
-        };
-        query.t_max = far;
-        if source.is_shadowless() {
-            return arriving;
-        }
-        let shadow_path = ShadowPath {
+        let query = shadow_query(self.world, lit.spawn_surface.copied(), ray, distance);
+        let t_max = self.world.shadow_reach(&query, light, &mut scratch.query)?;
+        Some(ShadowPath {
             light,
-            query,
+            query: Query { t_max, ..query },
             distance,
-            known,
+            known: None,
             inside: &lit.path.inside,
             collects: lit.collects,
-        };
-        self.transmittance(arriving, &shadow_path, scratch)
+            is_to_grid: false,
+        })
     }
 
     /// Returns true if the media of the atmosphere attenuate a light.
@@ -99,11 +125,18 @@ impl Tracer<'_> {
         let length = shadow_path.distance;
         match occlusion {
             Occlusion::Clear => {
-                let inside = shadow_path.inside;
-                return self
-                    .through_atmosphere(arriving, light, &query.ray, length, inside, scratch);
+                let segment = LastSegment {
+                    arriving,
+                    ray: &query.ray,
+                    length,
+                    inside: shadow_path.inside,
+                };
+                return self.through_last_segment(&segment, shadow_path, scratch);
             }
-            Occlusion::Opaque => return Rgb::BLACK,
+            Occlusion::Opaque => {
+                scratch.area.last_segment = Some(length);
+                return Rgb::BLACK;
+            }
             Occlusion::Transmissive => {}
         }
         let is_attenuated = self.is_attenuated_by_atmosphere(light);
@@ -127,13 +160,18 @@ impl Tracer<'_> {
         let mut left = length;
         for _ in 0..MAX_STRAIGHT {
             let hit = self.world.next_transmissive_hit(&query, &mut scratch.query);
-            let length = hit.map_or(left, |hit| hit.t);
-            arriving =
-                self.through_atmosphere(arriving, light, &query.ray, length, &inside, scratch);
             let Some(hit) = hit else {
                 // As in POV-Ray, interiors do not attenuate the last segment, which no surface ends.
-                return arriving;
+                let segment = LastSegment {
+                    arriving,
+                    ray: &query.ray,
+                    length: left,
+                    inside: &inside,
+                };
+                return self.through_last_segment(&segment, shadow_path, scratch);
             };
+            arriving =
+                self.through_atmosphere(arriving, light, &query.ray, hit.t, &inside, scratch);
             if shadow_path.collects && self.replaces(hit.surface, light) {
                 return Rgb::BLACK;
             }
@@ -141,6 +179,7 @@ impl Tracer<'_> {
             left -= hit.t;
             let interior = self.world.surfaces[hit.surface as usize].interior;
             arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
+            scratch.area.last_segment = Some(left);
             if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
@@ -149,6 +188,27 @@ impl Tracer<'_> {
             query.t_max -= hit.t;
         }
         Rgb::BLACK
+    }
+
+    /// The light that remains behind the atmosphere of a last segment, or its length for the grid of an area light.
+    #[inline(always)]
+    fn through_last_segment(
+        &self,
+        segment: &LastSegment,
+        shadow_path: &ShadowPath,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let LastSegment {
+            arriving,
+            ray,
+            length,
+            inside,
+        } = *segment;
+        if shadow_path.is_to_grid {
+            scratch.area.last_segment = Some(length);
+            return arriving;
+        }
+        self.through_atmosphere(arriving, shadow_path.light, ray, length, inside, scratch)
     }
 
     /// The light that remains behind the fog and the media of the atmosphere over `length` of a shadow ray.
