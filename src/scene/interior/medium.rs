@@ -86,6 +86,12 @@ impl PreparedMedia {
         self.homogeneous.is_some()
     }
 
+    /// Returns true if the medium scatters light at some density.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        self.scattering.color != Rgb::BLACK
+    }
+
     /// Returns true if the medium attenuates light.
     #[must_use]
     pub fn attenuates(&self) -> bool {

@@ -41,12 +41,15 @@ impl Tracer<'_> {
         at: &MediaPoints,
         scratch: &mut Scratch,
     ) -> [Option<Rgb>; N] {
+        if !segment.media.iter().any(|media| media.scatters()) {
+            return [None; N];
+        }
         let light = self.world.lights.get(beam.number);
         let mut unoccluded: [Option<UnoccludedLight>; N] = [None; N];
         let mut lit_count = 0;
         for (i, unoccluded) in unoccluded.iter_mut().enumerate().take(at.points.len()) {
             let distance = at.distances[i];
-            // POV-Ray samples lights where nothing scatters, too, which shows in their random numbers.
+            // POV-Ray samples lights where the density is 0, too, which shows in their random numbers.
             let is_idle =
                 !self.features.uses_random && is_negligible(at.effects[i].scattering * length);
             if is_idle || distance < beam.from || beam.to < distance {
