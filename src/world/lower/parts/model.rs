@@ -133,57 +133,69 @@ impl ModelBuilder {
 /// Least component of the unit normal of a plane across an axis.
 const ALONG: f64 = 1.0 - 1e-9;
 
-/// The positions of faces across each axis, with the leaves that they are of.
+/// A face across an axis.
+#[derive(Clone, Copy)]
+struct Face {
+    at: f64,
+    /// Error of the position: boxes are stored in single precision, by a corner and the sides.
+    blur: f64,
+    leaf: u32,
+}
+
+/// The faces across each axis.
 #[derive(Default)]
 struct Faces {
-    positions: [Vec<(f64, u32)>; 3],
+    across: [Vec<Face>; 3],
     /// The largest coordinate of a face.
     reach: f64,
 }
 
 impl Faces {
-    /// Distance of faces in one plane, relative to their coordinates, as boxes are stored in single precision, and to the
-    /// largest coordinate.
-    const TOLERANCE: [f64; 2] = [1e-6, 1e-12];
+    /// Error of a face, relative to its coordinate and to the side of its box.
+    const SINGLE: f64 = 1e-6;
+    /// Distance of faces in one plane, relative to the largest coordinate.
+    const OF_REACH: f64 = 1e-12;
 
     fn add(&mut self, leaf: u32, bounds: &Bounds) {
-        for (axis, positions) in self.positions.iter_mut().enumerate() {
+        for (axis, faces) in self.across.iter_mut().enumerate() {
             let ends = [bounds.min[axis], bounds.max[axis]];
+            let side = ends[1] - ends[0];
             for at in ends.into_iter().filter(|at| at.is_finite()) {
-                positions.push((at, leaf));
+                let side = if side.is_finite() { side } else { 0.0 };
+                let blur = Self::SINGLE * at.abs().max(side);
+                faces.push(Face { at, blur, leaf });
                 self.reach = self.reach.max(at.abs());
             }
         }
     }
 
     fn sort(&mut self) {
-        for positions in &mut self.positions {
-            positions.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        for faces in &mut self.across {
+            faces.sort_by(|a, b| a.at.total_cmp(&b.at));
         }
     }
 
-    fn are_flush(&self, a: f64, b: f64) -> bool {
-        let [relative, of_reach] = Self::TOLERANCE;
-        (a - b).abs() <= relative * a.abs().max(b.abs()) + of_reach * self.reach
+    fn are_flush(&self, face: &Face, at: f64) -> bool {
+        (face.at - at).abs() <= face.blur + Self::OF_REACH * self.reach
     }
 
     /// Returns true if faces of two leaves are flush; some of these are neighbours.
     fn meet_each_other(&self) -> bool {
-        let meet =
-            |pair: &[(f64, u32)]| pair[0].1 != pair[1].1 && self.are_flush(pair[0].0, pair[1].0);
-        let mut axes = self.positions.iter();
-        axes.any(|positions| positions.windows(2).any(meet))
+        let meet = |pair: &[Face]| {
+            pair[0].leaf != pair[1].leaf
+                && (self.are_flush(&pair[0], pair[1].at) || self.are_flush(&pair[1], pair[0].at))
+        };
+        let mut axes = self.across.iter();
+        axes.any(|faces| faces.windows(2).any(meet))
     }
 
     /// Returns true if a side of a box is flush with a face.
     fn meet(&self, bounds: &Bounds) -> bool {
-        self.positions.iter().enumerate().any(|(axis, positions)| {
+        self.across.iter().enumerate().any(|(axis, faces)| {
             [bounds.min[axis], bounds.max[axis]].into_iter().any(|at| {
-                let next = positions.partition_point(|&(position, _)| position < at);
-                let around = &positions[next.saturating_sub(1)..positions.len().min(next + 1)];
-                around
-                    .iter()
-                    .any(|&(position, _)| self.are_flush(position, at))
+                let next = faces.partition_point(|face| face.at < at);
+                let around = &faces[next.saturating_sub(1)..faces.len().min(next + 1)];
+                around.iter().any(|face| self.are_flush(face, at))
             })
         })
     }
