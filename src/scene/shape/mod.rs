@@ -53,6 +53,7 @@ mod solid {
 mod swept {
     pub(super) mod lathe;
     pub(super) mod prism;
+    pub(super) mod rounded;
     pub(super) mod sor;
     pub(super) mod sphere_sweep;
     pub(super) mod spline;

@@ -7,6 +7,7 @@ use super::implicit::julia_fractal::ExactSearch;
 use super::mesh::height_field::RoundedField;
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::solid::cone::is_almost_cylinder;
+use super::swept::rounded::RoundedSweep;
 use super::{Cone, Cylinder, Disc, Quadric, Sphere, Triangle};
 use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse, rotation};
@@ -73,6 +74,7 @@ enum Form {
     Quadric(Box<Quadratic>),
     Search(Box<ExactSearch>),
     Field(Box<RoundedField>),
+    Sweep(Box<DAffine3>, Box<RoundedSweep>),
 }
 
 /// The coefficients of a quadric in the world: of `x²`, `y²`, `z²`, of `xy`, `xz`, `yz`, of `x`, `y`, `z`, and the constant.
@@ -124,6 +126,12 @@ impl Rounded {
     /// The planes of a height field.
     pub(super) fn of_field(field: RoundedField, steps: &Steps<'_>) -> Self {
         steps.rounded(Form::Field(Box::new(field)))
+    }
+
+    /// A swept shape with these steps.
+    pub(super) fn of_sweep(sweep: RoundedSweep, steps: &Steps<'_>) -> Self {
+        let stored = with_steps(&Transform::IDENTITY, steps.steps);
+        steps.rounded(Form::Sweep(stored, Box::new(sweep)))
     }
 
     /// True if its hits are those of another search, with their own normals.
@@ -197,6 +205,15 @@ impl Rounded {
             }
             Form::Search(search) => search.hit(ray, t)?,
             Form::Field(field) => field.hit(ray, face)?,
+            Form::Sweep(stored, sweep) => {
+                let (local, length) = to_stored(ray, stored, normalization);
+                let (t, normal) = sweep.hit(&local, length, t, face)?;
+                RoundedHit {
+                    t,
+                    point: ray.at(t),
+                    normal: normalization.unit(normal_from_inverse(stored, normal)),
+                }
+            }
             Form::Quadric(quadratic) => {
                 let t = quadratic.root(ray, t);
                 let point = ray.at(t);

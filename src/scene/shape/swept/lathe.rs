@@ -7,11 +7,12 @@
 mod climb;
 mod profile;
 
-use super::spline::{self, Kind};
+use super::rounded::{Edge, RoundedSweep};
+use super::spline::{self, Kind, Segment};
 use crate::base::args::{Args, Parse};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::{Geometry, Root, Start, first_visible};
+use crate::scene::shape::{Geometry, Root, Rounded, Start, Steps, first_visible};
 use climb::flat;
 use glam::{DAffine3, DVec2, DVec3};
 use profile::{Profile, RootQuery};
@@ -55,6 +56,11 @@ impl Lathe {
             return Ok(Lathe(Arc::new(Profile::new(kind.segments(&points)))));
         };
         Err(Box::new(Diagnostic::error(at, message)))
+    }
+
+    /// The segments of the curve, without those that close it.
+    fn curve(&self) -> &[Segment] {
+        &self.0.segments[..self.0.visible_count]
     }
 }
 
@@ -111,6 +117,19 @@ impl Geometry for Lathe {
 
     fn bounds(&self) -> Bounds {
         self.0.bounds
+    }
+
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
+        let straight = |segment: &Segment| segment.edge().or_else(|| segment.level_edge());
+        let edges: Vec<Edge> = self.curve().iter().filter_map(straight).collect();
+        let lathe = self.clone();
+        let sweep = (!edges.is_empty()).then_some(RoundedSweep::Lathe { lathe, edges })?;
+        Some(Rounded::of_sweep(sweep, steps))
+    }
+
+    fn decides_ties(&self) -> bool {
+        let mut edges = self.curve().iter().map(Segment::level_edge);
+        edges.any(|edge| edge.is_some())
     }
 
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {

@@ -7,13 +7,16 @@
 //! by construction. Error bound: roots lie within 2 roundings of the problem's size from the surface
 //! (`shape/roundings.rs`); no line slips through a corner (`spline`).
 
+use super::rounded::RoundedSweep;
 use super::spline::{self, Chain, Kind, Line, Segment};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::solid::axial::{APEX, BASE, SIDE, Slab};
-use crate::scene::shape::{FlatFace, Geometry, INSIDE_TOLERANCE, Root, Start, read};
+use crate::scene::shape::{
+    FlatFace, Geometry, INSIDE_TOLERANCE, Root, Rounded, Start, Steps, read,
+};
 use glam::{DAffine3, DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -433,6 +436,19 @@ impl Geometry for Prism {
         }
         // Points of the curves are rounded.
         self.hull().with_slack()
+    }
+
+    fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
+        let is_linear = self.sweep == Sweep::Linear;
+        let sweep = is_linear.then(|| RoundedSweep::Prism {
+            prism: self.clone(),
+            edges: self.outline.iter().filter_map(Segment::edge).collect(),
+        })?;
+        Some(Rounded::of_sweep(sweep, steps))
+    }
+
+    fn decides_ties(&self) -> bool {
+        self.sweep == Sweep::Linear && !self.is_open
     }
 
     fn povray_box(&self) -> Option<(Bounds, DAffine3)> {

@@ -6,6 +6,7 @@
 
 mod chain;
 
+use super::rounded::Edge;
 pub(in crate::scene::shape) use chain::{Chain, Line, contains_as_povray};
 
 use crate::base::args::{Args, Parse, Word, trailing_comma};
@@ -138,6 +139,17 @@ impl Segment {
             1,
             [start, end],
         )
+    }
+
+    /// Start and direction of a straight segment.
+    pub(super) fn edge(&self) -> Option<Edge> {
+        (self.degree == 1).then(|| [self.start, self.end - self.start])
+    }
+
+    /// The same of a segment all along which the second coordinate is the same.
+    pub(super) fn level_edge(&self) -> Option<Edge> {
+        let is_level = self.c[1..].iter().all(|c| c.y == 0.0);
+        is_level.then(|| [self.start, self.end - self.start])
     }
 
     fn quadratic(p: &[DVec2]) -> Self {
