@@ -299,7 +299,7 @@ impl Reader<'_> {
                 let internal = self.internal_function()?;
                 if internal.number == internal::NOISE_3D {
                     Computes::Noise(self.pattern_settings().noise_generator)
-                } else if internal.number == internal::RIDGED_MF && self.draft.globals.is_for_3_8 {
+                } else if internal.number == internal::RIDGED_MF {
                     Computes::Ridged(Arc::clone(&self.draft.globals.ridged_calls))
                 } else {
                     Computes::Internal(internal)

@@ -6,7 +6,7 @@ use std::sync::{Mutex, OnceLock};
 /// The `H` and the lacunarity of a call, which determine the octave weights.
 pub(super) type OctaveWeights = [f64; 2];
 
-/// The calls of `f_ridged_mf` in a scene for POV-Ray 3.8. The first one that is evaluated sets the weights for all.
+/// The calls of `f_ridged_mf` in a scene. The first one that is evaluated sets the weights for all.
 #[derive(Debug, Default)]
 pub struct RidgedCalls {
     /// Set by the first call; holds nothing if each call has its own.

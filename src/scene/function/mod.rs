@@ -64,7 +64,7 @@ pub enum Kind {
     Internal(&'static Internal),
     /// `f_noise3d`: the noise of the scene.
     Noise(NoiseGenerator),
-    /// `f_ridged_mf` in a scene for POV-Ray 3.8.
+    /// `f_ridged_mf`.
     Ridged(Arc<RidgedCalls>),
     /// `pattern { ... }`.
     Field(Arc<dyn Field>),
