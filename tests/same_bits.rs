@@ -114,9 +114,21 @@ fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
 /// Shadow rays of an area light that hit opaque cones and a pane of glass in any order.
 const PANE: &str = include_str!("../pov_scenes/light/area_behind_glass.pov");
 
+/// Area lights that ground fog attenuates behind panes.
+const FOG: &str = include_str!("../pov_scenes/atmosphere/ground_fog_area_light.pov");
+
 #[test]
 fn opaque_shadows_behind_glass_do_not_depend_on_the_pixels_before() {
-    let whole = drawn(PANE, &options());
+    strips_are_those_of_the_whole(PANE);
+}
+
+#[test]
+fn fog_before_area_lights_does_not_depend_on_the_pixels_before() {
+    strips_are_those_of_the_whole(FOG);
+}
+
+fn strips_are_those_of_the_whole(scene: &str) {
+    let whole = drawn(scene, &options());
     for first in (0..HEIGHT).step_by(5) {
         let rows = first..(first + 5).min(HEIGHT);
         let strip = RenderOptions {
@@ -124,7 +136,7 @@ fn opaque_shadows_behind_glass_do_not_depend_on_the_pixels_before() {
             threads: Some(1),
             ..options()
         };
-        let film = drawn(PANE, &strip);
+        let film = drawn(scene, &strip);
         let pixels = (rows.start * WIDTH) as usize..(rows.end * WIDTH) as usize;
         assert_eq!(
             film.pixels[pixels.clone()],

@@ -49,12 +49,12 @@ pub(super) struct GatheringState {
 }
 
 /// The light that remains from one light of the grid of an area light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct GridSample {
     pub(super) light: Rgb,
     /// The distance from the last surface on its shadow ray to it.
     pub(super) last_segment: f64,
-    /// A part of the grid has used it as a corner.
+    /// True if a part of the grid has used it as a corner.
     pub(super) is_used: bool,
 }
 
@@ -72,10 +72,10 @@ impl GridSample {
 pub(super) struct AreaScratch {
     /// The samples of the grid, where taken.
     pub(super) samples: Vec<Option<GridSample>>,
-    /// What is left of the last shadow ray of the part divided last, if that needed any: the distance from the last
-    /// surface on it to the light.
+    /// The distance from the last surface on the last new shadow ray of the current part of the grid to the light; none
+    /// if that part had no new corner.
     pub(super) last_segment: Option<f64>,
-    /// The grid was divided.
+    /// True if the grid was divided.
     pub(super) is_divided: bool,
     /// The shadow rays from a point to the samples.
     pub(super) shadow_rays: Vec<ShadowPacket4>,

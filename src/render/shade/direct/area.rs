@@ -165,9 +165,9 @@ impl Tracer<'_> {
     /// The light that remains after the shadows of all grid lights.
     ///
     /// As in POV-Ray the atmosphere attenuates the sum behind the last surfaces on the shadow rays along one ray: towards
-    /// the centre of the light, or, if the grid was divided, towards a point twice as far from the origin. It is as long as
-    /// the last shadow ray of the last part of the grid behind the last surface on it, or, if that part needed none, ends at
-    /// that point.
+    /// the centre of the light, or, if the grid was divided, towards a point twice as far from the origin. It is as long
+    /// as the last shadow ray of the last part of the grid behind the last surface on it, or, if that part needed none,
+    /// ends at that point.
     pub(in crate::render::shade) fn shadowed_area_light(
         &self,
         area_light: &mut AreaLight,
@@ -183,7 +183,8 @@ impl Tracer<'_> {
             true => area_light.arrival(area_light.light.centre),
             false => area_light.arrival,
         };
-        let length = scratch.area.last_segment.unwrap_or(arrival.distance);
+        let length = scratch.area.last_segment.take();
+        let length = length.unwrap_or(arrival.distance);
         let lit = area_light.lit;
         let ray = Ray::new(lit.at.point, arrival.to_light);
         self.through_atmosphere(light, number, &ray, length, &lit.path.inside, scratch)
@@ -350,6 +351,7 @@ impl Tracer<'_> {
                 collects: area_light.lit.collects,
                 is_to_grid: true,
             };
+            scratch.area.last_segment = None;
             let light = self.transmittance(area_light.arriving, &shadow_path, scratch);
             let distance = shadow_path.distance;
             keep_sample(area_light.index(grid_index), light, distance, scratch);
@@ -464,6 +466,7 @@ impl Tracer<'_> {
             return known.light;
         }
         let arrival = area_light.arrival(area_light.offset(grid_index[0], grid_index[1], scratch));
+        scratch.area.last_segment = None;
         let path = self.shadow_path(area_light.lit, area_light.light_index, &arrival, scratch);
         let light = match path {
             None => Rgb::BLACK,
@@ -566,7 +569,7 @@ fn keep_sample(index: usize, light: Rgb, distance: f64, scratch: &mut Scratch) {
     });
 }
 
-/// Notes the last segment of the last corner of a part that no part before had in common with it, if there is one.
+/// Notes the last segment of the last corner of a part that no earlier part used, if there is one.
 fn note_last_segment(area_light: &AreaLight, part: Part, scratch: &mut Scratch) {
     scratch.area.last_segment = None;
     for corner in part.corners() {

@@ -26,13 +26,13 @@ pub(in crate::render::shade) struct ShadowPath<'i> {
     pub(in crate::render::shade) is_to_grid: bool,
 }
 
-/// Light at the end of a shadow ray's last segment.
-#[derive(Clone, Copy)]
-struct LastSegment<'r> {
-    arriving: Rgb,
-    ray: &'r Ray,
-    length: f64,
-    inside: &'r [InteriorId],
+impl ShadowPath<'_> {
+    /// Notes the length of what is left of the ray, if it leads to the grid of an area light.
+    fn note_segment(&self, length: f64, scratch: &mut Scratch) {
+        if self.is_to_grid {
+            scratch.area.last_segment = Some(length);
+        }
+    }
 }
 
 impl Tracer<'_> {
@@ -56,12 +56,12 @@ impl Tracer<'_> {
         }
         match self.shadow_path(lit, light, arrival, scratch) {
             None => Rgb::BLACK,
-            Some(_) if source.is_shadowless() => arriving,
-            Some(shadow_path) => {
-                let shadow_path = ShadowPath {
-                    known,
-                    ..shadow_path
-                };
+            Some(path) if source.is_shadowless() => {
+                let (ray, length, inside) = (path.query.ray, path.distance, path.inside);
+                self.through_atmosphere(arriving, light, &ray, length, inside, scratch)
+            }
+            Some(path) => {
+                let shadow_path = ShadowPath { known, ..path };
                 self.transmittance(arriving, &shadow_path, scratch)
             }
         }
@@ -105,7 +105,8 @@ impl Tracer<'_> {
         by_fog || self.is_attenuated_by_media(source)
     }
 
-    /// The light that remains after everything along a shadow ray.
+    /// The light that remains after everything along a shadow ray; to the grid of an area light without the atmosphere
+    /// behind the last surface, of which the length is noted instead.
     pub(in crate::render::shade) fn transmittance(
         &self,
         mut arriving: Rgb,
@@ -125,16 +126,16 @@ impl Tracer<'_> {
         let length = shadow_path.distance;
         match occlusion {
             Occlusion::Clear => {
-                let segment = LastSegment {
-                    arriving,
-                    ray: &query.ray,
-                    length,
-                    inside: shadow_path.inside,
-                };
-                return self.through_last_segment(&segment, shadow_path, scratch);
+                shadow_path.note_segment(length, scratch);
+                if shadow_path.is_to_grid {
+                    return arriving;
+                }
+                let inside = shadow_path.inside;
+                return self
+                    .through_atmosphere(arriving, light, &query.ray, length, inside, scratch);
             }
             Occlusion::Opaque => {
-                scratch.area.last_segment = Some(length);
+                shadow_path.note_segment(length, scratch);
                 return Rgb::BLACK;
             }
             Occlusion::Transmissive => {}
@@ -162,13 +163,11 @@ impl Tracer<'_> {
             let hit = self.world.next_transmissive_hit(&query, &mut scratch.query);
             let Some(hit) = hit else {
                 // As in POV-Ray, interiors do not attenuate the last segment, which no surface ends.
-                let segment = LastSegment {
-                    arriving,
-                    ray: &query.ray,
-                    length: left,
-                    inside: &inside,
-                };
-                return self.through_last_segment(&segment, shadow_path, scratch);
+                if shadow_path.is_to_grid {
+                    return arriving;
+                }
+                return self
+                    .through_atmosphere(arriving, light, &query.ray, left, &inside, scratch);
             };
             arriving =
                 self.through_atmosphere(arriving, light, &query.ray, hit.t, &inside, scratch);
@@ -179,7 +178,7 @@ impl Tracer<'_> {
             left -= hit.t;
             let interior = self.world.surfaces[hit.surface as usize].interior;
             arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
-            scratch.area.last_segment = Some(left);
+            shadow_path.note_segment(left, scratch);
             if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
@@ -188,27 +187,6 @@ impl Tracer<'_> {
             query.t_max -= hit.t;
         }
         Rgb::BLACK
-    }
-
-    /// The light that remains behind the atmosphere of a last segment, or its length for the grid of an area light.
-    #[inline(always)]
-    fn through_last_segment(
-        &self,
-        segment: &LastSegment,
-        shadow_path: &ShadowPath,
-        scratch: &mut Scratch,
-    ) -> Rgb {
-        let LastSegment {
-            arriving,
-            ray,
-            length,
-            inside,
-        } = *segment;
-        if shadow_path.is_to_grid {
-            scratch.area.last_segment = Some(length);
-            return arriving;
-        }
-        self.through_atmosphere(arriving, shadow_path.light, ray, length, inside, scratch)
     }
 
     /// The light that remains behind the fog and the media of the atmosphere over `length` of a shadow ray.
