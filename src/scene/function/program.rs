@@ -116,7 +116,7 @@ impl Program {
         }
     }
 
-    /// On its own, so that its large frame is not set up for small programs.
+    /// Runs a program of more than 256 registers. Not inlined, so that its large frame is not set up for small ones.
     #[inline(never)]
     fn run_in_most_registers<N: Number>(&self, arguments: &[N]) -> N {
         self.run_in::<N, MAX_REGISTERS>(arguments)

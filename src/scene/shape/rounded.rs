@@ -1,4 +1,4 @@
-//! Roots and normals of simple shapes with the rounding of POV-Ray (docs/povray-shapes.md, section 5.4): of a root that is
+//! Roots and normals of shapes with the rounding of POV-Ray (docs/povray-shapes.md, section 5.4): of a root that is
 //! known to within rounding, the distance, the point and the normal to the last bit.
 //!
 //! A scene that goes on from what `trace` returns may raise differences in the last bit to the size of a picture.

@@ -19,7 +19,7 @@ use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use std::sync::Arc;
 
-/// The most discs, cylinders, cones and quadrics that are rounded for the pixels in which they coincide with others, and
+/// The most discs, cylinders, cones, quadrics, prisms and lathes that are rounded for the pixels in which they coincide with others, and
 /// the most CSG objects of which POV-Ray's boxes are stored for them.
 pub(crate) const MOST_TYING: usize = 1 << 9;
 

@@ -58,6 +58,12 @@ impl Lathe {
         Err(Box::new(Diagnostic::error(at, message)))
     }
 
+    /// The straight segments of the curve.
+    pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
+        let straight = |segment: &Segment| segment.level_edge().or_else(|| segment.edge());
+        self.curve().iter().filter_map(straight)
+    }
+
     /// The segments of the curve, without those that close it.
     fn curve(&self) -> &[Segment] {
         &self.0.segments[..self.0.visible_count]
@@ -120,11 +126,8 @@ impl Geometry for Lathe {
     }
 
     fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
-        let straight = |segment: &Segment| segment.edge().or_else(|| segment.level_edge());
-        let edges: Vec<Edge> = self.curve().iter().filter_map(straight).collect();
-        let lathe = self.clone();
-        let sweep = (!edges.is_empty()).then_some(RoundedSweep::Lathe { lathe, edges })?;
-        Some(Rounded::of_sweep(sweep, steps))
+        let is_straight = self.edges().next().is_some();
+        is_straight.then(|| Rounded::of_sweep(RoundedSweep::Lathe(self.clone()), steps))
     }
 
     fn decides_ties(&self) -> bool {

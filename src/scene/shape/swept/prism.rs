@@ -7,7 +7,7 @@
 //! by construction. Error bound: roots lie within 2 roundings of the problem's size from the surface
 //! (`shape/roundings.rs`); no line slips through a corner (`spline`).
 
-use super::rounded::RoundedSweep;
+use super::rounded::{Edge, RoundedSweep};
 use super::spline::{self, Chain, Kind, Line, Segment};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
@@ -48,6 +48,11 @@ enum Sweep {
 }
 
 impl Prism {
+    /// The straight segments of the outline.
+    pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
+        self.outline.iter().filter_map(Segment::edge)
+    }
+
     /// Reads the sweep, the spline, the heights, the points and `open`.
     ///
     /// # Errors
@@ -439,12 +444,8 @@ impl Geometry for Prism {
     }
 
     fn rounded(&self, steps: &Steps<'_>) -> Option<Rounded> {
-        let is_linear = self.sweep == Sweep::Linear;
-        let sweep = is_linear.then(|| RoundedSweep::Prism {
-            prism: self.clone(),
-            edges: self.outline.iter().filter_map(Segment::edge).collect(),
-        })?;
-        Some(Rounded::of_sweep(sweep, steps))
+        (self.sweep == Sweep::Linear)
+            .then(|| Rounded::of_sweep(RoundedSweep::Prism(self.clone()), steps))
     }
 
     fn decides_ties(&self) -> bool {

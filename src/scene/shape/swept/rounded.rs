@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 
 /// Components of a direction below this count as 0.
 const TINY: f64 = 1e-10;
-/// Error of a root, relative to its distance, by which it is known again.
+/// Tolerance of roots, relative to the distance, and of parameters of an edge.
 const NEAR: f64 = 1e-9;
 
 /// Start and direction of a straight part of a curve or an outline.
@@ -18,15 +18,15 @@ pub(in crate::scene::shape) type Edge = [DVec2; 2];
 /// The parts of a swept shape whose roots are known to the last bit.
 #[derive(Clone, Debug)]
 pub(in crate::scene::shape) enum RoundedSweep {
-    /// The caps of a prism that is swept along y, and sides over these edges.
-    Prism { prism: Prism, edges: Vec<Edge> },
-    /// The level rings of a lathe, and the cones along other edges.
-    Lathe { lathe: Lathe, edges: Vec<Edge> },
+    /// The caps of a prism that is swept along y, and its sides over straight edges.
+    Prism(Prism),
+    /// The level rings of a lathe, and its cones along other straight edges.
+    Lathe(Lathe),
 }
 
 impl RoundedSweep {
-    /// The distance of the hit near `t` along a ray, and the normal. The ray is in the space of the shape, its direction
-    /// divided by `length` there.
+    /// The distance of the hit near `t` along a ray, and the normal. The ray is in the space of the shape, its
+    /// direction divided by `length` there.
     pub(in crate::scene::shape) fn hit(
         &self,
         local: &Ray,
@@ -39,14 +39,14 @@ impl RoundedSweep {
         let distance = |root: &(f64, Edge)| (root.0 - t).abs();
         let nearest = |a: &(f64, Edge), b: &(f64, Edge)| distance(a).total_cmp(&distance(b));
         match self {
-            RoundedSweep::Prism { prism, edges } => {
+            RoundedSweep::Prism(prism) => {
                 let (root, normal) = if let Some(cap) = prism.flat_face(face) {
                     let root = (cap.coordinate - local.origin.y) / local.dir.y;
                     (root / length, DVec3::Y)
                 } else if face == SIDE {
-                    let roots = edges.iter().filter_map(|edge| {
-                        let root = prism_root(local, edge)? / length;
-                        is_near(root).then_some((root, *edge))
+                    let roots = prism.edges().filter_map(|edge| {
+                        let root = prism_root(local, &edge)? / length;
+                        is_near(root).then_some((root, edge))
                     });
                     let (root, [_, dir]) = roots.min_by(nearest)?;
                     (root, DVec3::new(dir.y, 0.0, -dir.x))
@@ -55,26 +55,26 @@ impl RoundedSweep {
                 };
                 let own = prism.shading_normal(point, face);
                 let own = own.unwrap_or_else(|| prism.normal(point, face));
-                Some((root, along(normal, own)))
+                Some((root, on_side_of(normal, own)))
             }
-            RoundedSweep::Lathe { lathe, edges } => {
-                let roots = edges.iter().flat_map(|edge| {
-                    let roots = lathe_roots(local, length, edge).into_iter();
+            RoundedSweep::Lathe(lathe) => {
+                let roots = lathe.edges().flat_map(|edge| {
+                    let roots = lathe_roots(local, length, &edge).into_iter();
                     let roots = roots.filter(|root| is_near(*root));
-                    roots.map(|root| (root, *edge))
+                    roots.map(move |root| (root, edge))
                 });
                 let (root, [_, dir]) = roots.min_by(nearest)?;
                 let point = local.at(root * length);
                 let radius = (point.x * point.x + point.z * point.z).sqrt();
                 let normal = DVec3::new(dir.y * point.x, -radius * dir.x, dir.y * point.z);
-                Some((root, along(normal, lathe.normal(point, face))))
+                Some((root, on_side_of(normal, lathe.normal(point, face))))
             }
         }
     }
 }
 
 /// A normal on the side of another one.
-fn along(normal: DVec3, other: DVec3) -> DVec3 {
+fn on_side_of(normal: DVec3, other: DVec3) -> DVec3 {
     if normal.dot(other) < 0.0 {
         -normal
     } else {
@@ -124,4 +124,64 @@ fn lathe_roots(ray: &Ray, length: f64, &[start, dir]: &Edge) -> [f64; 2] {
             f64::NAN
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::base::math::conditioning::Normalization;
+    use crate::base::math::sampling::random::Random;
+    use crate::scene::shape::{Rounded, Steps};
+
+    /// Compares the rounded roots of random rays with the others. Returns the numbers of roots that are rounded and not.
+    fn compare(shape: &impl Geometry) -> [usize; 2] {
+        let steps = Steps {
+            steps: &[],
+            normalization: Normalization::default(),
+        };
+        let rounded: Rounded = shape.rounded(&steps).expect("it has straight segments");
+        let mut rng = Random::new(5);
+        let mut counts = [0; 2];
+        for _ in 0..4_000 {
+            let origin = rng.vector(6.0);
+            let ray = Ray::new(origin, (rng.vector(1.0) - origin).normalize());
+            let mut roots = Vec::new();
+            shape.roots(&ray, &mut roots);
+            for root in roots.iter().filter(|root| root.is_visible) {
+                let Some(hit) = rounded.hit(&ray, root.t, root.face) else {
+                    counts[1] += 1;
+                    continue;
+                };
+                counts[0] += 1;
+                assert!((hit.t - root.t).abs() <= 1e-9 * root.t.abs());
+                let point = ray.at(root.t);
+                let normal = shape.shading_normal(point, root.face);
+                let normal = normal.unwrap_or_else(|| shape.normal(point, root.face).normalize());
+                assert!(hit.normal.dot(normal) > 1.0 - 1e-6, "{ray:?} {root:?}");
+            }
+        }
+        counts
+    }
+
+    #[test]
+    fn caps_and_straight_sides_of_prisms_are_known() {
+        let read = |text| Prism::read(&mut TextArgs::new(text)).unwrap();
+        let straight = read("-1, 1, 6, <-1,-1>, <1,-1>, <1,-1>, <2,1>, <-1,1>, <-1,-1>");
+        let [known, unknown] = compare(&straight);
+        assert!(known > 1_000 && unknown == 0, "{known}, {unknown}");
+        let curved = read(
+            "cubic_spline -1, 0.5, 7, <1,-1>, <0,1>, <-1.2,0>, <0,-1>, <1.5,0.1>, <0,1>, <-1,-1>",
+        );
+        let [known, unknown] = compare(&curved);
+        assert!(known > 300 && unknown > 300, "{known}, {unknown}");
+    }
+
+    #[test]
+    fn rings_and_cones_of_lathes_are_known() {
+        let read = |text| Lathe::read(&mut TextArgs::new(text)).unwrap();
+        let straight = read("linear_spline 6, <0,-1>, <1,-1>, <1,-1>, <2,0>, <1,1>, <0,1>");
+        let [known, unknown] = compare(&straight);
+        assert!(known > 1_000 && unknown == 0, "{known}, {unknown}");
+    }
 }

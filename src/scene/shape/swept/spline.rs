@@ -143,13 +143,15 @@ impl Segment {
 
     /// Start and direction of a straight segment.
     pub(super) fn edge(&self) -> Option<Edge> {
-        (self.degree == 1).then(|| [self.start, self.end - self.start])
+        let dir = self.end - self.start;
+        (self.degree == 1 && dir != DVec2::ZERO).then_some([self.start, dir])
     }
 
     /// The same of a segment all along which the second coordinate is the same.
     pub(super) fn level_edge(&self) -> Option<Edge> {
         let is_level = self.c[1..].iter().all(|c| c.y == 0.0);
-        is_level.then(|| [self.start, self.end - self.start])
+        let width = self.end.x - self.start.x;
+        (is_level && width != 0.0).then(|| [self.start, DVec2::new(width, 0.0)])
     }
 
     fn quadratic(p: &[DVec2]) -> Self {

@@ -140,6 +140,9 @@ struct Face {
     /// Error of the position: boxes are stored in single precision, by a corner and the sides.
     blur: f64,
     leaf: u32,
+    /// The highest end of this face and those before it, and the lowest of this one and those behind it, with their
+    /// errors.
+    ends: [f64; 2],
 }
 
 /// The faces across each axis.
@@ -163,7 +166,13 @@ impl Faces {
             for at in ends.into_iter().filter(|at| at.is_finite()) {
                 let side = if side.is_finite() { side } else { 0.0 };
                 let blur = Self::SINGLE * at.abs().max(side);
-                faces.push(Face { at, blur, leaf });
+                let ends = [at + blur, at - blur];
+                faces.push(Face {
+                    at,
+                    blur,
+                    leaf,
+                    ends,
+                });
                 self.reach = self.reach.max(at.abs());
             }
         }
@@ -172,6 +181,12 @@ impl Faces {
     fn sort(&mut self) {
         for faces in &mut self.across {
             faces.sort_by(|a, b| a.at.total_cmp(&b.at));
+            for i in 1..faces.len() {
+                faces[i].ends[0] = faces[i].ends[0].max(faces[i - 1].ends[0]);
+            }
+            for i in (1..faces.len()).rev() {
+                faces[i - 1].ends[1] = faces[i - 1].ends[1].min(faces[i].ends[1]);
+            }
         }
     }
 
@@ -193,9 +208,12 @@ impl Faces {
     fn meet(&self, bounds: &Bounds) -> bool {
         self.across.iter().enumerate().any(|(axis, faces)| {
             [bounds.min[axis], bounds.max[axis]].into_iter().any(|at| {
-                let next = faces.partition_point(|face| face.at < at);
-                let around = &faces[next.saturating_sub(1)..faces.len().min(next + 1)];
-                around.iter().any(|face| self.are_flush(face, at))
+                let (before, behind) = faces.split_at(faces.partition_point(|face| face.at < at));
+                let slack = Self::OF_REACH * self.reach;
+                before.last().is_some_and(|face| at <= face.ends[0] + slack)
+                    || behind
+                        .first()
+                        .is_some_and(|face| face.ends[1] - slack <= at)
             })
         })
     }
@@ -413,5 +431,41 @@ impl LeafReorder {
             self.to.leaves.push(leaf);
         }
         self.to
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::math::sampling::random::Random;
+
+    #[test]
+    fn flush_faces_are_those_of_all_pairs() {
+        let mut rng = Random::new(3);
+        let mut counts = [0; 2];
+        for _ in 0..2_000 {
+            let mut faces = Faces::default();
+            for leaf in 0..6 {
+                let at = 1e-4 * rng.uniform();
+                let side = 100.0 * rng.uniform() * rng.uniform();
+                let bounds = Bounds::new(DVec3::splat(at - side), DVec3::splat(at));
+                faces.add(leaf, &bounds);
+            }
+            faces.sort();
+            let across = &faces.across[0];
+            let meet = across.iter().enumerate().any(|(i, a)| {
+                let others = across.iter().enumerate();
+                others
+                    .into_iter()
+                    .any(|(j, b)| i != j && a.leaf != b.leaf && faces.are_flush(a, b.at))
+            });
+            assert_eq!(faces.meet_each_other(), meet);
+            let at = 1e-4 * rng.uniform();
+            let plane = Bounds::new(DVec3::splat(at), DVec3::splat(at + 1e9));
+            let meet = across.iter().any(|face| faces.are_flush(face, at));
+            assert_eq!(faces.meet(&plane), meet);
+            counts[usize::from(meet)] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
     }
 }
