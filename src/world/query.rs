@@ -43,7 +43,7 @@ pub struct QueryScratch {
     pub(super) passed: Vec<RawHit>,
 }
 
-/// How a hit was chosen among those at the same distance.
+/// The rule by which a hit was chosen among those at the same distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Tie {
     /// In this number of comparisons with one other hit.

@@ -29,6 +29,14 @@ fn a_timeout_ends_every_stage() {
     }
 }
 
+/// Comparing each two of them takes minutes.
+#[test]
+fn ten_thousand_coincident_spheres_are_drawn() {
+    let spheres = "union { sphere { 0, 1 } ".repeat(10_000) + &"}".repeat(10_000);
+    let sandbox = Sandbox::with(&format!("{spheres} camera {{ location -5*z }}"));
+    sandbox.ends("$POVR s.pov +W16 +H12 -D -A -o s.png --timeout 20s", 0);
+}
+
 #[test]
 fn a_timeout_ends_a_check() {
     let sandbox = Sandbox::with(ENDLESS[0]);

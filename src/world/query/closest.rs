@@ -53,7 +53,7 @@ const LOSS_OF_PHOTONS: Loss = Loss {
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
 const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
 
-/// Comparisons of two tied hits of one ray, after which all are compared at once: each may test as many boxes as that.
+/// Comparisons of pairs of tied hits of one ray, each of some hundred box tests, after which all are sorted at once.
 const MOST_PAIRS: u8 = 8;
 
 /// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and of the
@@ -376,7 +376,7 @@ impl World {
                 *best
             };
         }
-        // Neither is rounded otherwise: the order of all tied hits is that of each pair. Of many, all are sorted at once.
+        // Neither is rounded otherwise: the order of all tied hits is that of each pair. Many are sorted at once.
         if let Tie::Pairs(pairs @ 0..MOST_PAIRS) = best.tie
             && self.tie_rounding(best).is_none()
             && self.tie_rounding(new).is_none()
@@ -394,6 +394,13 @@ impl World {
         }
         // All of them, so that the order in which rays come to items does not matter.
         let mut tied = self.tied_hits(query, new.hit.root.t.min(best.hit.root.t));
+        if tied.iter().all(|of| self.tie_rounding(of).is_none()) {
+            let distances = tied.iter().map(|of| of.hit.root.t);
+            let least = distances.fold(f64::INFINITY, f64::min);
+            tied.retain(|of| of.hit.root.t == least);
+            self.sort_as_povray(&mut tied, ray);
+            return tied.first().copied().unwrap_or(*best);
+        }
         self.sort_as_povray(&mut tied, ray);
         let distance = |of: &ClosestHit| self.povray_distance(of, query);
         let nearer = |a: ClosestHit, b: ClosestHit| {
