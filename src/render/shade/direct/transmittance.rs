@@ -206,7 +206,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// The same for a light that is attenuated.
+    /// The same for a light that is attenuated. Behind parallel light, where the length is negative, none is lost.
     #[inline(never)]
     fn attenuated(
         &self,
@@ -217,6 +217,9 @@ impl Tracer<'_> {
         inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
+        if length <= 0.0 {
+            return arriving;
+        }
         let source = self.world.lights.get(light);
         if source.media_attenuation
             && let Some(fog) = self.fog(ray, length)
