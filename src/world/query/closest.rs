@@ -574,6 +574,7 @@ impl World {
             origin_surface: query.origin_surface.as_ref(),
             t_min: self.t_min(query),
             blob_t_min: self.blob_t_min(query.kind),
+            unit: self.globals.unit,
             origin_error: query.origin_surface.map_or(0.0, |origin| origin.blur),
             start: IndexBase::default(),
             exited_leaf: self

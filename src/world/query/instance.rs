@@ -28,6 +28,7 @@ impl Instance {
             origin_surface: origin_surface.as_ref(),
             t_min: search.t_min,
             blob_t_min: search.blob_t_min,
+            unit: search.unit,
             origin_error: search.origin_error,
             start: IndexBase {
                 leaf: search.start.leaf + self.first,

@@ -41,6 +41,8 @@ pub(in crate::world) struct Search<'a> {
     pub(in crate::world) t_min: f64,
     /// The same for blobs, if it is larger.
     pub(in crate::world) blob_t_min: f64,
+    /// The unit of distances that shapes ignore hits up to.
+    pub(in crate::world) unit: f64,
     /// Up to this distance a hit may be rejected as a self-intersection, so that the search goes on behind it.
     pub(in crate::world) origin_error: f64,
     /// Base of the indices in the hits.
@@ -52,11 +54,12 @@ pub(in crate::world) struct Search<'a> {
 impl Search<'_> {
     /// Hits on this leaf up to this distance are ignored.
     #[inline(always)]
-    fn t_min_of(&self, leaf: &Leaf) -> f64 {
-        if self.blob_t_min > self.t_min && matches!(leaf.shape, Shape::Blob(_)) {
-            return self.blob_t_min;
+    pub(in crate::world) fn t_min_of(&self, leaf: &Leaf) -> f64 {
+        match &leaf.shape {
+            Shape::Blob(_) => self.t_min.max(self.blob_t_min),
+            Shape::SphereSweep(sweep) => self.t_min.max(sweep.tolerance() * self.unit),
+            _ => self.t_min,
         }
-        self.t_min
     }
 }
 

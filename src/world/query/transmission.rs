@@ -4,7 +4,7 @@ use super::{ClosestHit, QueryScratch};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
 use crate::base::options::TMinRule;
-use crate::scene::shape::{Geometry, Root};
+use crate::scene::shape::{Geometry, Root, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::{RawHit, hide_departure};
 use crate::world::model::IndexedItem;
@@ -126,7 +126,8 @@ impl World {
     /// Returns true if the roots of a leaf do not depend on the ray's origin along its line.
     fn has_stable_roots(&self, leaf: u32) -> bool {
         let shape = &self.model.leaves[leaf as usize].shape;
-        !shape.is_faceted() && !shape.excludes_spawn_surface()
+        let has_tolerance = matches!(shape, Shape::SphereSweep(sweep) if sweep.tolerance() > 0.0);
+        !shape.is_faceted() && !shape.excludes_spawn_surface() && !has_tolerance
     }
 
     /// Shading data at a transmissive hit.

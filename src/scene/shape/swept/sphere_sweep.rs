@@ -13,7 +13,7 @@
 //! In a difference POV-Ray 3.7 shows walls inside the sweep where two segments of the curve join; here there are none. Its
 //! inside test is followed: see [`Part::contains`].
 //!
-//! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and ignored.
+//! Hits up to `tolerance` from the start of a ray do not count, as in POV-Ray.
 
 use self::segment::{B_SPLINE, CATMULL_ROM, Part};
 use crate::base::accel::Bvh;
@@ -42,12 +42,16 @@ struct Sweep {
     /// BVH over the boxes of the parts.
     tree: Bvh,
     bounds: Bounds,
+    /// Hits up to this distance are ignored, in units of the scene whatever the transforms; 0 unless it is written.
+    tolerance: f64,
 }
 
 impl PartialEq for Sweep {
     /// The BVH follows from the parts.
     fn eq(&self, other: &Self) -> bool {
-        self.parts == other.parts && self.bounds == other.bounds
+        self.parts == other.parts
+            && self.bounds == other.bounds
+            && self.tolerance == other.tolerance
     }
 }
 
@@ -100,10 +104,16 @@ impl SphereSweep {
             spheres.push(centre.extend(radius));
         }
         trailing_comma(args)?;
+        let mut sweep = Sweep::new(kind, &spheres);
         if args.accept(Word::Tolerance)? {
-            read::number(args, "the tolerance of the sphere sweep")?;
+            sweep.tolerance = read::number(args, "the tolerance of the sphere sweep")?;
         }
-        Ok(SphereSweep(Arc::new(Sweep::new(kind, &spheres))))
+        Ok(SphereSweep(Arc::new(sweep)))
+    }
+
+    /// Hits up to this distance are ignored, in units of the scene.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.0.tolerance
     }
 
     /// Disjoint spans of a ray inside the sweep, in order.
@@ -159,6 +169,7 @@ impl Sweep {
             parts,
             around,
             bounds,
+            tolerance: 0.0,
         }
     }
 }
