@@ -252,6 +252,31 @@ impl World {
         let mut items = self.model.bvh.around(point);
         let is_bounded = |number: u32| self.ties_by_box && self.tree_box(number).is_some();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
+        self.interiors_of(&items, point)
+    }
+
+    /// The interiors in which photons of a light at this point start: those of all objects that contain it, in file
+    /// order. POV-Ray tests no boxes there, although the insides of discs and of inverse objects reach beyond theirs.
+    #[must_use]
+    pub fn interiors_at_light(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
+        let bvh = &self.model.bvh;
+        let reaches_farther = |item: &&IndexedItem| match item.item {
+            Item::Leaf(leaf) => {
+                let shape = &self.model.leaves[leaf as usize].shape;
+                !shape.solid_bounds().is_finite()
+            }
+            Item::Program(_) => true,
+            Item::Instance(_) => false,
+        };
+        let mut items = bvh.around(point);
+        items.extend(bvh.bounded.iter().filter(reaches_farther));
+        items.sort_unstable_by_key(|item| item.number);
+        items.dedup_by_key(|item| item.number);
+        self.interiors_of(&items, point)
+    }
+
+    /// The interiors of those of these items that contain a point.
+    fn interiors_of(&self, items: &[IndexedItem], point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut surfaces = Vec::new();
         for item in items {
             self.model

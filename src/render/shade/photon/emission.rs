@@ -173,11 +173,21 @@ impl<'w> Tracer<'w> {
         let spacing = photons.spacing(|spacing| self.expected(photons, spacing));
         let mut tally = PhotonTally::new(photons);
         let mut scratch = Scratch::default();
+        let mut start = (u32::MAX, InteriorStack::new());
         for (number, target) in self.pairs(photons) {
             if self.stop.is_cancelled() || tally.is_full() {
                 break;
             }
-            self.emit_at(number, target, spacing, &mut tally, &mut scratch);
+            if start.0 != number {
+                start = (number, self.inside_at(self.world.lights.get(number).centre));
+            }
+            self.emit_at(
+                (number, &start.1),
+                target,
+                spacing,
+                &mut tally,
+                &mut scratch,
+            );
         }
         if tally.is_full() {
             return Some(Emission::OutOfMemory);
@@ -224,10 +234,10 @@ impl<'w> Tracer<'w> {
         self.pairs(photons).into_iter().map(of_pair).sum()
     }
 
-    /// Emits photons from a light to a target.
+    /// Emits photons from a light within these interiors to a target.
     fn emit_at(
         &self,
-        number: u32,
+        (number, inside): (u32, &InteriorStack),
         target: u32,
         spacing: f64,
         tally: &mut PhotonTally<'w>,
@@ -249,7 +259,6 @@ impl<'w> Tracer<'w> {
         }
         let (jitter, autostop) = (settings.jitter, settings.autostop);
         tally.begin(light, target, rings.spread);
-        let inside = self.inside_at(light.centre);
         // For parallel light rings have lengths instead of angles.
         let middle_below = if light.is_parallel {
             MIDDLE * tally.photons.unit
@@ -277,7 +286,7 @@ impl<'w> Tracer<'w> {
                     off: off_now,
                     around: around_now,
                 };
-                self.emit_one(light, &aim, at, &inside, tally, scratch);
+                self.emit_one(light, &aim, at, inside, tally, scratch);
                 around += turn;
             }
             has_ever_hit |= tally.has_hit;
@@ -356,7 +365,7 @@ impl<'w> Tracer<'w> {
 
     fn inside_at(&self, point: DVec3) -> InteriorStack {
         if self.features.needs_interiors {
-            self.world.interiors_at(point)
+            self.world.interiors_at_light(point)
         } else {
             InteriorStack::new()
         }
