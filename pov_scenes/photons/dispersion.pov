@@ -1,5 +1,4 @@
 // A prism of glass splits the light of photons.
-// compare: channel<=4 pixels<=0.7% because "the order of POV-Ray's map of photons hangs on the last digits of their places, and its searches miss some by that order"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

@@ -222,7 +222,7 @@ impl<'w> Tracer<'w> {
             let (_, radius) = bounding_sphere(target);
             let (refracts, reflects) = (target.role.refracts(own), target.role.reflects(own));
             let ratio = radius / (target.density * spacing);
-            let mut count = 0.5 * PI * ratio * ratio;
+            let mut count = ratio * ratio * PI * 0.5;
             if refracts && reflects {
                 count *= 1.5;
             }
