@@ -1,24 +1,27 @@
 //! A scene that stays compiled from one picture to the next, and the surfaces and objects that its pixels see.
 
+pub(crate) mod edited;
+
+use self::edited::{PictureCache, SceneVersion, picture_text};
 use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::math::conditioning::Normalization;
 use crate::base::options::{
-    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
+    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
 use crate::base::source::{Diagnostic, Message, Sources};
 use crate::lang::{ObjectSpan, Texts};
-use crate::render::Checkpoint;
 use crate::render::cost::PixelCost;
 use crate::render::statistics::StageTimer;
+use crate::render::{Checkpoint, CheckpointStatus, Earlier};
 use crate::scene::camera::Camera;
 use crate::scene::{Object, pattern};
 use crate::world::{self, World};
 use crate::{
-    OwnObjects, RenderSession, failure, lang, load, render, save_photons, scene, unfinished,
-    with_deep_stack,
+    OwnObjects, RenderSession, failure, lang, load, render, save_photons, scene, with_deep_stack,
 };
 use glam::DVec3;
+use std::hash::{Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -35,6 +38,9 @@ pub struct CompiledScene {
     pub(super) print: u64,
     /// `None` in a scene that is drawn once.
     pub(super) camera: Option<SceneCamera>,
+    /// For its next version; `None` if nothing of the scene can stay.
+    pub(super) version: Option<Box<SceneVersion>>,
+    pub(super) pictures: PictureCache,
 }
 
 /// A point of a surface that a camera sees, in the coordinates of the scene's text.
@@ -122,6 +128,12 @@ impl CompiledScene {
         }
     }
 
+    /// Returns true if most of a larger picture from the current camera stays as it was in the last version of the scene, so
+    /// that no picture in this size is needed before it.
+    pub(crate) fn needs_no_preview(&self, render: &RenderOptions) -> bool {
+        self.pictures.has_most_of_larger(&self.world.camera, render)
+    }
+
     /// The options to encode its pictures, from those for any scene.
     pub(crate) fn encoding(&self, options: &EncodeOptions) -> EncodeOptions {
         options.for_scene(self.working, self.rounding)
@@ -157,9 +169,18 @@ impl CompiledScene {
             target_format: only_for,
             ..render.clone()
         };
+        let tiles = self
+            .version
+            .is_some()
+            .then(|| self.pictures.of(&world.camera, render));
+        let tiles = tiles.flatten();
+        let earlier = Earlier {
+            checkpoint: unfinished,
+            tiles: tiles.as_deref(),
+        };
         let drawn = match &session.pool {
-            None => render::render(world, render, unfinished, listen),
-            Some(pool) => pool.install(|| render::render(world, render, unfinished, listen)),
+            None => render::render(world, render, earlier, listen),
+            Some(pool) => pool.install(|| render::render(world, render, earlier, listen)),
         };
         if render.stop.is_cancelled() {
             if let Some(pixels) = unfinished.and_then(Checkpoint::resumable_pixels) {
@@ -190,6 +211,44 @@ impl CompiledScene {
     }
 }
 
+/// The checkpoint of this render, with the pixels of an earlier run.
+fn unfinished(
+    read: &ReadOptions,
+    render: &RenderOptions,
+    print: u64,
+    listen: &EventHandler<'_>,
+) -> Option<Checkpoint> {
+    let keep = render.checkpoint.as_ref()?;
+    if matches!(&render.sampling, Sampling::Adaptive(how) if how.time.is_some()) {
+        return None;
+    }
+    let ReadOptions {
+        declares,
+        version,
+        clock,
+        clock_on,
+        clock_delta,
+        frame_number,
+        ..
+    } = read;
+    let size = (render.width, render.height);
+    // All options that affect the pixels; the number of threads does not.
+    let all = format!(
+        "{} {print} {} {declares:?} {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
+        keep.build,
+        picture_text(render)
+    );
+    let mut hasher = rustc_hash::FxHasher::default();
+    all.hash(&mut hasher);
+    let (unfinished, status) = Checkpoint::open(keep, hasher.finish(), size);
+    match status {
+        CheckpointStatus::Nothing => {}
+        CheckpointStatus::Other => listen(Event::CheckpointDiscarded),
+        CheckpointStatus::Pixels(pixels) => listen(Event::Resumed(pixels)),
+    }
+    Some(unfinished)
+}
+
 /// Finds the object of a scene to which a point belongs that a camera sees: a message without text whose location is that
 /// of the first token of the object's statement. The scene is read once more for it. `None` if no object as a whole has
 /// the point, as with parts that are cut away by others.
@@ -210,6 +269,7 @@ pub fn object_at(input: &Input, options: &ReadOptions, hit: &SceneHit) -> Option
             scene: file,
             sources: &mut sources,
             token_cache: None,
+            literals: None,
         };
         let mut probe = OwnObjects::default();
         let reading = lang::evaluate_with(texts, &options, &mut probe, &mut |_| {});

@@ -43,19 +43,18 @@ pub use compiled::{CompiledScene, SceneHit, object_at};
 use crate::base::math::conditioning::Normalization;
 use base::file::Folders;
 use base::options::{
-    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
+    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
 use base::sync::lock;
 use base::version::Novelty;
 use compiled::SceneCamera;
+use compiled::edited::{self, Next, PictureCache, SceneVersion};
 use glam::DVec3;
-use lang::{ReadEvent, Texts, TokenCache};
+use lang::{LiteralCache, ReadEvent, Texts, TokenCache};
 use render::statistics::StageTimer;
-use render::{Checkpoint, CheckpointStatus};
 use scene::camera::Camera;
 use scene::{Object, Scene};
-use std::hash::{Hash, Hasher};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, mpsc};
 use world::World;
@@ -186,15 +185,35 @@ impl RenderSession {
         camera: Option<Camera>,
         listen: &EventHandler<'_>,
     ) -> Result<CompiledScene, Failure> {
+        let several = Several {
+            camera: camera.map(Box::new),
+            last: None,
+        };
         let watch = &mut StageTimer::start();
-        compile_with(
-            input,
-            read,
-            render,
-            listen,
-            (self, Use::Several(camera.map(Box::new))),
-            watch,
-        )
+        let usage = Use::Several(several);
+        compile_with(input, read, render, listen, (self, usage), watch)
+    }
+
+    /// As [`RenderSession::compile`], for the next version of a scene: its text or its files have changed. The `last` version,
+    /// if there is one, is taken unless the new one has errors, and what has not changed is used again.
+    ///
+    /// # Errors
+    /// When the scene cannot be read.
+    pub fn compile_next(
+        &self,
+        last: &mut Option<CompiledScene>,
+        input: &Input,
+        (read, render): (&ReadOptions, &RenderOptions),
+        camera: Option<Camera>,
+        listen: &EventHandler<'_>,
+    ) -> Result<CompiledScene, Failure> {
+        let several = Several {
+            camera: camera.map(Box::new),
+            last: Some(last),
+        };
+        let watch = &mut StageTimer::start();
+        let usage = Use::Several(several);
+        compile_with(input, read, render, listen, (self, usage), watch)
     }
 }
 
@@ -254,10 +273,17 @@ fn draw_with(
 }
 
 /// The pictures that a scene is compiled for.
-enum Use {
+enum Use<'a> {
     OnePicture,
-    /// Several, the first of which is drawn with this camera or that of the scene.
-    Several(Option<Box<Camera>>),
+    Several(Several<'a>),
+}
+
+/// Several pictures of a scene and its next versions.
+struct Several<'a> {
+    /// The camera of the first, if it is not that of the scene.
+    camera: Option<Box<Camera>>,
+    /// The last version, if there was one; `None` if there will be no next one.
+    last: Option<&'a mut Option<CompiledScene>>,
 }
 
 fn compile_with(
@@ -265,31 +291,59 @@ fn compile_with(
     read: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
-    (session, usage): (&RenderSession, Use),
+    (session, usage): (&RenderSession, Use<'_>),
     watch: &mut StageTimer,
 ) -> Result<CompiledScene, Failure> {
     with_deep_stack(listen, || {
-        let cache = session.cache.as_ref();
-        let mut reading = read_scene(input, read, render, listen, cache)?;
+        let none = LiteralCache::default();
+        let mut caches = ReadingCaches {
+            scene: session.cache.as_ref(),
+            literals: None,
+        };
+        let mut next = Next::Unread;
+        let several = match usage {
+            Use::OnePicture => None,
+            Use::Several(Several { camera, last }) => {
+                if let Some(last) = last {
+                    let last = (last, camera.as_deref());
+                    next = edited::next(last, input, (read, render), listen, session)?;
+                    caches.literals = Some(&none);
+                }
+                Some(camera)
+            }
+        };
+        let mut reading = match next {
+            Next::Compiled(scene) => return Ok(*scene),
+            Next::Read(reading) => *reading,
+            Next::Unread => read_scene(input, read, render, listen, caches)?,
+        };
         if let Some(MoreObjects(add)) = &session.more {
             add(&mut reading.scene.objects).map_err(|reason| failure(reason, listen))?;
         }
         watch.lap("read");
         let mut scene = reading.scene;
-        let camera = match usage {
-            Use::OnePicture => None,
-            Use::Several(other) => {
+        let mut version = None;
+        let camera = match several {
+            None => None,
+            Some(other) => {
+                version = SceneVersion::of(&scene, reading.literals, render).map(Box::new);
+                if let Some(version) = &mut version {
+                    version.objects = scene.objects.clone();
+                }
                 let other = other.map_or_else(|| scene.camera.clone(), |other| *other);
                 let own = std::mem::replace(&mut scene.camera, other);
+                let limit = scene.camera_limit();
+                version = version.filter(|_| limit.allows(&scene.camera));
                 Some(SceneCamera {
                     camera: own,
                     settings: scene.pattern_settings(),
                     statement: reading.camera,
-                    limit: scene.camera_limit(),
+                    limit,
                 })
             }
         };
-        let (world, working, rounding) = prepared(scene, render);
+        let first_items = version.as_mut().map(|version| &mut version.first_items);
+        let (world, working, rounding) = prepared(scene, render, first_items);
         watch.lap("compile");
         Ok(CompiledScene {
             world,
@@ -297,57 +351,10 @@ fn compile_with(
             rounding,
             print: reading.print,
             camera,
+            version,
+            pictures: PictureCache::default(),
         })
     })
-}
-
-/// The checkpoint of this render, with the pixels of an earlier run.
-fn unfinished(
-    read: &ReadOptions,
-    render: &RenderOptions,
-    print: u64,
-    listen: &EventHandler<'_>,
-) -> Option<Checkpoint> {
-    let keep = render.checkpoint.as_ref()?;
-    if matches!(&render.sampling, Sampling::Adaptive(how) if how.time.is_some()) {
-        return None;
-    }
-    let ReadOptions {
-        declares,
-        version,
-        clock,
-        clock_on,
-        clock_delta,
-        frame_number,
-        ..
-    } = read;
-    let RenderOptions {
-        columns,
-        rows,
-        quality,
-        alpha,
-        t_min_rule: least_distance,
-        has_clean_cuts,
-        random_order,
-        sampling,
-        ..
-    } = render;
-    let size = (render.width, render.height);
-    // All options that affect the pixels; the number of threads does not.
-    let all = format!(
-        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {has_clean_cuts} {random_order:?} {sampling:?} \
-         {declares:?} {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
-        keep.build
-    );
-    let mut hasher = rustc_hash::FxHasher::default();
-    all.hash(&mut hasher);
-    let (unfinished, status) = Checkpoint::open(keep, hasher.finish(), size);
-    match status {
-        CheckpointStatus::Nothing => {}
-        CheckpointStatus::Other => listen(Event::CheckpointDiscarded),
-        CheckpointStatus::Pixels(pixels) => listen(Event::Resumed(pixels)),
-    }
-    Some(unfinished)
 }
 
 /// Drops a world in a background thread: freeing a large one takes longer than writing its image, and a program that
@@ -378,7 +385,8 @@ pub fn read(
             ..read.clone()
         };
         let render = RenderOptions::default();
-        read_scene(input, &read, &render, listen, None).map(|reading| reading.scene)
+        read_scene(input, &read, &render, listen, ReadingCaches::default())
+            .map(|reading| reading.scene)
     })
 }
 
@@ -487,36 +495,42 @@ impl lang::Probe for OwnObjects {
 fn prepared(
     scene: Scene,
     render: &RenderOptions,
+    first_items: Option<&mut Vec<u32>>,
 ) -> (World, Option<base::color::Gamma>, base::encoding::Rounding) {
     let (working, rounding) = (scene.working_gamma(), scene.rounding());
     let count = scene.objects.len();
     let world = if count < LARGE_SCENE {
-        let world = world::compile(scene, render);
+        let world = world::compile_noting(scene, render, &mut drop, first_items);
         if count > SMALL_SCENE {
             base::memory::trim_heap();
         }
         world
     } else {
-        compiled_in_a_thread(scene, render)
+        compiled_in_a_thread(scene, render, first_items)
     };
     (world, working, rounding)
 }
 
 /// Lowers a scene in a thread of its own, and drops its objects in this one. glibc's allocator has an arena for each
 /// thread: the world goes into the other thread's arena, so it does not fragment the one whose objects are dropped.
-fn compiled_in_a_thread(scene: Scene, render: &RenderOptions) -> World {
+fn compiled_in_a_thread(
+    scene: Scene,
+    render: &RenderOptions,
+    first_items: Option<&mut Vec<u32>>,
+) -> World {
     let (sender, objects) = mpsc::sync_channel(QUEUED_BATCHES);
-    let work = Mutex::new(Some((scene, sender)));
+    let work = Mutex::new(Some((scene, sender, first_items)));
     let compile = || {
-        let (scene, sender) = lock(&work).take()?;
+        let (scene, sender, first_items) = lock(&work).take()?;
         let mut batch = Vec::with_capacity(BATCH);
-        let world = world::compile_dropping(scene, render, &mut |object| {
+        let drop_object = &mut |object| {
             batch.push(object);
             if batch.len() == BATCH {
                 // Sending fails only where there is no second thread.
                 let _ = sender.send(std::mem::replace(&mut batch, Vec::with_capacity(BATCH)));
             }
-        });
+        };
+        let world = world::compile_noting(scene, render, drop_object, first_items);
         Some(world)
     };
     let world = std::thread::scope(|scope| {
@@ -543,6 +557,19 @@ struct SceneReading {
     print: u64,
     /// The bytes of the statement of its camera, if that is in the scene's own text.
     camera: Option<Range<usize>>,
+    /// Literals for the next reading, if those of the last one were given.
+    literals: Option<LiteralCache>,
+    /// True if it wrote files.
+    wrote_files: bool,
+}
+
+/// Results of earlier readings.
+#[derive(Clone, Copy, Default)]
+struct ReadingCaches<'a> {
+    /// The sources and tokens of the scene.
+    scene: Option<&'a Mutex<Option<Arc<SceneCache>>>>,
+    /// Objects of its last version, if those of this one are to be cached.
+    literals: Option<&'a LiteralCache>,
 }
 
 /// Reads a scene; an unsupported feature is an error if it has an effect at the requested quality.
@@ -551,7 +578,10 @@ fn read_scene(
     options: &ReadOptions,
     render: &RenderOptions,
     listen: &EventHandler<'_>,
-    cache: Option<&Mutex<Option<Arc<SceneCache>>>>,
+    ReadingCaches {
+        scene: cache,
+        literals: last_literals,
+    }: ReadingCaches<'_>,
 ) -> Result<SceneReading, Failure> {
     let earlier = cache.and_then(|cache| lock(cache).clone());
     let mut token_cache = cache.map(|_| TokenCache::default());
@@ -563,7 +593,8 @@ fn read_scene(
     }
     sources.limit_reads(options.readable.clone());
     sources.limit_bytes(options.memory.unwrap_or(u64::MAX));
-    let (mut print, mut camera) = (0, None);
+    let (mut print, mut camera, mut wrote_files) = (0, None, false);
+    let mut literals = None;
     let mut errors = Vec::new();
     let mut report = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
@@ -587,6 +618,7 @@ fn read_scene(
                 scene: file,
                 sources: &mut sources,
                 token_cache: token_cache.as_mut(),
+                literals: last_literals,
             };
             let reading = lang::evaluate_with(texts, options, &mut probe, &mut forward);
             if render.quality >= QUALITY_OF_RADIOSITY {
@@ -601,10 +633,12 @@ fn read_scene(
                     }
                 }
             }
+            wrote_files = sources.wrote_files() || reading.scene.as_ref().is_some_and(saves);
             listen(Event::Read {
                 dependencies: &reading.dependencies,
-                wrote_files: sources.wrote_files() || reading.scene.as_ref().is_some_and(saves),
+                wrote_files,
             });
+            literals = reading.literals;
             if render.checkpoint.is_some() {
                 print = sources.fingerprint();
             }
@@ -627,6 +661,8 @@ fn read_scene(
             scene,
             print,
             camera,
+            literals,
+            wrote_files,
         }),
         None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),

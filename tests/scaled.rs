@@ -116,7 +116,7 @@ fn drawn(scene: Scene) -> Film {
         ..RenderOptions::default()
     };
     let world = povr::world::compile(scene, &options);
-    povr::render::render(&world, &options, None, &|_| {}).film
+    povr::render::render(&world, &options, povr::render::Earlier::default(), &|_| {}).film
 }
 
 /// Objects of the scene, for scenes that trace rays while they are read.
@@ -155,6 +155,7 @@ fn read(path: &Path) -> Option<Scene> {
         scene: file,
         sources: &mut sources,
         token_cache: None,
+        literals: None,
     };
     povr::lang::evaluate_with(texts, &options, &mut probe, &mut |_| {}).scene
 }

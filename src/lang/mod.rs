@@ -22,6 +22,7 @@ mod statement_state;
 pub mod syntax;
 mod token_cache;
 
+pub use fast_path::literal_cache::LiteralCache;
 pub use probe::{NoProbe, Probe};
 pub use reader::{ObjectSpan, Reading};
 pub use token_cache::TokenCache;
@@ -49,6 +50,7 @@ pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> R
         scene: file,
         sources,
         token_cache: None,
+        literals: None,
     };
     evaluate_with(texts, options, &mut NoProbe, &mut |_| {})
 }
@@ -63,6 +65,8 @@ pub struct Texts<'a> {
     /// Tokens cached by an earlier reading with a copy of these sources; new ones are added. `None` for a scene that is
     /// read once.
     pub token_cache: Option<&'a mut TokenCache>,
+    /// Objects of the last reading of a scene whose text may have changed, perhaps none: those of this one are cached.
+    pub literals: Option<&'a LiteralCache>,
 }
 
 /// As [`evaluate`]; `probe` answers `trace` and `inside`, and `listener` receives the findings and the text written by
@@ -77,8 +81,16 @@ pub fn evaluate_with(
         scene,
         sources,
         token_cache,
+        literals,
     } = texts;
-    match Reader::new(scene, sources, token_cache, options, probe, listener) {
+    match Reader::new(
+        scene,
+        sources,
+        (token_cache, literals),
+        options,
+        probe,
+        listener,
+    ) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
@@ -97,6 +109,7 @@ pub fn evaluate_with(
                 camera: None,
                 dependencies: sources.dependencies().to_vec(),
                 object_spans: Vec::new(),
+                literals: None,
             }
         }
     }
@@ -106,7 +119,14 @@ pub fn evaluate_with(
 #[cfg(test)]
 fn evaluate_token_by_token(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
     let (mut probe, mut listener) = (NoProbe, |_: ReadEvent<'_>| {});
-    match Reader::new(file, sources, None, options, &mut probe, &mut listener) {
+    match Reader::new(
+        file,
+        sources,
+        (None, None),
+        options,
+        &mut probe,
+        &mut listener,
+    ) {
         Ok(mut reader) => {
             reader.replays.disable();
             reader.enter_header();

@@ -10,6 +10,7 @@ use super::expr::array::ItemAhead;
 use super::expr::streams::Streams;
 use super::expr::value::{Number, Value};
 use super::fast_path::literal::Memory;
+use super::fast_path::literal_cache::{LiteralCache, LiteralReuse};
 use super::fast_path::replay::cache::ReplayCache;
 use super::fast_path::replay::recording::Recording;
 use super::frame::{Frame, Position, Start};
@@ -81,6 +82,8 @@ pub(super) struct Reader<'a> {
     pub(super) trials: Trials,
     /// As [`Reading::object_spans`].
     pub(super) object_spans: Vec<ObjectSpan>,
+    /// Takes literals from the last reading.
+    pub(super) reuse: Option<LiteralReuse<'a>>,
 }
 
 /// The result of reading a scene.
@@ -102,6 +105,8 @@ pub struct Reading {
     pub camera: Option<Span>,
     /// The spans of the objects of the scene, in their order, if the options ask for them.
     pub object_spans: Vec<ObjectSpan>,
+    /// Objects for the next reading, if those of the last one were given.
+    pub literals: Option<LiteralCache>,
 }
 
 /// The span of consecutive objects of a scene, all from one statement.
@@ -132,7 +137,7 @@ impl<'a> Reader<'a> {
     pub(super) fn new(
         scene: FileId,
         sources: &'a mut Sources,
-        token_cache: Option<&'a mut TokenCache>,
+        (token_cache, literals): (Option<&'a mut TokenCache>, Option<&'a LiteralCache>),
         options: &'a ReadOptions,
         probe: &'a mut dyn Probe,
         listener: &'a mut dyn FnMut(ReadEvent<'_>),
@@ -199,7 +204,10 @@ impl<'a> Reader<'a> {
             report: Report::new(listener),
             trials: Trials::default(),
             object_spans: Vec::new(),
+            reuse: None,
         };
+        let text = reader.sources.text(scene);
+        reader.reuse = literals.map(|last| LiteralReuse::new(scene, text, last));
         reader.scopes.qualify(reader.names.qualified());
         reader.declare_options();
         Ok(reader)
@@ -354,6 +362,7 @@ impl<'a> Reader<'a> {
             dependencies: self.sources.dependencies().to_vec(),
             has_new_tokens,
             object_spans: self.object_spans,
+            literals: self.reuse.map(LiteralReuse::finish),
         }
     }
 }

@@ -12,6 +12,7 @@ pub mod radiosity;
 mod radiosity_pass;
 pub mod shade;
 pub mod statistics;
+mod tile_cache;
 mod tiles;
 
 use crate::base::film;
@@ -25,24 +26,32 @@ pub use photon_pass::PhotonPass;
 use radiosity_pass::RadiosityPass;
 use shade::{BLOCK, BlockScratch, Sample, Tracer};
 use std::ops::Range;
+pub use tile_cache::TileCache;
 pub use tiles::Drawn;
-use tiles::{Canvas, DrawnTile, MIN_AT_ONCE, TILES_OF_THREAD, Tile, TilePixels, tiles_of};
+use tiles::{Canvas, DrawnTile, MIN_AT_ONCE, Pixels, TILES_OF_THREAD, Tile, TilePixels, tiles_of};
 
-/// Pixels of a tile, row by row, and the rays traced for them.
-type Pixels = (Vec<Pixel>, RayCounts);
+/// The parts of a picture that are there already.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Earlier<'a> {
+    /// Those of an earlier run.
+    pub checkpoint: Option<&'a Checkpoint>,
+    /// Those of an earlier picture of this world. The tiles of this picture are added.
+    pub tiles: Option<&'a TileCache>,
+}
 
 /// Renders the world. `listen` receives the finished pixels, from any thread. The picture is the same for any number of
-/// threads, unless there is a time limit, and the same if a part of it comes from a `checkpoint`.
+/// threads, unless there is a time limit, and the same if a part of it is there `earlier`.
 #[must_use]
 pub fn render(
     world: &World,
     options: &RenderOptions,
-    checkpoint: Option<&Checkpoint>,
+    earlier: Earlier<'_>,
     listen: &EventHandler<'_>,
 ) -> Drawn {
+    let checkpoint = earlier.checkpoint;
     if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
         // Short parallel sections are started from one of the worker threads.
-        return rayon::scope(|_| render(world, options, checkpoint, listen));
+        return rayon::scope(|_| render(world, options, earlier, listen));
     }
     let progress = &|pixels| listen(Event::Drawn(pixels));
     let tracer = Tracer::new(world, options.quality).with_cancel_token(&options.stop);
@@ -76,6 +85,10 @@ pub fn render(
         .then(|| sequential_scratch(world));
     // A tile of an earlier run does not record the radiosity samples it added, nor the random numbers it consumed.
     let checkpoint = checkpoint.filter(|_| radiosity_pass.is_none() && in_order.is_none());
+    let are_alone = radiosity_pass.is_none() && in_order.is_none();
+    let cached = earlier
+        .tiles
+        .filter(|_| are_alone && photons.is_none() && world.subsurface.is_none());
     let gathers = radiosity_pass.is_some();
     let tiles = match in_order {
         Some(_) => tiles_of(&with_all_before(options)),
@@ -84,9 +97,10 @@ pub fn render(
     let quantizer = options.target_format.as_ref().and_then(Quantizer::of_tiles);
     let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
-        let (tile, (pixels, rays)) = match checkpoint {
-            Some(checkpoint) => renderer.checkpointed_tile(checkpoint, tile, scratch),
-            None => renderer.tile(tile, scratch),
+        let (tile, (pixels, rays)) = match (checkpoint, cached) {
+            (Some(checkpoint), _) => renderer.checkpointed_tile(checkpoint, tile, scratch),
+            (None, Some(cached)) => renderer.cached_tile(cached, tile, scratch),
+            (None, None) => renderer.tile(tile, scratch),
         };
         if !gathers {
             progress(pixels.len() as u64);
@@ -188,6 +202,28 @@ impl<'a> TileRenderer<'a> {
             checkpoint.keep(&rendered);
         }
         (tile, (rendered.pixels, rays))
+    }
+
+    /// A tile of a picture with a cache: taken from that, or rendered and added to it.
+    fn cached_tile(
+        &self,
+        cache: &TileCache,
+        tile: &Tile,
+        scratch: &mut BlockScratch,
+    ) -> (Tile, Pixels) {
+        let wanted = wanted(tile, self.options);
+        if let Some(known) = cache.tile(&wanted) {
+            return (wanted, known.pixels.clone());
+        }
+        scratch.single().query.hit_leaves = Some(Box::default());
+        let (wanted, pixels) = self.tile(tile, scratch);
+        let hit_leaves = scratch.single().query.hit_leaves.take();
+        if let Some(hit_leaves) = hit_leaves
+            && !self.options.stop.is_cancelled()
+        {
+            cache.add(&wanted, pixels.clone(), hit_leaves.into_sorted());
+        }
+        (wanted, pixels)
     }
 
     /// The requested pixels of a tile, row by row.

@@ -11,6 +11,9 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+/// Pixels of a tile, row by row, and the rays traced for them.
+pub(super) type Pixels = (Vec<Pixel>, RayCounts);
+
 /// A rendered tile, and the rays traced for it.
 pub(super) struct DrawnTile {
     pub(super) tile: Tile,

@@ -209,7 +209,7 @@ impl Objects {
         })
     }
 
-    fn entries(&self) -> impl Iterator<Item = &Entry> + Clone {
+    pub(super) fn entries(&self) -> impl Iterator<Item = &Entry> + Clone {
         self.chunks.iter().flatten()
     }
 }
@@ -370,7 +370,7 @@ impl Entry {
         }
     }
 
-    fn into_object(self) -> Arc<Object> {
+    pub(super) fn into_object(self) -> Arc<Object> {
         let sphere_shape = |sphere| Arc::new(Shape::Sphere(sphere));
         let (shape, look) = match self {
             Entry::Whole(object) => return object,

@@ -22,10 +22,12 @@ pub use compiled::{Globals, World};
 pub use interiors::{InteriorId, Interiors};
 pub use lights::{LightList, Lights};
 pub use lower::probe::{ProbeModel, solid_of};
+pub(crate) use lower::restyle::NewTextures;
 pub use photons::{PhotonMapping, PhotonTarget};
 pub use primitive::{Extent, Leaf};
 pub use query::QueryScratch;
 pub use query::blocker_memory::BlockerMemory;
+pub use query::hit_leaves::HitLeaves;
 pub use query::packet::area::{AreaBlockers, LightArea};
 pub use query::packet::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
 pub use query::ray_counts::RayCounts;
@@ -58,6 +60,17 @@ pub fn compile_dropping(
     options: &RenderOptions,
     drop_object: &mut dyn FnMut(Arc<Object>),
 ) -> World {
+    compile_noting(scene, options, drop_object, None)
+}
+
+/// Same as [`compile_dropping`]; notes the index of the first item of each object for [`World::restyle`], and the number
+/// of all items at the end.
+pub(crate) fn compile_noting(
+    scene: Scene,
+    options: &RenderOptions,
+    drop_object: &mut dyn FnMut(Arc<Object>),
+    first_items: Option<&mut Vec<u32>>,
+) -> World {
     let mut scene = scene.recentered().rescaled();
     let mut flat = Lowering::new(Settings {
         solid_of: Some(solid_of),
@@ -68,8 +81,13 @@ pub fn compile_dropping(
     }
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
+    flat.first_items = first_items.is_some().then(Vec::new);
     // Objects are freed as they are lowered: large scenes need the memory.
     flat.lower_all(std::mem::take(&mut scene.objects), drop_object);
+    if let (Some(noted), Some(mut all)) = (first_items, flat.first_items.take()) {
+        all.push(index::index(flat.parts.items.len()));
+        *noted = all;
+    }
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);
     world.build_light_buffers(options);

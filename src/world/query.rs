@@ -3,6 +3,7 @@
 mod again;
 pub(super) mod blocker_memory;
 pub(super) mod closest;
+pub(super) mod hit_leaves;
 mod instance;
 pub(super) mod intersect;
 pub(super) mod occlusion;
@@ -14,6 +15,7 @@ pub(super) mod transmission;
 use super::csg::sweep::{RawHit, Sweep};
 use super::model::IndexedItem;
 use super::query::blocker_memory::BlockerMemory;
+use super::query::hit_leaves::HitLeaves;
 use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;
 use super::query::ray_counts::RayCounts;
@@ -41,6 +43,18 @@ pub struct QueryScratch {
     pub(super) transmissive_items: ItemSet,
     /// Hits on the CSG programs among them: one program after the other, each in order of distance.
     pub(super) passed: Vec<RawHit>,
+    /// The primitives hit, if they are noted.
+    pub hit_leaves: Option<Box<HitLeaves>>,
+}
+
+impl QueryScratch {
+    /// Notes the primitives of closest hits, if that is wanted.
+    #[inline(always)]
+    pub(super) fn note_leaves(&mut self, bests: &[Option<ClosestHit>]) {
+        if let Some(hit_leaves) = &mut self.hit_leaves {
+            hit_leaves.note_all(bests);
+        }
+    }
 }
 
 /// The rule by which a hit was chosen among those at the same distance.

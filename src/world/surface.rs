@@ -188,6 +188,23 @@ impl SurfaceSummary {
     }
 }
 
+impl SurfaceSummary {
+    /// Notes another surface with an index, or the next one, of which some surface has all the properties.
+    pub(super) fn put(&mut self, index: usize, surface: &Surface) {
+        if self.is_opaque {
+            return;
+        }
+        let (opaque, filter) = (surface.is_opaque(), surface.even_filter());
+        match self.opaque.get_mut(index).zip(self.filters.get_mut(index)) {
+            Some((known, known_filter)) => (*known, *known_filter) = (opaque, filter),
+            None => {
+                self.opaque.push(opaque);
+                self.filters.push(filter);
+            }
+        }
+    }
+}
+
 impl RareSurface {
     /// Returns true if the two are interchangeable.
     fn is_same(&self, other: &RareSurface) -> bool {
@@ -306,6 +323,18 @@ impl Surface {
             traits: self.traits,
             rare: None,
         })
+    }
+
+    /// Takes the place of another surface of the same shape, whose interior and lights it gets. Returns true if the world
+    /// is compiled alike for both, and rays find the same objects: only colours, bumps and the like differ.
+    pub(super) fn replaces(&mut self, other: &Surface) -> bool {
+        self.interior = other.interior;
+        self.lights = other.lights;
+        self.traits == other.traits
+            && self.rare.is_none()
+            && other.rare.is_none()
+            && self.has_jumps() == other.has_jumps()
+            && self.sends_rays() == other.sends_rays()
     }
 
     /// Moves the texture inline if nothing else shares it.

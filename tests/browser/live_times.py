@@ -1,11 +1,13 @@
 """Times of `povr live` in headless Chromium, as a table: from a file that is saved, or a mouse that moves, to the picture.
 
-`tools/live_test --times` runs it, on the showcase and on twelve scenes that come with POV-Ray where those are installed.
+`tools/live_test --times` runs it, on the showcase and on twelve scenes that come with POV-Ray where those are installed. There a
+comment changes. In a scene of 100,000 spheres that it writes, `pigment`, the pigment of one of them does.
 """
 
 import argparse
 import json
 import pathlib
+import random
 import re
 import shutil
 import statistics
@@ -34,10 +36,47 @@ WATCH = """() => {
 ORBIT = 3.0
 
 
-def scenes(names):
+#: The statements of the scene `pigment` before its spheres.
+HEAD = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 30, -60> look_at 0 angle 50 }
+light_source { <40, 80, -60>, 1 }
+background { rgb <0.3, 0.4, 0.6> }
+plane { y, -3 pigment { checker rgb 0.9, rgb 0.4 scale 4 } }
+"""
+
+
+def spheres(path):
+    """Writes a scene of 100,000 spheres, each with a statement of its own."""
+    numbers = random.Random(1)
+
+    def sphere():
+        x, y, z = numbers.uniform(-40, 40), numbers.uniform(-3, 6), numbers.uniform(-40, 40)
+        red, green, blue = (numbers.random() for _ in range(3))
+        look = f"pigment {{ color rgb <{red:.3f}, {green:.3f}, {blue:.3f}> }} finish {{ diffuse 0.8 phong 0.5 }}"
+        return f"sphere {{ <{x:.4f}, {y:.4f}, {z:.4f}>, {numbers.uniform(0.05, 0.25):.4f} {look} }}\n"
+
+    path.write_text(HEAD + "".join(sphere() for _ in range(100_000)))
+
+
+def commented(text, number):
+    """The text with a comment that tells the number."""
+    return re.sub(r"\n// saved \d+\n$", "\n", text).rstrip() + f"\n// saved {number}\n"
+
+
+def repainted(text, number):
+    """The text with another colour for the sphere in its middle."""
+    middle = text.index("color rgb", len(text) // 2)
+    return text[:middle] + re.sub(r"<[^>]*>", f"<0.9, {number % 10 / 10}, 0.1>", text[middle:], count=1)
+
+
+def scenes(names, folder):
     found = sorted((ROOT / "pov_scenes/showcase").glob("*.pov"))
     others = [EXAMPLES / f"{name}.pov" for name in NAMES]
     found += [path for path in others if path.is_file()]
+    if not names or "pigment" in names:
+        found.append(folder / "pigment.pov")
+        spheres(found[-1])
     return [path for path in found if not names or path.stem in names]
 
 
@@ -56,14 +95,14 @@ def final(page):
     page.wait_for_selector("canvas[data-final=true]", timeout=LIMIT)
 
 
-def saved(page, scene, times):
+def saved(page, scene, times, change):
     """Median times from a file that is saved to the first picture and to the final one."""
     first, last = [], []
     for number in range(times):
         page.evaluate("shown.length = 0")
-        text = re.sub(r"\n// saved \d+\n$", "\n", scene.read_text(encoding="latin-1"))
+        text = scene.read_text(encoding="latin-1")
         draft = scene.with_suffix(".draft")
-        draft.write_text(f"{text.rstrip()}\n// saved {number}\n", encoding="latin-1")
+        draft.write_text(change(text, number), encoding="latin-1")
         start = 1000 * time.time()
         draft.replace(scene)
         page.wait_for_function("() => shown.length && shown.at(-1)[1]", timeout=LIMIT)
@@ -108,7 +147,7 @@ def measured(browser, povr, source, times):
             page.goto(address)
             final(page)
             page.evaluate(WATCH)
-            first, last = saved(page, scene, times)
+            first, last = saved(page, scene, times, repainted if scene.stem == "pigment" else commented)
             rate, rested = orbited(page) if page.locator("#copy").is_enabled() else (None, None)
             page.close()
         finally:
@@ -138,9 +177,9 @@ def main():
     results = []
     print("| scene | first picture, ms | final, ms | `povr` alone, ms | ratio | pictures a second | final after rest, ms |")
     print("|---|---|---|---|---|---|---|")
-    with sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=wanted.chromium, args=["--no-sandbox"])
-        for scene in scenes(wanted.names):
+        for scene in scenes(wanted.names, pathlib.Path(folder)):
             results.append(measured(browser, povr, scene, wanted.saves))
             print(row(results[-1]), flush=True)
         browser.close()

@@ -306,7 +306,7 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
-        let drawn = match draw.live {
+        let drawn = match &draw.live {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
             Some(live) => {
                 let scene = LiveScene {
@@ -317,7 +317,7 @@ impl Worker {
                     listen: &listen,
                 };
                 let encode = files.first();
-                match self.live.draw(&scene, &live, encode, &self.replies) {
+                match self.live.draw(&scene, live, encode, &self.replies) {
                     Ok(LiveProduct::Files(files)) => return Ok(files),
                     Ok(LiveProduct::Picture(picture)) => Ok(*picture),
                     Err(failure) => Err(failure),
@@ -329,7 +329,11 @@ impl Worker {
             let options = options.for_scene(drawn.working, drawn.rounding);
             output::encode(&drawn.film, &options).map_err(|refused| Some(refused.to_string()))
         });
-        encoded.collect()
+        let encoded = encoded.collect();
+        if let Some(live) = &draw.live {
+            self.live.store(live, drawn.film);
+        }
+        encoded
     }
 }
 

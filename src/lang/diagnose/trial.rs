@@ -306,7 +306,7 @@ impl Reader<'_> {
         let reader = Reader::new(
             self.scene,
             &mut sources,
-            None,
+            (None, None),
             &options,
             self.probe,
             &mut listener,

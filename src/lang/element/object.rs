@@ -6,6 +6,7 @@ use crate::base::math::merge_steps;
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::expr::value::Value;
 use crate::lang::fast_path::common_object::Read;
+use crate::lang::fast_path::literal_cache::CachedObjects;
 use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Class, Kind as Tok, Symbol};
@@ -21,6 +22,17 @@ impl LiteralSink for Vec<Arc<Object>> {
 
     fn item(read: Read, defaults: &Defaults<'_>) -> Arc<Object> {
         Arc::new(read.into_object(defaults.layer))
+    }
+
+    fn to_cached(objects: &[Arc<Object>]) -> CachedObjects {
+        CachedObjects::Parts(objects.into())
+    }
+
+    fn of_cached(objects: &CachedObjects) -> Option<Vec<Arc<Object>>> {
+        match objects {
+            CachedObjects::Parts(parts) => Some(parts.to_vec()),
+            CachedObjects::Entries(_) => None,
+        }
     }
 
     fn take(&mut self, reader: &mut Reader<'_>, mut piece: Vec<Arc<Object>>) -> Parse<()> {

@@ -6,6 +6,7 @@ use crate::base::color::Color;
 use crate::base::source::{Code, Diagnostic};
 use crate::lang::diagnose::recover::is_part;
 use crate::lang::fast_path::common_object::Read;
+use crate::lang::fast_path::literal_cache::CachedObjects;
 use crate::lang::fast_path::parallel::{Defaults, LiteralSink};
 use crate::lang::frame::Entered;
 use crate::lang::reader::{ObjectSpan, Reader};
@@ -33,6 +34,17 @@ impl LiteralSink for TopLevel {
                 let look = look(color, &defaults.finish, defaults.texture);
                 Entry::from(PlainObject { shape, look })
             }
+        }
+    }
+
+    fn to_cached(objects: &[Entry]) -> CachedObjects {
+        CachedObjects::Entries(objects.into())
+    }
+
+    fn of_cached(objects: &CachedObjects) -> Option<Vec<Entry>> {
+        match objects {
+            CachedObjects::Entries(entries) => Some(entries.to_vec()),
+            CachedObjects::Parts(_) => None,
         }
     }
 

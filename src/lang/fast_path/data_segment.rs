@@ -5,6 +5,7 @@
 
 use super::known::{Known, NotedValues};
 use super::literal::Literal;
+use super::literal_cache::{CachedPiece, Context, LiteralReuse, OpenRun};
 use super::parallel;
 use super::parallel::{LiteralSink, Piece, PieceContext, SharedContext};
 use crate::base::args::Parse;
@@ -82,14 +83,55 @@ impl Reader<'_> {
         sink: &mut T,
     ) -> Parse<()> {
         let noted = RefCell::default();
-        let mut take = |reader: &mut Self, piece: Piece<T::Item>, at: &mut usize| {
-            *at = piece.range.end;
-            reader.count_objects(piece.parts)?;
-            sink.take(reader, piece.read)
+        let file = self.here.tokens.file;
+        let is_reusable = !self.is_repeated();
+        let reuse = self.reuse.take_if(|reuse| is_reusable && reuse.keeps(file));
+        let Some(mut reuse) = reuse else {
+            return self.take_run(text, at, sink, &noted, None);
         };
+        let mut run = OpenRun::default();
+        let result = self.take_run(text, at, sink, &noted, Some((&mut reuse, &mut run)));
+        let context = Context {
+            version: self.draft.version,
+            layer: self.draft.default_layer.clone(),
+            texture: Arc::clone(&self.draft.default_texture),
+            known: noted.into_inner(),
+        };
+        reuse.end(run, context);
+        self.reuse = Some(reuse);
+        result
+    }
+
+    /// The same; pieces of the last reading are taken again, and those of this one cached, if there is a reuse.
+    fn take_run<T: LiteralSink>(
+        &mut self,
+        text: &str,
+        at: &mut usize,
+        sink: &mut T,
+        noted: &RefCell<NotedValues>,
+        mut cached: Option<(&mut LiteralReuse<'_>, &mut OpenRun)>,
+    ) -> Parse<()> {
         loop {
-            let first = *at..*at + parallel::FIRST_BYTES;
-            let piece_context = self.piece_context(&noted);
+            if let Some((reuse, run)) = &mut cached
+                && self.take_cached(text, at, sink, noted, (reuse, run))?
+            {
+                continue;
+            }
+            let next = cached_from(cached.as_ref(), *at);
+            let mut take = |reader: &mut Self, piece: Piece<T::Item>, at: &mut usize| {
+                *at = piece.range.end;
+                if let Some((_, run)) = &mut cached {
+                    run.keep(CachedPiece {
+                        range: piece.range,
+                        parts: piece.parts,
+                        objects: T::to_cached(&piece.read),
+                    });
+                }
+                reader.count_objects(piece.parts)?;
+                sink.take(reader, piece.read)
+            };
+            let first = *at..next.min(*at + parallel::FIRST_BYTES);
+            let piece_context = self.piece_context(noted);
             let piece =
                 parallel::piece_of_objects::<T>(text, first.clone(), &piece_context, &self.memory);
             if !piece.range.is_empty() {
@@ -111,6 +153,7 @@ impl Reader<'_> {
                 ..self.shared()
             };
             let mut result = Ok(());
+            let text = &text[..next.clamp(*at, text.len())];
             parallel::objects::<T>(text, *at, &noted.borrow(), shared, |piece| {
                 let follows = piece.range.start == *at;
                 if follows {
@@ -120,6 +163,34 @@ impl Reader<'_> {
             });
             result?;
         }
+    }
+
+    /// Takes a piece of the last reading, if one begins here and its context is the current one.
+    fn take_cached<T: LiteralSink>(
+        &mut self,
+        text: &str,
+        at: &mut usize,
+        sink: &mut T,
+        noted: &RefCell<NotedValues>,
+        (reuse, run): (&mut LiteralReuse<'_>, &mut OpenRun),
+    ) -> Parse<bool> {
+        let is_current = |context: &Context| {
+            let PieceContext { shared, known } = self.piece_context(noted);
+            context.is_same(shared.version, shared.layer, shared.texture, known)
+        };
+        let Some(piece) = reuse.piece_at(*at, text.len(), run, is_current) else {
+            return Ok(false);
+        };
+        let Some(read) = T::of_cached(&piece.objects) else {
+            return Ok(false);
+        };
+        reuse.note_taken();
+        *at = piece.range.end;
+        let parts = piece.parts;
+        run.keep(piece);
+        self.count_objects(parts)?;
+        sink.take(self, read)?;
+        Ok(true)
     }
 
     fn piece_context<'a>(&'a self, noted: &'a RefCell<NotedValues>) -> PieceContext<'a> {
@@ -224,6 +295,12 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The first byte behind `at` from which objects may be taken from the last reading; `usize::MAX` without any.
+fn cached_from(cached: Option<&(&mut LiteralReuse<'_>, &mut OpenRun)>, at: usize) -> usize {
+    let next = cached.and_then(|(reuse, _)| reuse.next_piece(at));
+    next.unwrap_or(usize::MAX)
 }
 
 #[cfg(test)]

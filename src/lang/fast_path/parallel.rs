@@ -6,6 +6,7 @@
 use super::common_object::{Read, literal_object};
 use super::known::{Known, NotedValues};
 use super::literal::{Literal, LiteralContext, Memory};
+use super::literal_cache::CachedObjects;
 use super::part_cache::Parts;
 use crate::base::args::Parse;
 use crate::base::source::FileId;
@@ -33,6 +34,12 @@ pub(crate) trait LiteralSink {
 
     /// Converts an object; any thread may call it.
     fn item(read: Read, defaults: &Defaults<'_>) -> Self::Item;
+
+    /// Objects of this kind for the next reading.
+    fn to_cached(objects: &[Self::Item]) -> CachedObjects;
+
+    /// Cached objects of this kind; `None` for others.
+    fn of_cached(objects: &CachedObjects) -> Option<Vec<Self::Item>>;
 
     /// Takes the objects of a piece.
     fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Self::Item>) -> Parse<()>;
@@ -258,6 +265,14 @@ mod tests {
         type Item = ();
 
         fn item(_: Read, _: &Defaults<'_>) {}
+
+        fn to_cached(_: &[()]) -> CachedObjects {
+            CachedObjects::Parts(Arc::default())
+        }
+
+        fn of_cached(_: &CachedObjects) -> Option<Vec<()>> {
+            None
+        }
 
         fn take(&mut self, _: &mut Reader<'_>, _: Vec<()>) -> Parse<()> {
             Ok(())

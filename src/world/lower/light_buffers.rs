@@ -4,6 +4,7 @@ use crate::base::accel::LightBuffer;
 use crate::base::options::RenderOptions;
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::light::Light;
+use crate::scene::likeness::text_of;
 use crate::scene::pattern::Settings;
 use crate::world::compiled::World;
 use crate::world::model::Item;
@@ -22,7 +23,11 @@ impl World {
     ) {
         self.camera = camera.prepared(settings);
         self.lens = Lens::new(camera, settings);
-        self.build_light_buffers(options);
+        let size = (options.width, options.height);
+        let view = text_of(camera).map(|camera| format!("{camera} {size:?}"));
+        if !self.light_buffers.turn_to(view) {
+            self.build_light_buffers(options);
+        }
     }
 
     /// Builds the light buffers of camera and lights, if the picture has enough pixels to make that pay off. Those of

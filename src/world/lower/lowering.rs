@@ -66,6 +66,8 @@ pub(crate) struct Lowering {
     /// reversed in the list of its parent, unless that is a union that is not clipped. Of programs within one another the
     /// inner one is last.
     pub(crate) hit_order: Vec<u32>,
+    /// The index of the first item of each top-level object, if they are noted.
+    pub(crate) first_items: Option<Vec<u32>>,
     /// Objects that the lights of the current object refer to.
     pub(crate) held: Vec<(Holds, Arc<Object>, Inherited)>,
 }

@@ -10,6 +10,7 @@ pub(crate) mod lowering;
 pub(super) mod parallel;
 pub(crate) mod parts;
 pub(super) mod probe;
+pub(crate) mod restyle;
 pub(super) mod uses_random;
 pub(super) mod visibility_box;
 mod world;

@@ -50,8 +50,17 @@ impl Lowering {
     }
 
     fn add_one(&mut self, entry: Entry, drop_object: &mut dyn FnMut(Arc<Object>)) {
+        self.note_items(1);
         if let Some(object) = self.take(entry.into_owned()) {
             drop_object(object);
+        }
+    }
+
+    /// Notes the first items of the next objects, each of which has one unless it is the only one here.
+    fn note_items(&mut self, objects: usize) {
+        let first = index(self.parts.items.len());
+        if let Some(first_items) = &mut self.first_items {
+            first_items.extend(first..first + index(objects));
         }
     }
 
@@ -76,6 +85,7 @@ impl Lowering {
 
     fn add_plain_shapes(&mut self, shapes: PlainShapes) {
         self.last_surface = None;
+        self.note_items(shapes.len());
         let interior = self.interiors.unnamed_ones(index(shapes.len()));
         if shapes.has_only_spheres() {
             self.add_spheres(shapes, interior);

@@ -117,6 +117,7 @@ impl World {
             #[inline(always)]
             |lanes| self.closest_hit(lanes, query, scratch),
         );
+        scratch.note_leaves(&[best]);
         best.filter(|best| !self.is_too_far(&best.hit))
             .map(|best| self.hit(&query.ray, &best.hit))
     }
@@ -174,6 +175,7 @@ impl World {
                         self.nearest_in_tree(lanes, query, search, best, scratch);
                     }
                 }
+                scratch.note_leaves(&bests);
                 for ((origin, bests), hits) in origins.iter().zip(bests.chunks(4)).zip(hits) {
                     self.note_hits(lanes, origin, bests, hits);
                 }
@@ -202,6 +204,7 @@ impl World {
                         origin[lane] = query.ray.origin[axis];
                     }
                 }
+                scratch.note_leaves(&bests);
                 self.note_hits(lanes, &origin, &bests, hits);
             },
         );

@@ -153,6 +153,7 @@ impl World {
             },
         );
         scratch.transmissive_items = items;
+        scratch.note_leaves(&[best]);
         best.map(|best| self.hit(&query.ray, &best.hit))
     }
 }

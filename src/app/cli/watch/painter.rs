@@ -1,5 +1,5 @@
 //! One rendering for `povr watch`: a coarse picture first, then the whole one; both are shown. The worker compiles the
-//! scene once for both, and keeps it for other cameras.
+//! scene once for both, and keeps it for other cameras and other textures.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -168,6 +168,9 @@ impl Painter {
             }
             let mut files = files.into_iter();
             let png = files.next().unwrap_or_default();
+            if is_preview && png.is_empty() {
+                continue;
+            }
             self.show(png, is_preview, seconds);
             if is_preview {
                 if !has_better {

@@ -43,7 +43,7 @@ impl SceneText {
             number,
             has_mark,
             controls: controls(written),
-            has_cursor: written.contains(CURSOR),
+            has_cursor: holds(written, CURSOR),
             text,
         }
     }
@@ -75,6 +75,9 @@ pub(super) struct Control {
 
 /// The numbers of a text that its comments give sliders, in order.
 fn controls(text: &str) -> Vec<Control> {
+    if !holds(text, MARK) {
+        return Vec::new();
+    }
     let mut start = 0;
     let mut controls = Vec::new();
     for line in text.split_inclusive('\n') {
@@ -84,6 +87,11 @@ fn controls(text: &str) -> Vec<Control> {
         start += line.len();
     }
     controls
+}
+
+/// True if a text, which may be long, holds another one.
+fn holds(text: &str, part: &str) -> bool {
+    memchr::memmem::find(text.as_bytes(), part.as_bytes()).is_some()
 }
 
 /// The slider of a line that starts at a byte of the text.

@@ -1,7 +1,7 @@
 //! Pictures of a scene that stays compiled, and reports on their pixels.
 
 use super::Replies;
-use super::mosaic::Mosaic;
+use super::mosaic::{Mosaic, enlarged};
 use crate::app::worker::{CameraReport, Live, LiveTask, Picked, PickedSurface, Reply, Report};
 use crate::base::encoding::EncodeOptions;
 use crate::base::film::Film;
@@ -29,7 +29,7 @@ type LiveFilm = (u64, Option<String>, Film);
 
 /// The product of a task.
 pub(super) enum LiveProduct {
-    /// Files that are complete.
+    /// Files that are complete; an empty one for a preview that is not needed.
     Files(Vec<Vec<u8>>),
     /// A picture to encode.
     Picture(Box<Picture>),
@@ -67,14 +67,27 @@ impl LiveScenes {
                 report(Report::Map(scale));
                 return Ok(LiveProduct::Files(vec![png]));
             }
+            LiveTask::Coarse if scene.needs_no_preview(painter.render) => {
+                // The picture in progress appears over the last one.
+                let last = self.whole.take_if(|(.., film)| film.levels.is_none());
+                self.coarse = last.map(|(.., film)| (live.number, live.camera.clone(), film));
+                return Ok(LiveProduct::Files(vec![Vec::new()]));
+            }
             LiveTask::Coarse | LiveTask::Whole => {}
         }
         let picture = match (live.task, encode) {
             (LiveTask::Whole, Some(encode)) => {
-                let coarse = film_of(self.coarse.as_ref(), live);
+                let last = self
+                    .coarse
+                    .take_if(|(.., film)| film.width == painter.render.width);
+                let last = last.filter(|last| film_of(Some(last), live).is_some());
+                let under = match last {
+                    Some((.., film)) => film,
+                    None => enlarged(film_of(self.coarse.as_ref(), live), painter.render),
+                };
                 let send = |file: &[u8]| replies.partial(file);
                 let encode = scene.encoding(encode);
-                let mosaic = Mosaic::over(coarse, painter.render, encode, &send);
+                let mosaic = Mosaic::over(under, encode, &send);
                 painter.draw(scene, &|event| match event {
                     Event::Tile { .. } if painter.render.stop.is_cancelled() => {}
                     Event::Tile {
@@ -93,12 +106,16 @@ impl LiveScenes {
         {
             report(Report::Statistics(json));
         }
-        let film = Some((live.number, live.camera.clone(), picture.film.clone()));
+        Ok(LiveProduct::Picture(Box::new(picture)))
+    }
+
+    /// Stores a picture that has been drawn.
+    pub(super) fn store(&mut self, live: &Live, film: Film) {
+        let film = Some((live.number, live.camera.clone(), film));
         match live.task {
             LiveTask::Coarse => self.coarse = film,
             _ => self.whole = film,
         }
-        Ok(LiveProduct::Picture(Box::new(picture)))
     }
 }
 
@@ -137,15 +154,18 @@ impl LiveScene<'_> {
         report: &dyn Fn(Report),
     ) -> Result<&'c CompiledScene, Failure> {
         let camera = live.camera.as_deref().map(camera_of).transpose()?;
-        let mut known = compiled.take().filter(|(number, _)| *number == live.number);
-        let is_same = known
-            .as_mut()
-            .is_some_and(|(_, scene)| scene.set_camera(camera.as_ref(), self.render));
-        let scene = match known.filter(|_| is_same) {
-            Some((_, scene)) => scene,
-            None => self.compile(camera, report)?,
+        let (number, mut last) = compiled.take().unzip();
+        let is_same = number == Some(live.number)
+            && last
+                .as_mut()
+                .is_some_and(|scene| scene.set_camera(camera.as_ref(), self.render));
+        let scene = match last.take_if(|_| is_same) {
+            Some(scene) => Ok(scene),
+            None => self.compile(camera, &mut last, report),
         };
-        let (_, scene) = compiled.insert((live.number, scene));
+        // With errors the last scene that could be read stays, for the next one.
+        *compiled = number.zip(last);
+        let (_, scene) = compiled.insert((live.number, scene?));
         Ok(scene)
     }
 
@@ -157,13 +177,14 @@ impl LiveScene<'_> {
     fn compile(
         &self,
         camera: Option<Camera>,
+        last: &mut Option<CompiledScene>,
         report: &dyn Fn(Report),
     ) -> Result<CompiledScene, Failure> {
         let options = (self.read, self.render);
         let other = camera.clone();
-        let mut scene = self
-            .session
-            .compile(&self.input, options, other, self.listen)?;
+        let mut scene =
+            self.session
+                .compile_next(last, &self.input, options, other, self.listen)?;
         let is_own = camera.is_none() || scene.set_camera(None, self.render);
         let (width, height) = (self.render.width, self.render.height);
         let centre = (f64::from(width - 1) / 2.0, f64::from(height - 1) / 2.0);

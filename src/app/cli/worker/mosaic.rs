@@ -27,17 +27,12 @@ struct State {
 }
 
 impl<'a> Mosaic<'a> {
-    /// A picture without tiles, over a coarse one.
+    /// A picture without tiles, over an earlier one.
     pub(super) fn over(
-        coarse: Option<&Film>,
-        render: &RenderOptions,
+        film: Film,
         encode: EncodeOptions,
         send: &'a (dyn Fn(&[u8]) + Sync),
     ) -> Self {
-        let mut film = Film::whole(render.width, render.height);
-        if let Some(coarse) = coarse {
-            enlarge(coarse, &mut film);
-        }
         Mosaic {
             encode,
             send,
@@ -73,8 +68,12 @@ impl<'a> Mosaic<'a> {
     }
 }
 
-/// Fills a picture with another one in its size.
-fn enlarge(coarse: &Film, film: &mut Film) {
+/// A coarse picture in the size of another one; a black one if there is none.
+pub(super) fn enlarged(coarse: Option<&Film>, render: &RenderOptions) -> Film {
+    let mut film = Film::whole(render.width, render.height);
+    let Some(coarse) = coarse else {
+        return film;
+    };
     let part = |at: usize, of: u32, whole: u32| at * of as usize / whole as usize;
     let (width, height) = (film.width, film.height);
     for (y, row) in film.pixels.chunks_mut(width as usize).enumerate() {
@@ -83,6 +82,7 @@ fn enlarge(coarse: &Film, film: &mut Film) {
             *pixel = coarse.pixels[start + part(x, coarse.width, width)];
         }
     }
+    film
 }
 
 #[cfg(test)]
@@ -102,7 +102,8 @@ mod tests {
         let sent = Mutex::new(Vec::new());
         let send = |file: &[u8]| lock(&sent).push(file.to_vec());
         let encode = EncodeOptions::new(Format::PNG);
-        let mosaic = Mosaic::over(Some(&coarse), &RenderOptions::of_size(4, 2), encode, &send);
+        let film = enlarged(Some(&coarse), &RenderOptions::of_size(4, 2));
+        let mosaic = Mosaic::over(film, encode, &send);
         mosaic.add(&(0..1), &(0..1), &[grey(1.0)]);
         assert!(lock(&sent).is_empty());
         lock(&mosaic.state).next = Some(Instant::now());

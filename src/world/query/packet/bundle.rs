@@ -144,6 +144,7 @@ impl World {
                         *best = self.closest_hit(lanes, &query(ray), scratch);
                     }
                 }
+                scratch.note_leaves(&bests);
                 let origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
                 for (bests, hits) in bests.chunks(4).zip(hits) {
                     self.note_hits(lanes, &origin, bests, hits);

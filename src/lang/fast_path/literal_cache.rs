@@ -1,0 +1,279 @@
+//! Objects written as literals, cached from one reading of a scene to the next.
+//!
+//! Most of the text stays while an author works on a scene. A piece that was read as literals gives the same objects
+//! again if its text is the same, as are version, defaults and named values, and if a reader of literals comes to its
+//! first byte as before. So its objects are taken from the last reading. All else is read as ever.
+
+use super::known::{Known, KnownValue, NotedValues};
+use crate::base::source::FileId;
+use crate::scene::likeness::{Likeness, alike};
+use crate::scene::texture::{Finish, Layer, Material, Pigment, Texture};
+use crate::scene::{Entry, Object};
+use rustc_hash::FxHashMap;
+use std::any::Any;
+use std::fmt::Debug;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Texts are compared in blocks of this many bytes.
+const BLOCK: usize = 1 << 12;
+
+/// The objects of a scene's text that were read as literals.
+#[derive(Clone, Debug, Default)]
+pub struct LiteralCache {
+    text: Arc<String>,
+    runs: Vec<Run>,
+    /// True if some were taken from the reading before.
+    has_taken: bool,
+}
+
+/// Pieces that were read one after the other, in one context.
+#[derive(Clone, Debug)]
+struct Run {
+    context: Context,
+    pieces: Vec<CachedPiece>,
+}
+
+/// Everything that the meaning of literals depends on beside their text.
+#[derive(Clone, Debug)]
+pub(super) struct Context {
+    pub(super) version: f64,
+    pub(super) layer: Layer,
+    pub(super) texture: Arc<Texture>,
+    pub(super) known: NotedValues,
+}
+
+/// The objects of a piece of text.
+#[derive(Clone, Debug)]
+pub(super) struct CachedPiece {
+    pub(super) range: Range<usize>,
+    /// Number of objects in it, with their parts.
+    pub(super) parts: u64,
+    pub(super) objects: CachedObjects,
+}
+
+/// Objects as their readers store them.
+#[derive(Clone, Debug)]
+pub(crate) enum CachedObjects {
+    /// Those of the scene itself.
+    Entries(Arc<[Entry]>),
+    /// Parts of an object.
+    Parts(Arc<[Arc<Object>]>),
+}
+
+/// The range in which two texts differ: what lies between their common beginning and their common end.
+#[derive(Clone, Debug)]
+struct Change {
+    old: Range<usize>,
+    new_end: usize,
+}
+
+/// Takes objects from the last reading of a scene, and keeps those of the current one.
+#[derive(Debug)]
+pub(crate) struct LiteralReuse<'a> {
+    scene: FileId,
+    last: &'a LiteralCache,
+    change: Change,
+    /// The first byte of each piece of the last reading, ascending, with its run and its number there.
+    starts: Vec<(usize, [usize; 2])>,
+    now: LiteralCache,
+}
+
+/// The run of pieces that is being read.
+#[derive(Debug, Default)]
+pub(super) struct OpenRun {
+    /// For the runs of the last reading, true if their context is the current one.
+    usable: FxHashMap<usize, bool>,
+    pieces: Vec<CachedPiece>,
+}
+
+impl<'a> LiteralReuse<'a> {
+    /// The reuse for the scene in a file, from the cache of the last reading.
+    pub(crate) fn new(scene: FileId, text: &Arc<String>, last: &'a LiteralCache) -> Self {
+        let runs = last.runs.iter().enumerate();
+        let positions = runs.flat_map(|(run, pieces)| {
+            let pieces = pieces.pieces.iter().enumerate();
+            pieces.map(move |(number, piece)| (piece.range.start, [run, number]))
+        });
+        let mut starts: Vec<_> = positions.collect();
+        starts.sort_unstable();
+        LiteralReuse {
+            scene,
+            last,
+            change: Change::between(last.text.as_bytes(), text.as_bytes()),
+            starts,
+            now: LiteralCache {
+                text: Arc::clone(text),
+                ..LiteralCache::default()
+            },
+        }
+    }
+
+    /// The literals of the reading that has ended.
+    pub(crate) fn finish(self) -> LiteralCache {
+        self.now
+    }
+
+    /// True if it keeps the literals of a file.
+    pub(super) fn keeps(&self, file: FileId) -> bool {
+        file == self.scene
+    }
+
+    /// The piece of the last reading that begins at a byte of the current text and ends within `end`, if its objects are
+    /// those of the current text and context.
+    pub(super) fn piece_at(
+        &mut self,
+        at: usize,
+        end: usize,
+        run: &mut OpenRun,
+        is_current: impl Fn(&Context) -> bool,
+    ) -> Option<CachedPiece> {
+        let start = self.change.old_position(at)?;
+        let first = self.starts.partition_point(|(other, _)| *other < start);
+        let positions = self.starts[first..].iter();
+        let mut positions = positions.take_while(|(other, _)| *other == start);
+        positions.find_map(|&(_, [number, piece])| {
+            let of = &self.last.runs[number];
+            let piece = &of.pieces[piece];
+            let range = self.change.moved(&piece.range)?;
+            let usable = run.usable.entry(number);
+            let is_usable = range.start == at
+                && range.end <= end
+                && *usable.or_insert_with(|| is_current(&of.context));
+            is_usable.then(|| CachedPiece {
+                range,
+                ..piece.clone()
+            })
+        })
+    }
+
+    /// The first byte behind `at` where an unchanged piece of the last reading begins.
+    pub(super) fn next_piece(&self, at: usize) -> Option<usize> {
+        let from = match self.change.old_position(at) {
+            Some(old) => old + 1,
+            None => self.change.old.end,
+        };
+        let first = self.starts.partition_point(|(start, _)| *start < from);
+        self.starts[first..].iter().find_map(|&(_, [run, piece])| {
+            let range = self
+                .change
+                .moved(&self.last.runs[run].pieces[piece].range)?;
+            (range.start > at).then_some(range.start)
+        })
+    }
+
+    /// Keeps the pieces of a run.
+    pub(super) fn end(&mut self, run: OpenRun, context: Context) {
+        let pieces = run.pieces;
+        if !pieces.is_empty() {
+            self.now.runs.push(Run { context, pieces });
+        }
+    }
+
+    /// Notes that objects of the last reading are part of the scene.
+    pub(super) fn note_taken(&mut self) {
+        self.now.has_taken = true;
+    }
+}
+
+impl LiteralCache {
+    /// True if objects of the reading before it are among them.
+    #[must_use]
+    pub fn has_taken(&self) -> bool {
+        self.has_taken
+    }
+}
+
+impl OpenRun {
+    /// Adds a piece.
+    pub(super) fn keep(&mut self, piece: CachedPiece) {
+        self.pieces.push(piece);
+    }
+}
+
+impl Context {
+    /// True if the two contexts give the same meaning to literals that use no other names than this one knows.
+    pub(super) fn is_same(
+        &self,
+        version: f64,
+        layer: &Layer,
+        texture: &Arc<Texture>,
+        known: Known<'_>,
+    ) -> bool {
+        let mut likeness = Likeness::default();
+        self.version.to_bits() == version.to_bits()
+            && alike(&self.layer, layer)
+            && likeness.same(&self.texture, texture)
+            && self.known.iter().all(|(name, old)| {
+                known
+                    .get(name)
+                    .is_some_and(|new| is_same_value(old, &new, &mut likeness))
+            })
+    }
+}
+
+fn is_same_value(old: &KnownValue, new: &KnownValue, likeness: &mut Likeness) -> bool {
+    match (old, new) {
+        (KnownValue::Object(old), KnownValue::Object(new)) => likeness.same(old, new),
+        (KnownValue::Element(old), KnownValue::Element(new)) => {
+            Arc::ptr_eq(old, new)
+                || are_alike::<Texture>(&**old, &**new)
+                || are_alike::<Pigment>(&**old, &**new)
+                || are_alike::<Finish>(&**old, &**new)
+                || are_alike::<Material>(&**old, &**new)
+        }
+        _ => false,
+    }
+}
+
+/// True if both are of this type, and alike.
+fn are_alike<T: Any + Debug>(old: &dyn Any, new: &dyn Any) -> bool {
+    let both = old.downcast_ref::<T>().zip(new.downcast_ref::<T>());
+    both.is_some_and(|(old, new)| alike(old, new))
+}
+
+impl Change {
+    fn between(old: &[u8], new: &[u8]) -> Change {
+        let start = common_start(old, new);
+        let most = old.len().min(new.len()) - start;
+        let end = common_end(&old[old.len() - most..], &new[new.len() - most..]);
+        Change {
+            old: start..old.len() - end,
+            new_end: new.len() - end,
+        }
+    }
+
+    /// The range in the new text of an unchanged range of the old one.
+    fn moved(&self, range: &Range<usize>) -> Option<Range<usize>> {
+        if range.end <= self.old.start {
+            return Some(range.clone());
+        }
+        let moved = |at: usize| at - self.old.end + self.new_end;
+        (range.start >= self.old.end).then(|| moved(range.start)..moved(range.end))
+    }
+
+    /// The position in the old text of an unchanged one in the new text.
+    fn old_position(&self, at: usize) -> Option<usize> {
+        if at < self.old.start {
+            return Some(at);
+        }
+        (at >= self.new_end).then(|| at - self.new_end + self.old.end)
+    }
+}
+
+/// The length of the common beginning of two texts.
+fn common_start(a: &[u8], b: &[u8]) -> usize {
+    let blocks = a.chunks_exact(BLOCK).zip(b.chunks_exact(BLOCK));
+    let blocks = BLOCK * blocks.take_while(|(a, b)| a == b).count();
+    let bytes = a[blocks..].iter().zip(&b[blocks..]);
+    blocks + bytes.take_while(|(a, b)| a == b).count()
+}
+
+/// The length of the common end of two texts of the same length.
+fn common_end(a: &[u8], b: &[u8]) -> usize {
+    let blocks = a.rchunks_exact(BLOCK).zip(b.rchunks_exact(BLOCK));
+    let blocks = BLOCK * blocks.take_while(|(a, b)| a == b).count();
+    let rest = |text: &[u8]| text.len() - blocks;
+    let bytes = a[..rest(a)].iter().rev().zip(b[..rest(b)].iter().rev());
+    blocks + bytes.take_while(|(a, b)| a == b).count()
+}

@@ -1,0 +1,200 @@
+//! The shapes that have other textures in the next reading of a scene.
+
+use super::likeness::Likeness;
+use super::{Entry, Kind, Object, Objects, Operation};
+use crate::base::color::Color;
+use crate::scene::shape::Sphere;
+use std::sync::Arc;
+
+/// With more such shapes than this, or more values to compare, comparing takes longer than it saves.
+const MOST: usize = 1 << 12;
+
+/// A shape in another texture. It is an object of the scene, or a part of unions.
+#[derive(Debug)]
+pub(crate) struct Restyled {
+    /// The index of the object.
+    pub(crate) index: usize,
+    /// Number of shapes in the object, and of those before this one.
+    pub(crate) shapes: u32,
+    pub(crate) before: u32,
+    /// The shape in its new texture, within the unions around it, which have no other parts here.
+    pub(crate) object: Arc<Object>,
+}
+
+/// The shapes that have another texture in the second list; `None` if the lists differ in anything else, or in very much.
+pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
+    if old.len() != new.len() {
+        return None;
+    }
+    let mut likeness = Likeness::default();
+    let mut all = Vec::new();
+    for (index, (old, new)) in old.entries().zip(new.entries()).enumerate() {
+        if is_same(old, new, &mut likeness) {
+            continue;
+        }
+        let [old, new] = [old, new].map(|entry| entry.clone().into_object());
+        let shapes = new.size().leaves;
+        let parts = restyled_parts(&old, &new, 0, &mut likeness)?;
+        all.extend(parts.into_iter().map(|(before, object)| Restyled {
+            index,
+            shapes,
+            before,
+            object,
+        }));
+        if all.len() > MOST || likeness.count() > MOST {
+            return None;
+        }
+    }
+    Some(all)
+}
+
+/// True if two entries are certainly alike.
+fn is_same(old: &Entry, new: &Entry, likeness: &mut Likeness) -> bool {
+    match (old, new) {
+        (Entry::Whole(old), Entry::Whole(new)) => Arc::ptr_eq(old, new),
+        (
+            Entry::Sphere {
+                sphere: a,
+                color,
+                finish,
+            },
+            Entry::Sphere {
+                sphere: b,
+                color: other,
+                finish: other_finish,
+            },
+        ) => {
+            sphere_bits(a) == sphere_bits(b)
+                && color_bits(color) == color_bits(other)
+                && likeness.same(finish, other_finish)
+        }
+        (
+            Entry::TexturedSphere { sphere: a, texture },
+            Entry::TexturedSphere {
+                sphere: b,
+                texture: other,
+            },
+        ) => sphere_bits(a) == sphere_bits(b) && likeness.same(texture, other),
+        (
+            Entry::Colored {
+                shape: a,
+                color,
+                finish,
+            },
+            Entry::Colored {
+                shape: b,
+                color: other,
+                finish: other_finish,
+            },
+        ) => {
+            color_bits(color) == color_bits(other)
+                && likeness.same(finish, other_finish)
+                && likeness.same(a, b)
+        }
+        (
+            Entry::Textured { shape: a, texture },
+            Entry::Textured {
+                shape: b,
+                texture: other,
+            },
+        ) => likeness.same(texture, other) && likeness.same(a, b),
+        (
+            Entry::Moved {
+                shape: a,
+                color,
+                finish,
+                steps,
+            },
+            Entry::Moved {
+                shape: b,
+                color: other,
+                finish: other_finish,
+                steps: other_steps,
+            },
+        ) => {
+            color_bits(color) == color_bits(other)
+                && likeness.same(finish, other_finish)
+                && likeness.same(a, b)
+                && likeness.alike(steps, other_steps)
+        }
+        _ => false,
+    }
+}
+
+fn sphere_bits(sphere: &Sphere) -> [u64; 4] {
+    let [x, y, z] = sphere.centre.to_array();
+    [x, y, z, sphere.radius].map(f64::to_bits)
+}
+
+fn color_bits(color: &Color) -> [u32; 5] {
+    let Color {
+        rgb,
+        filter,
+        transmit,
+    } = *color;
+    [rgb.r, rgb.g, rgb.b, filter, transmit].map(f32::to_bits)
+}
+
+/// The shapes in an object that have another texture in its new form, each with the number of shapes before it.
+fn restyled_parts(
+    old: &Arc<Object>,
+    new: &Arc<Object>,
+    before: u32,
+    likeness: &mut Likeness,
+) -> Option<Vec<(u32, Arc<Object>)>> {
+    if Arc::ptr_eq(old, new) {
+        return Some(Vec::new());
+    }
+    if let (Some(old_parts), Some(new_parts)) = (old.plain_union(), new.plain_union()) {
+        let is_same = old_parts.len() == new_parts.len()
+            && likeness.alike(&without_kind(old), &without_kind(new));
+        if !is_same {
+            return None;
+        }
+        let (mut all, mut before) = (Vec::new(), before);
+        for (old_part, new_part) in old_parts.iter().zip(&**new_parts) {
+            for (before, part) in restyled_parts(old_part, new_part, before, likeness)? {
+                let mut around = (**new).clone();
+                around.kind = union_of(vec![part]);
+                all.push((before, Arc::new(around)));
+            }
+            before = before.saturating_add(new_part.size().leaves);
+            if all.len() > MOST || likeness.count() > MOST {
+                return None;
+            }
+        }
+        return Some(all);
+    }
+    let (Kind::Shape(old_shape), Kind::Shape(new_shape)) = (&old.kind, &new.kind) else {
+        return likeness.alike(old, new).then(Vec::new);
+    };
+    let is_same_shape = Arc::ptr_eq(old_shape, new_shape) || likeness.alike(old_shape, new_shape);
+    let [mut old_rest, mut new_rest] = [old, new].map(without_kind);
+    let textures = [&mut old_rest, &mut new_rest].map(|rest| rest.texture.take());
+    if !is_same_shape || !likeness.alike(&old_rest, &new_rest) {
+        return None;
+    }
+    if likeness.alike(&textures[0], &textures[1]) {
+        return Some(Vec::new());
+    }
+    let mut layers = textures
+        .iter()
+        .flatten()
+        .flat_map(|texture| texture.what.layers());
+    let has_interior = layers.any(|layer| layer.finish.has_interior());
+    (!has_interior).then(|| vec![(before, Arc::clone(new))])
+}
+
+/// An object's attributes.
+fn without_kind(object: &Arc<Object>) -> Object {
+    let mut rest = (**object).clone();
+    rest.kind = union_of(Vec::new());
+    rest
+}
+
+fn union_of(children: Vec<Arc<Object>>) -> Kind {
+    Kind::Csg {
+        operation: Operation::Union,
+        children: Arc::new(children),
+    }
+}
