@@ -1,9 +1,9 @@
 //! Ray packets of four lanes: spans and roots of simple solids, bit for bit as [`super::Geometry::roots`] gives them
 //! per ray.
 
-use super::Shape;
 use super::packet_search::{NearestQuery4, NearestResult4};
 use super::ray_packet::RayPacket;
+use super::{Quadric, Shape};
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::base::math::roots::ray_sphere::MARGIN;
 use crate::base::math::simd::F64Lanes;
@@ -152,8 +152,8 @@ impl Shape {
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.supports_packets(),
             Shape::Cone(cone) => cone.supports_packets(),
-            Shape::Plane(_) | Shape::Quadric(_) => true,
-            _ => false,
+            Shape::Plane(_) => true,
+            _ => self.as_quadric().is_some(),
         }
     }
 
@@ -164,16 +164,26 @@ impl Shape {
             Shape::Torus(torus) => torus.supports_packets(),
             Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
             Shape::JuliaFractal(fractal) => fractal.supports_packets(),
-            Shape::Plane(_) | Shape::Cuboid(_) | Shape::Quadric(_) => true,
+            Shape::Plane(_) | Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.supports_packets(),
             Shape::Cone(cone) => cone.supports_packets(),
-            _ => false,
+            _ => self.as_quadric().is_some(),
         }
     }
 
     /// True if packets know more of it once an interval limits their rays: an unbounded quadric.
     pub(crate) fn gains_from_intervals(&self) -> bool {
-        matches!(self, Shape::Quadric(_))
+        self.as_quadric().is_some()
+    }
+
+    /// The surface of second order that it is.
+    #[inline(always)]
+    fn as_quadric(&self) -> Option<&Quadric> {
+        match self {
+            Shape::Quadric(quadric) => Some(quadric),
+            Shape::Poly(poly) => poly.as_quadric(),
+            _ => None,
+        }
     }
 
     /// True if its roots lie on several faces.
@@ -202,7 +212,11 @@ impl Shape {
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => NearestPacket::load(
                 &self.search_packet(&NearestQuery4::new(rays, from, far, left, active)),
             ),
-            Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Cone(_) | Shape::Quadric(_) => {
+            Shape::Cuboid(_)
+            | Shape::Cylinder(_)
+            | Shape::Cone(_)
+            | Shape::Quadric(_)
+            | Shape::Poly(_) => {
                 // No end beyond the first is needed.
                 let mut nearest = self.span_packet(rays, from, from).nearest(from, far);
                 nearest.unknown |= left[0] | left[1];
@@ -271,11 +285,14 @@ impl Shape {
             Shape::Cylinder(cylinder) if cylinder.supports_packets() => cylinder.span_packet(rays),
             Shape::Cone(cone) if cone.supports_packets() => cone.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
-            Shape::Quadric(quadric) => quadric.span_packet(rays, low, high),
-            _ => {
-                let nothing = F::splat(0.0);
-                SpanPacket::new(nothing, nothing, F::mask_from_bits(0), F::mask_from_bits(0))
-            }
+            _ => match self.as_quadric() {
+                Some(quadric) => quadric.span_packet(rays, low, high),
+                None => {
+                    let nothing = F::splat(0.0);
+                    let none = F::mask_from_bits(0);
+                    SpanPacket::new(nothing, nothing, none, none)
+                }
+            },
         }
     }
 }
@@ -336,7 +353,7 @@ mod tests {
     use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdKernel, SimdLevel};
     use crate::scene::shape::{
-        Cone, Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus,
+        Cone, Crossing, Cuboid, Cylinder, Geometry, Plane, Poly, Root, Sphere, Torus,
     };
     use glam::DVec3;
 
@@ -391,6 +408,8 @@ mod tests {
             Shape::Torus(Torus::read(&mut read("1, 1")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<1, 2, -0.5>, 0.25")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<0, 1, 0>, -1")).unwrap()),
+            Shape::Poly(Poly::read(&mut read("2, <1, 0, 0, 0, 1, 0, 0, -1, 0, 1>")).unwrap()),
+            Shape::Poly(Poly::read(&mut read("2, <1, 0, 0, 0, 2, 0, 0, 3, 1, -1>")).unwrap()),
         ];
         let mut rng = Random::new(31);
         for shape in &shapes {

@@ -7,7 +7,7 @@
 //! `|u| <= 1` are sign changes of that polynomial, and those beyond are sign changes of its reverse in `1/u`
 //! ([`sign_changes`]). Each is refined on the polynomial in space itself. Error bound: roots lie within the rounding of
 //! the terms over the slope, for a torus written as a quartic 2 roundings of the problem's size (`shape/roundings.rs`).
-//! `sturm` is accepted and ignored; there is one solver.
+//! `sturm` is accepted and ignored. Order 2 is intersected as a [`Quadric`], with its error bound.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::power_of_two;
@@ -16,7 +16,7 @@ use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between, v
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{
-    Crossings, Geometry, Root, Start, SurfaceSide, alternate, first_visible, read,
+    Crossings, Geometry, Quadric, Root, Start, SurfaceSide, alternate, first_visible, read,
 };
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -47,6 +47,8 @@ struct Polynomial {
     leading_zeros: Vec<usize>,
     /// Distance from the origin at which the terms of highest degree become the largest.
     size: f64,
+    /// The same surface, of an order of 2.
+    quadric: Option<Quadric>,
 }
 
 /// A polynomial on a line, by rising power, of degree below `COUNT`.
@@ -98,6 +100,11 @@ impl Poly {
             args.comma()?;
         }
         Ok(Poly(Arc::new(Polynomial::new(order, c))))
+    }
+
+    /// The quadric that it is, of an order of 2.
+    pub(in crate::scene::shape) fn as_quadric(&self) -> Option<&Quadric> {
+        self.0.quadric.as_ref()
     }
 
     fn read_order(args: &mut dyn Args) -> Parse<usize> {
@@ -170,10 +177,22 @@ impl Polynomial {
                 rest = others;
             }
         }
+        // Scaled by a power of two, so that the squares of coefficients neither overflow nor vanish.
+        let unit = power_of_two(c.iter().fold(0.0, |most, c| c.abs().max(most)));
+        let quadric = match *c {
+            [xx, xy, xz, x, yy, yz, y, zz, z, constant] => Some(Quadric::new(
+                DVec3::new(xx, yy, zz) / unit,
+                DVec3::new(xy, xz, yz) / unit,
+                DVec3::new(x, y, z) / unit,
+                constant / unit,
+            )),
+            _ => None,
+        };
         Polynomial {
             order,
             c,
             leading_zeros,
+            quadric,
             size: if size.is_finite() { size } else { 1.0 },
         }
     }
@@ -418,12 +437,18 @@ fn fix_parity(params: &mut Roots, is_odd: bool, joint: f64) {
 
 impl Geometry for Poly {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        if let Some(quadric) = self.as_quadric() {
+            return quadric.roots(ray, roots);
+        }
         let (start, own) = self.0.crossings(ray);
         roots.extend_from_slice(&own);
         start
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        if let Some(quadric) = self.as_quadric() {
+            return quadric.nearest(ray, from, to);
+        }
         first_visible(&self.0.crossings(ray).1, from, to)
     }
 
