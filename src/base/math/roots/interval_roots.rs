@@ -12,6 +12,10 @@ use super::bracket::Roots;
 const MAX_BISECTIONS: u32 = 52;
 /// More iterations for a root than bisection of an interval down to its last digit takes.
 const MAX_STEPS: u32 = 120;
+/// A step this short, relative to the ends, is the last one where the iteration converges quadratically, as a residual
+/// shows that has shrunk by this factor: the next step would be below the last digit.
+const LAST_STEP: f64 = 1e-9;
+const LAST_GAIN: f64 = 1e-6;
 /// Factor that covers the rounding of the products that bound the function's change.
 const ROUNDING: f64 = 1.0 + 8.0 * f64::EPSILON;
 
@@ -24,14 +28,27 @@ pub(crate) struct Interval {
 
 /// A function of one variable with bounds over intervals.
 pub(crate) trait IntervalFunction {
-    /// The value at `x`.
-    fn value(&self, x: f64) -> f64;
-    /// The derivative at `x`; may be infinite or NaN.
-    fn slope(&self, x: f64) -> f64;
-    /// Bounds of the values between `from` and `to`.
-    fn values(&self, from: f64, to: f64) -> Interval;
-    /// Bounds of the derivative between `from` and `to`; may be infinite.
-    fn slopes(&self, from: f64, to: f64) -> Interval;
+    /// Everything at one `x` that values, slopes and bounds are computed from.
+    type At: Copy;
+    /// Evaluates at `x`.
+    fn at(&self, x: f64) -> Self::At;
+    /// The value.
+    fn value(&self, at: Self::At) -> f64;
+    /// The derivative; may be infinite or NaN.
+    fn slope(&self, at: Self::At) -> f64;
+    /// Bounds of the values between two `x`.
+    fn values(&self, ends: [Self::At; 2]) -> Interval;
+    /// Bounds of the derivative between two `x`; may be infinite.
+    fn slopes(&self, ends: [Self::At; 2]) -> Interval;
+}
+
+/// An end of an interval.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End<A> {
+    pub(crate) x: f64,
+    pub(crate) at: A,
+    /// The sign that the function is taken to have there.
+    pub(crate) is_negative: bool,
 }
 
 impl Interval {
@@ -51,32 +68,34 @@ impl Interval {
     }
 }
 
-/// Appends the sign changes between `from` and `to`, sorted. The signs at both ends are given.
-pub(crate) fn sign_changes(
-    function: &impl IntervalFunction,
-    (from, starts_negative): (f64, bool),
-    (to, ends_negative): (f64, bool),
+/// Appends the sign changes between two ends, sorted.
+pub(crate) fn sign_changes<F: IntervalFunction>(
+    function: &F,
+    ends: [End<F::At>; 2],
     roots: &mut Roots,
 ) {
-    let ends = [(from, starts_negative), (to, ends_negative)];
     search(function, ends, MAX_BISECTIONS, roots);
 }
 
-fn search(function: &impl IntervalFunction, ends: [(f64, bool); 2], depth: u32, roots: &mut Roots) {
-    let [(from, starts_negative), (to, ends_negative)] = ends;
-    let is_change = starts_negative != ends_negative;
-    if !is_change && function.values(from, to).is_off_zero() {
+fn search<F: IntervalFunction>(function: &F, ends: [End<F::At>; 2], depth: u32, roots: &mut Roots) {
+    let [from, to] = ends.map(|end| end.x);
+    let starts_negative = ends[0].is_negative;
+    let is_change = starts_negative != ends[1].is_negative;
+    let around = ends.map(|end| end.at);
+    if !is_change && function.values(around).is_off_zero() {
         return;
     }
-    let middle = 0.5 * (from + to);
-    let slopes = function.slopes(from, to);
+    let slopes = function.slopes(around);
     if slopes.is_one_sided() {
         if is_change {
-            roots.push(bracketed(function, from, to, starts_negative));
+            let guess = chord_root(function, ends);
+            roots.push(bracketed(function, [from, to], guess, starts_negative));
         }
         return;
     }
-    let value = function.value(middle);
+    let middle = 0.5 * (from + to);
+    let at = function.at(middle);
+    let value = function.value(at);
     let change = 0.5 * (to - from) * slopes.high.max(-slopes.low) * ROUNDING;
     if value.abs() > change || depth == 0 || middle <= from || middle >= to {
         if is_change {
@@ -84,7 +103,11 @@ fn search(function: &impl IntervalFunction, ends: [(f64, bool); 2], depth: u32, 
         }
         return;
     }
-    let half = (middle, value < 0.0);
+    let half = End {
+        x: middle,
+        at,
+        is_negative: value < 0.0,
+    };
     search(function, [ends[0], half], depth - 1, roots);
     search(function, [half, ends[1]], depth - 1, roots);
 }
@@ -95,23 +118,36 @@ pub(crate) fn monotone_root(
     [from, to]: [f64; 2],
     is_rising: bool,
 ) -> f64 {
-    bracketed(function, from, to, is_rising)
+    bracketed(function, [from, to], 0.5 * (from + to), is_rising)
 }
 
-/// The root on a monotone interval by Newton's iteration, with a bisection step where Newton's leaves the bracket or
-/// does not halve the residual.
+/// Where the chord between two ends of different signs crosses zero; the middle if their values have other signs.
+fn chord_root<F: IntervalFunction>(function: &F, ends: [End<F::At>; 2]) -> f64 {
+    let [from, to] = ends.map(|end| end.x);
+    let [first, last] = ends.map(|end| function.value(end.at));
+    let along = first / (first - last);
+    if 0.0 < along && along < 1.0 {
+        from + along * (to - from)
+    } else {
+        0.5 * (from + to)
+    }
+}
+
+/// The root on a monotone interval by Newton's iteration from `x`, with a bisection step where Newton's leaves the bracket
+/// or does not halve the residual.
 fn bracketed(
     function: &impl IntervalFunction,
-    mut low: f64,
-    mut high: f64,
+    [mut low, mut high]: [f64; 2],
+    mut x: f64,
     is_rising: bool,
 ) -> f64 {
-    let mut x = 0.5 * (low + high);
     let mut last = f64::INFINITY;
+    let size = low.abs().max(high.abs());
     // Shorter steps only reflect the rounding of the function.
-    let min_step = 2.0 * f64::EPSILON * low.abs().max(high.abs());
+    let min_step = 2.0 * f64::EPSILON * size;
     for _ in 0..MAX_STEPS {
-        let value = function.value(x);
+        let at = function.at(x);
+        let value = function.value(at);
         if value == 0.0 {
             break;
         }
@@ -120,9 +156,12 @@ fn bracketed(
         } else {
             high = x;
         }
-        let slope = function.slope(x);
+        let slope = function.slope(at);
         let newton = x - value / slope;
-        if slope.is_finite() && (newton - x).abs() <= min_step {
+        let step = (newton - x).abs();
+        let has_converged = last.is_finite() && value.abs() < LAST_GAIN * last;
+        let is_last = step <= LAST_STEP * size && has_converged;
+        if slope.is_finite() && (step <= min_step || is_last) {
             return newton.max(low).min(high);
         }
         let gains = value.abs() < 0.5 * last;
@@ -176,17 +215,21 @@ mod tests {
     struct Sine(f64);
 
     impl IntervalFunction for Sine {
+        type At = f64;
+        fn at(&self, x: f64) -> f64 {
+            x
+        }
         fn value(&self, x: f64) -> f64 {
             x.sin() - self.0
         }
         fn slope(&self, x: f64) -> f64 {
             x.cos()
         }
-        fn values(&self, from: f64, to: f64) -> Interval {
+        fn values(&self, [from, to]: [f64; 2]) -> Interval {
             let (middle, reach) = (self.value(0.5 * (from + to)), 0.5 * (to - from));
             Interval::new(middle - reach, middle + reach)
         }
-        fn slopes(&self, from: f64, to: f64) -> Interval {
+        fn slopes(&self, [from, to]: [f64; 2]) -> Interval {
             let (middle, reach) = (self.slope(0.5 * (from + to)), 0.5 * (to - from));
             Interval::new(middle - reach, middle + reach)
         }
@@ -195,8 +238,12 @@ mod tests {
     fn sine_roots(level: f64, to: f64) -> Vec<f64> {
         let sine = Sine(level);
         let mut roots = Roots::new();
-        let end = |x: f64| (x, sine.value(x) < 0.0);
-        sign_changes(&sine, end(1.0), end(to), &mut roots);
+        let end = |x: f64| End {
+            x,
+            at: x,
+            is_negative: sine.value(x) < 0.0,
+        };
+        sign_changes(&sine, [end(1.0), end(to)], &mut roots);
         roots.to_vec()
     }
 

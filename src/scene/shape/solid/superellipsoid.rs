@@ -287,7 +287,7 @@ impl Superellipsoid {
         let stops = stops(ray, from, to);
         for ends in stops.windows(2) {
             let [start, end] = [ends[0], ends[1]].map(|t| (t, is_inside(t)));
-            sign_changes(&along, start, end, &mut params);
+            sign_changes(&along, [start, end].map(exact::end), &mut params);
         }
         let mut roots = Crossings::new();
         let starts_inside = is_inside(from);
@@ -319,7 +319,7 @@ impl Superellipsoid {
         let mut start = (from, false);
         for &stop in &stops[1..] {
             let end = (stop, stop < to && along.value(stop) < 0.0);
-            sign_changes(&along, start, end, &mut params);
+            sign_changes(&along, [start, end].map(exact::end), &mut params);
             start = end;
         }
         roots.extend(alternating(&params, false));

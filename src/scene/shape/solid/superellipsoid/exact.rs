@@ -2,7 +2,7 @@
 
 use super::Superellipsoid;
 use crate::base::math::Ray;
-use crate::base::math::roots::interval_roots::{Interval, IntervalFunction};
+use crate::base::math::roots::interval_roots::{End, Interval, IntervalFunction};
 use glam::DVec3;
 
 /// The norm along a piece of a ray on which no coordinate changes sign.
@@ -19,7 +19,22 @@ impl Along<'_> {
     }
 }
 
+/// The end of a piece at `t`, inside the surface or outside.
+pub(super) fn end((t, is_inside): (f64, bool)) -> End<f64> {
+    End {
+        x: t,
+        at: t,
+        is_negative: is_inside,
+    }
+}
+
 impl IntervalFunction for Along<'_> {
+    type At = f64;
+
+    fn at(&self, t: f64) -> f64 {
+        t
+    }
+
     fn value(&self, t: f64) -> f64 {
         self.shape.size(self.ray.at(t).abs()) - 1.0
     }
@@ -29,7 +44,7 @@ impl IntervalFunction for Along<'_> {
         self.shape.gradient(p.abs()).dot(p.signum() * self.ray.dir)
     }
 
-    fn values(&self, from: f64, to: f64) -> Interval {
+    fn values(&self, [from, to]: [f64; 2]) -> Interval {
         let (least, most) = self.reach(from, to);
         Interval {
             low: self.shape.size(least) - 1.0,
@@ -37,7 +52,7 @@ impl IntervalFunction for Along<'_> {
         }
     }
 
-    fn slopes(&self, from: f64, to: f64) -> Interval {
+    fn slopes(&self, [from, to]: [f64; 2]) -> Interval {
         let Superellipsoid { across, along } = *self.shape;
         let (least, most) = self.reach(from, to);
         let ring = [least, most].map(|p| norm(p.x, p.y, across));

@@ -3,7 +3,7 @@
 //! A claim that there is no root keeps [`SLACK`] away from zero; closer calls are decided by the exact norm. A root
 //! ends with a Newton step from the exact norm, so that its error is that of the exact norm, too.
 
-use super::exact::Along;
+use super::exact::{Along, end};
 use super::norms::{TINY, derivatives, norm, norm_and_derivatives};
 use super::{Crossings, RootRange, Superellipsoid, alternating, root};
 use crate::base::math::Ray;
@@ -282,7 +282,7 @@ impl<'s> Pieces<'s> {
         }
         if depth == 0 {
             let mut params = Roots::new();
-            sign_changes(self.exact, ends[0], ends[1], &mut params);
+            sign_changes(self.exact, ends.map(end), &mut params);
             roots.extend(alternating(&params, starts_inside));
             return params.iter().any(|t| self.range.is_enough(*t));
         }

@@ -89,7 +89,7 @@ fn exact_roots(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
     let (mut params, mut start) = (Roots::new(), (from, false));
     for stop in stops {
         let end = (stop, stop < to && along.value(stop) < 0.0);
-        sign_changes(&along, start, end, &mut params);
+        sign_changes(&along, [start, end].map(exact::end), &mut params);
         start = end;
     }
     params.iter().map(|t| t + middle).collect()

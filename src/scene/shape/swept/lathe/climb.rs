@@ -114,8 +114,13 @@ impl AxisRay {
 
     #[inline]
     pub(super) fn residual(&self, point: DVec2, side: f64) -> f64 {
-        self.cosine * (point.y - self.origin_y)
-            - self.sine * (side * self.half_chord(point.x) - self.origin_h)
+        self.residual_at(point.y, side * self.half_chord(point.x))
+    }
+
+    /// `F` at a height and an `h`.
+    #[inline]
+    pub(super) fn residual_at(&self, y: f64, h: f64) -> f64 {
+        self.cosine * (y - self.origin_y) - self.sine * (h - self.origin_h)
     }
 
     /// The distance along the ray to a point of it.
@@ -187,26 +192,41 @@ impl SimdKernel for ArcTest4<'_> {
     }
 }
 
+/// A point of an arc.
+#[derive(Clone, Copy)]
+pub(super) struct ArcPoint {
+    pub(super) point: DVec2,
+    slope: DVec2,
+    half_chord: f64,
+}
+
 impl IntervalFunction for Half<'_> {
-    fn value(&self, x: f64) -> f64 {
-        self.axis_ray.residual(self.segment.at(x), self.side)
+    type At = ArcPoint;
+
+    fn at(&self, x: f64) -> ArcPoint {
+        let point = self.segment.at(x);
+        ArcPoint {
+            point,
+            slope: self.segment.slope(x),
+            half_chord: self.axis_ray.half_chord(point.x),
+        }
     }
 
-    fn slope(&self, x: f64) -> f64 {
-        let (point, slope) = (self.segment.at(x), self.segment.slope(x));
-        let outward = slope.x * point.x / self.axis_ray.half_chord(point.x);
-        self.axis_ray.cosine * slope.y - self.axis_ray.sine * self.side * outward
+    fn value(&self, at: ArcPoint) -> f64 {
+        self.axis_ray
+            .residual_at(at.point.y, self.side * at.half_chord)
     }
 
-    fn values(&self, from: f64, to: f64) -> Interval {
-        let (a, b) = (self.segment.at(from), self.segment.at(to));
+    fn slope(&self, at: ArcPoint) -> f64 {
+        let outward = at.slope.x * at.point.x / at.half_chord;
+        self.axis_ray.cosine * at.slope.y - self.axis_ray.sine * self.side * outward
+    }
+
+    fn values(&self, [a, b]: [ArcPoint; 2]) -> Interval {
         let axis_ray = self.axis_ray;
         let factor = axis_ray.sine * self.side;
-        let rise = Interval::new(axis_ray.cosine * a.y, axis_ray.cosine * b.y);
-        let run = Interval::new(
-            factor * axis_ray.half_chord(a.x),
-            factor * axis_ray.half_chord(b.x),
-        );
+        let rise = Interval::new(axis_ray.cosine * a.point.y, axis_ray.cosine * b.point.y);
+        let run = Interval::new(factor * a.half_chord, factor * b.half_chord);
         let offset = axis_ray.sine * axis_ray.origin_h - axis_ray.cosine * axis_ray.origin_y;
         Interval {
             low: rise.low - run.high + offset,
@@ -214,19 +234,15 @@ impl IntervalFunction for Half<'_> {
         }
     }
 
-    fn slopes(&self, from: f64, to: f64) -> Interval {
+    fn slopes(&self, [a, b]: [ArcPoint; 2]) -> Interval {
         let axis_ray = self.axis_ray;
-        let (a, b) = (self.segment.slope(from), self.segment.slope(to));
-        let rise = Interval::new(axis_ray.cosine * a.y, axis_ray.cosine * b.y);
+        let rise = Interval::new(axis_ray.cosine * a.slope.y, axis_ray.cosine * b.slope.y);
         let factor = axis_ray.sine * self.side;
-        let narrowing = |x: f64| {
-            let radius = self.segment.at(x).x;
-            radius / axis_ray.half_chord(radius)
-        };
-        let (near, far) = (narrowing(from), narrowing(to));
+        let [near, far] = [a, b].map(|at| at.point.x / at.half_chord);
         let mut run = Interval::new(0.0, 0.0);
         if factor != 0.0 {
-            let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
+            let [a, b] = [a.slope.x, b.slope.x];
+            let products = [a * near, a * far, b * near, b * far].map(|p| factor * p);
             if products.iter().any(|p| p.is_nan()) {
                 return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
             }

@@ -14,7 +14,7 @@ use super::climb::{ArcBounds4, ArcTest4, AxisRay, Half, SIDES, bisect};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::bracket::Roots;
 use crate::base::math::roots::interval_roots::{
-    Interval as Lengths, IntervalFunction, sign_changes,
+    End, Interval as Lengths, IntervalFunction, sign_changes,
 };
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
@@ -399,16 +399,21 @@ impl Profile {
             };
             // The halves have the same value where they join, and an end of an arc has the value of its neighbour.
             let end = |x: f64, is_own: bool| {
+                let at = half.at(x);
                 let value = if is_own {
-                    half.value(x)
+                    half.value(at)
                 } else {
-                    axis_ray.cosine * (segment.at(x).y - axis_ray.origin_y)
-                        + axis_ray.sine * axis_ray.origin_h
+                    axis_ray.residual_at(at.point.y, 0.0)
                 };
-                (x, value < 0.0)
+                End {
+                    x,
+                    at,
+                    is_negative: value < 0.0,
+                }
             };
             let mut params = Roots::new();
-            sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut params);
+            let ends = [end(from, starts_out), end(to, ends_out)];
+            sign_changes(&half, ends, &mut params);
             for x in params {
                 visit(axis_ray.length(segment.at(x), side), number);
             }
