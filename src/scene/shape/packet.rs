@@ -1,7 +1,7 @@
 //! Ray packets of four lanes: spans and roots of simple solids, bit for bit as [`super::Geometry::roots`] gives them
 //! per ray.
 
-use super::packet_search::{NearestQuery4, NearestResult4};
+use super::packet_search::{NearestQuery4, NearestResult4, SpanResult4};
 use super::ray_packet::RayPacket;
 use super::{Quadric, Shape};
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
@@ -13,8 +13,8 @@ pub(super) use crate::base::math::simd::vec3::{add, dot, scale, splat, sub};
 /// Slots for roots: a torus has up to four on each of two intervals.
 pub(super) const MAX_ROOTS: usize = 8;
 
-/// Inside spans of a ray packet for a solid that each line enters and leaves at most once. An end that a line does not
-/// have is infinite.
+/// Inside spans of a ray packet; lines that enter a solid more than once are not known. An end that a line does not have
+/// is infinite.
 pub(crate) struct SpanPacket<F: F64Lanes> {
     pub(crate) enter: F,
     pub(crate) leave: F,
@@ -43,6 +43,16 @@ impl<F: F64Lanes> SpanPacket<F> {
 }
 
 impl<F: F64Lanes> SpanPacket<F> {
+    #[inline(always)]
+    fn load(result: &SpanResult4) -> Self {
+        SpanPacket::new(
+            F::from_array(&result.enter),
+            F::from_array(&result.leave),
+            F::mask_from_bits(result.hit_mask),
+            F::mask_from_bits(0b1111 & !result.unknown),
+        )
+    }
+
     /// The first span ends with `from < t <= far`.
     #[inline(always)]
     pub(super) fn nearest(&self, from: F, far: F) -> NearestPacket<F> {
@@ -103,6 +113,31 @@ impl<F: F64Lanes> RootPacket<F> {
         }
     }
 
+    /// The spans of the lanes that have no more than one.
+    #[inline(always)]
+    pub(super) fn spans(&self) -> SpanResult4 {
+        let endless = F::splat(f64::INFINITY);
+        let (mut enter, mut leave) = (endless, -endless);
+        let (mut once, mut twice) = (0, 0);
+        for slot in 0..MAX_ROOTS {
+            let own = self.hit_masks[slot];
+            let is_own = F::mask_from_bits(own);
+            if slot % 2 == 0 {
+                twice |= once & own;
+                once |= own;
+                enter = F::select(is_own, self.t[slot], enter);
+            } else {
+                leave = F::select(is_own, self.t[slot], leave);
+            }
+        }
+        SpanResult4 {
+            enter: enter.to_array(),
+            leave: leave.to_array(),
+            hit_mask: once,
+            unknown: self.unknown | twice,
+        }
+    }
+
     /// The first root with `from < t <= far`, without the root that a ray has just left, which is the one of that
     /// crossing nearest to its start. `left` holds the lanes that have left an entering root and those that have left a
     /// leaving one.
@@ -152,6 +187,8 @@ impl Shape {
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.supports_packets(),
             Shape::Cone(cone) => cone.supports_packets(),
+            Shape::Torus(torus) => torus.supports_packets(),
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
             Shape::Plane(_) => true,
             _ => self.as_quadric().is_some(),
         }
@@ -171,7 +208,8 @@ impl Shape {
         }
     }
 
-    /// True if packets know more of it once an interval limits their rays: an unbounded quadric.
+    /// True if packets know more of it once an interval limits their rays: a surface of second order, which may be
+    /// unbounded.
     pub(crate) fn gains_from_intervals(&self) -> bool {
         self.as_quadric().is_some()
     }
@@ -285,6 +323,10 @@ impl Shape {
             Shape::Cylinder(cylinder) if cylinder.supports_packets() => cylinder.span_packet(rays),
             Shape::Cone(cone) if cone.supports_packets() => cone.span_packet(rays),
             Shape::Plane(plane) => plane.span_packet(rays),
+            Shape::Torus(_) | Shape::Superellipsoid(_) => {
+                let query = NearestQuery4::new(rays, low, high, [0, 0], 0b1111);
+                SpanPacket::load(&self.search_spans(&query))
+            }
             _ => match self.as_quadric() {
                 Some(quadric) => quadric.span_packet(rays, low, high),
                 None => {
@@ -353,7 +395,8 @@ mod tests {
     use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdKernel, SimdLevel};
     use crate::scene::shape::{
-        Cone, Crossing, Cuboid, Cylinder, Geometry, Plane, Poly, Root, Sphere, Torus,
+        Cone, Crossing, Cuboid, Cylinder, Geometry, Plane, Poly, Root, Sphere, Superellipsoid,
+        Torus,
     };
     use glam::DVec3;
 
@@ -408,6 +451,8 @@ mod tests {
             Shape::Torus(Torus::read(&mut read("1, 1")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<1, 2, -0.5>, 0.25")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<0, 1, 0>, -1")).unwrap()),
+            Shape::Superellipsoid(Superellipsoid::new(0.3, 0.25)),
+            Shape::Superellipsoid(Superellipsoid::new(1.0, 0.5)),
             Shape::Poly(Poly::read(&mut read("2, <1, 0, 0, 0, 1, 0, 0, -1, 0, 1>")).unwrap()),
             Shape::Poly(Poly::read(&mut read("2, <1, 0, 0, 0, 2, 0, 0, 3, 1, -1>")).unwrap()),
         ];

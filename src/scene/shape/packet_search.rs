@@ -1,4 +1,4 @@
-//! Nearest roots of ray packets by iterative searches. They are too long to inline, so arguments and results pass
+//! Nearest roots and spans of ray packets by iterative searches. They are too long to inline, so arguments and results pass
 //! through memory. Bit for bit what each ray finds by itself.
 
 use super::Shape;
@@ -8,7 +8,7 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::{from_arrays, to_arrays};
 use glam::DVec3;
 
-/// Nearest-root query of a ray packet.
+/// Query of a ray packet for nearest roots, or for spans.
 pub(crate) struct NearestQuery4 {
     pub(super) origin: [[f64; 4]; 3],
     pub(super) dir: [[f64; 4]; 3],
@@ -25,6 +25,17 @@ pub(crate) struct NearestQuery4 {
 pub(crate) struct NearestResult4 {
     pub(super) t: [f64; 4],
     /// Bit mask of the lanes that have a root.
+    pub(super) hit_mask: u32,
+    /// Bit mask of the lanes that take the scalar path.
+    pub(super) unknown: u32,
+}
+
+/// Inside spans of a ray packet.
+#[derive(Default)]
+pub(crate) struct SpanResult4 {
+    pub(super) enter: [f64; 4],
+    pub(super) leave: [f64; 4],
+    /// Bit mask of the lanes that hit the shape.
     pub(super) hit_mask: u32,
     /// Bit mask of the lanes that take the scalar path.
     pub(super) unknown: u32,
@@ -79,12 +90,30 @@ impl Shape {
     }
 }
 
+impl Shape {
+    /// Spans of a ray packet, for the shapes of which they are long to find; ends outside the query's interval may be
+    /// missing.
+    #[inline(never)]
+    pub(super) fn search_spans(&self, query: &NearestQuery4) -> SpanResult4 {
+        match self {
+            Shape::Torus(torus) if torus.supports_packets() => torus.spans(query),
+            Shape::Superellipsoid(superellipsoid) if superellipsoid.supports_packets() => {
+                superellipsoid.spans(query)
+            }
+            _ => SpanResult4 {
+                unknown: query.active,
+                ..SpanResult4::default()
+            },
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
     use crate::base::math::sampling::random::Random;
-    use crate::scene::shape::{Crossing, Geometry, JuliaFractal, Superellipsoid};
+    use crate::scene::shape::{Crossing, Geometry, JuliaFractal, Root, Superellipsoid, Torus};
 
     #[test]
     fn packets_find_the_roots_of_each_ray() {
@@ -131,6 +160,65 @@ mod tests {
                 }
             }
             assert!(known > 400 && hits > 20, "{shape:?} {known} {hits}");
+        }
+    }
+
+    #[test]
+    fn spans_have_the_ends_of_each_ray_within_the_interval() {
+        let shapes = [
+            Shape::Superellipsoid(Superellipsoid::new(0.3, 0.25)),
+            Shape::Superellipsoid(Superellipsoid::new(2.0, 1.0)),
+            Shape::Torus(Torus::read(&mut TextArgs::new("1, 0.3")).unwrap()),
+        ];
+        let mut rng = Random::new(78);
+        for shape in &shapes {
+            let (mut known, mut ends, mut starts_inside) = (0, 0, 0);
+            for _ in 0..2000 {
+                let rays = [(); 4].map(|()| rng.ray_near(&shape.bounds()));
+                let roots = rays.map(|ray| {
+                    let mut roots = Vec::new();
+                    shape.roots(&ray, &mut roots);
+                    roots
+                });
+                let near = |roots: &Vec<Root>, share: f64| {
+                    roots.first().map_or(1.0, |root| root.t) + share
+                };
+                let from = [0, 1, 2, 3].map(|lane| near(&roots[lane], rng.uniform() - 0.5));
+                let far = from.map(|from| from + rng.uniform());
+                let of =
+                    |part: fn(&Ray) -> DVec3| [0, 1, 2].map(|axis| rays.map(|r| part(&r)[axis]));
+                let query = NearestQuery4 {
+                    origin: of(|ray| ray.origin),
+                    dir: of(|ray| ray.dir),
+                    from,
+                    far,
+                    left: 0,
+                    active: 0b1111,
+                };
+                let result = shape.search_spans(&query);
+                for (lane, roots) in roots.iter().enumerate() {
+                    if result.unknown >> lane & 1 == 1 {
+                        continue;
+                    }
+                    let is_hit = result.hit_mask >> lane & 1 == 1;
+                    let (enter, leave) = (result.enter[lane], result.leave[lane]);
+                    let within = |t: &f64| (from[lane]..=far[lane]).contains(t);
+                    for (end, crossing) in [(enter, Crossing::Enter), (leave, Crossing::Leave)] {
+                        let own = roots.iter().filter(|root| root.crossing == crossing);
+                        let expected = own.map(|root| root.t).find(within);
+                        let end = is_hit.then_some(end).filter(within);
+                        assert_eq!(end, expected, "{shape:?} {:?}", rays[lane]);
+                        ends += usize::from(end.is_some());
+                    }
+                    let passed = roots.iter().filter(|root| root.t < from[lane]).count();
+                    let is_inside = is_hit && enter < from[lane] && from[lane] < leave;
+                    assert_eq!(is_inside, passed % 2 == 1, "{shape:?} {:?}", rays[lane]);
+                    starts_inside += usize::from(is_inside);
+                    known += 1;
+                }
+            }
+            assert!(known > 4000 && ends > 500, "{shape:?} {known} {ends}");
+            assert!(starts_inside > 200, "{shape:?} {starts_inside}");
         }
     }
 }

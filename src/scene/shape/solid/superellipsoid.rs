@@ -225,18 +225,19 @@ impl Superellipsoid {
 
     fn convex_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
         let mut roots = Crossings::new();
+        let estimates = self.estimates(ray, from, to);
         let starts_within = from < range.from && range.from < to;
         if starts_within && self.is_well_inside(ray.at(range.from)) {
-            let leave = self.first_inside(ray, to, from);
+            let leave = self.first_inside(ray, estimates[1], to, from);
             roots.extend(leave.map(|(leave, _)| root(leave, true)));
             return roots;
         }
-        let Some((enter, slope)) = self.first_inside(ray, from, to) else {
+        let Some((enter, slope)) = self.first_inside(ray, estimates[0], from, to) else {
             return roots;
         };
         if range.is_enough(enter) && slope < -STEEP * ray.dir.length() {
             roots.push(root(enter, false));
-        } else if let Some((leave, _)) = self.first_inside(ray, to, from)
+        } else if let Some((leave, _)) = self.first_inside(ray, estimates[1], to, from)
             && enter < leave
         {
             roots.extend([root(enter, false), root(leave, true)]);
@@ -251,17 +252,22 @@ impl Superellipsoid {
     }
 
     /// First point from one end to the other where a convex norm falls below 1, and its slope there.
-    fn first_inside(&self, ray: &Ray, from: f64, to: f64) -> Option<(f64, f64)> {
-        if let Some(rough) = Rough::new(self, ray) {
-            match rough.first_inside(from, to) {
-                Estimate::None => return None,
-                Estimate::Near(t, slope) => {
-                    if let Some(t) = rough.sharpened(t, slope, from.abs().max(to.abs())) {
-                        return Some((t, slope));
-                    }
+    fn first_inside(
+        &self,
+        ray: &Ray,
+        estimate: Estimate,
+        from: f64,
+        to: f64,
+    ) -> Option<(f64, f64)> {
+        match estimate {
+            Estimate::None => return None,
+            Estimate::Near(t, slope) => {
+                let rough = Rough::new(self, ray)?;
+                if let Some(t) = rough.sharpened(t, slope, from.abs().max(to.abs())) {
+                    return Some((t, slope));
                 }
-                Estimate::Unclear => {}
             }
+            Estimate::Unclear => {}
         }
         let excess = |t: f64| {
             let p = ray.at(t);

@@ -8,11 +8,12 @@
 
 use super::torus::{CLIP, REFINEMENT, Torus};
 use crate::base::math::conditioning::is_comfortable_size;
-use crate::base::math::simd::F64Lanes;
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{
     NearestPacket, RootPacket, Vec3Lanes, add, dot, is_comfortable, sub,
 };
 use crate::scene::shape::packet::{scale, splat};
+use crate::scene::shape::packet_search::{NearestQuery4, SpanResult4};
 use crate::scene::shape::ray_packet::RayPacket;
 
 /// Rays from farther away, in minor radii, are left to the robust path: up to there the rounding error is less than
@@ -121,6 +122,11 @@ impl Torus {
         let rays = self.about(rays);
         let clipped = self.clip_packet(&rays, 0b1111);
         self.all_roots(&rays, &clipped)
+    }
+
+    /// The span of each ray in the query's interval; lanes with two spans take the scalar path.
+    pub(crate) fn spans(&self, query: &NearestQuery4) -> SpanResult4 {
+        with_widest(|lanes| lanes.run(SpanKernel(self, query)))
     }
 
     /// Nearest roots of the active lanes, as [`RootPacket::nearest`]; with `ANY` the distance may be that of any point
@@ -311,6 +317,26 @@ impl Torus {
             half_dir: scale(rays.dir, half * F::splat(unit)),
             major: F::splat(self.major / self.minor),
         }
+    }
+}
+
+/// Kernel that finds the spans of rays in the tube.
+struct SpanKernel<'a>(&'a Torus, &'a NearestQuery4);
+
+impl SimdKernel for SpanKernel<'_> {
+    type Output = SpanResult4;
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> SpanResult4 {
+        let SpanKernel(torus, query) = self;
+        let rays = torus.about(&query.rays::<F>());
+        let (low, high) = (F::from_array(&query.from), F::from_array(&query.far));
+        let mut clipped = torus.clip_packet(&rays, query.active);
+        for part in 0..2 {
+            let is_within = low.le(clipped.end[part]) & clipped.start[part].le(high);
+            clipped.active[part] &= F::bitmask(is_within);
+        }
+        torus.all_roots(&rays, &clipped).spans()
     }
 }
 

@@ -1,16 +1,16 @@
-//! Packet intersection of a convex superellipsoid, bit for bit what each ray finds by itself.
+//! Intersection of a convex superellipsoid in lanes, bit for bit the same for packets and for single rays.
 //!
-//! The rough part of the search runs in lanes. Inconclusive lanes, and rays that start within the box, take the scalar
-//! path.
+//! The rough part of the search runs in lanes, which are four rays or both ends of one. Inconclusive lanes, and rays that
+//! start within the box, take the scalar path.
 
-use super::rough::{LAST_ROUGH_STEP, MAX_STEPS, Rough, SLACK};
+use super::rough::{Estimate, LAST_ROUGH_STEP, MAX_STEPS, Rough, SLACK};
 use super::{REACH, STEEP, Superellipsoid};
 use crate::base::math::Ray;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE};
-use crate::base::math::simd::vec3::{dot, max_abs};
+use crate::base::math::simd::vec3::{dot, max_abs, splat};
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::{add, scale};
-use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4};
+use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4, SpanResult4};
 use crate::scene::shape::ray_packet::RayPacket;
 use glam::DVec3;
 
@@ -51,7 +51,27 @@ impl Superellipsoid {
         with_widest(|lanes| lanes.run(NearestKernel(self, query)))
     }
 
-    /// Newton's iteration from where the rays enter the box, as in [`Rough::first_inside`].
+    /// The span of each ray; ends outside the query's interval may be too far out.
+    pub(crate) fn spans(&self, query: &NearestQuery4) -> SpanResult4 {
+        with_widest(|lanes| lanes.run(SpanKernel(self, query)))
+    }
+
+    /// Where a convex norm falls below 1 on an interval of a ray, from its start and from its end.
+    pub(super) fn estimates(&self, ray: &Ray, from: f64, to: f64) -> [Estimate; 2] {
+        if !self.has_rough() {
+            return [Estimate::Unclear; 2];
+        }
+        with_widest(|lanes| {
+            lanes.run(EndsKernel {
+                shape: self,
+                ray,
+                from,
+                to,
+            })
+        })
+    }
+
+    /// Newton's iteration from where the rays enter the box to where a convex norm falls below 1.
     #[inline(always)]
     fn entries<F: F64Lanes>(&self, clipped: &Clipped<F>, mut active: u32) -> Entries<F> {
         let Clipped { rays, from, to, .. } = clipped;
@@ -72,6 +92,7 @@ impl Superellipsoid {
             let is_on_surface = F::bitmask(value.abs().le(slack)) & active;
             let continues = falls & F::splat(0.0).le(*to - next);
             let turns = !F::bitmask(continues) & active & !is_on_surface;
+            // Lower bound of a convex function on the remaining interval; the box is less than 4 long.
             let rest = (slope * (*to - t)).lane_min(F::splat(0.0)) + value;
             let is_clear = F::splat(0.0).lt(value) & F::splat(8.0 * SLACK).lt(rest);
             let is_last = F::bitmask((next - t).abs().le(last)) & active & !is_on_surface & !turns;
@@ -86,6 +107,32 @@ impl Superellipsoid {
             }
         }
         entries.unclear |= active;
+        entries
+    }
+
+    /// Bit mask of the lanes that are certainly inside at `t`.
+    #[inline(always)]
+    fn inside<F: F64Lanes>(&self, clipped: &Clipped<F>, t: F) -> u32 {
+        let (value, _) = self.rough_at(&clipped.rays, t - clipped.middle);
+        F::bitmask(value.lt(F::splat(-SLACK)))
+    }
+
+    /// As [`Self::entries`], with the roots of the exact norm.
+    #[inline(always)]
+    fn sharp_entries<F: F64Lanes>(&self, clipped: &Clipped<F>, active: u32) -> Entries<F> {
+        let mut entries = self.entries(clipped, active);
+        let (mut t, slopes) = (entries.t.to_array(), entries.slope.to_array());
+        let mut near = entries.near;
+        while near != 0 {
+            let lane = near.trailing_zeros() as usize % 4;
+            near &= near - 1;
+            match clipped.sharpened(self, lane, t[lane], slopes[lane]) {
+                Some(exact) => t[lane] = exact,
+                None => entries.unclear |= 1 << lane,
+            }
+        }
+        entries.near &= !entries.unclear;
+        entries.t = F::from_array(&t);
         entries
     }
 }
@@ -128,20 +175,10 @@ impl SimdKernel for NearestKernel<'_> {
         if active == 0 {
             return result;
         }
-        let entries = shape.entries(&clipped, active);
+        let entries = shape.sharp_entries(&clipped, active);
         result.unknown |= entries.unclear;
-        let (mut t, slopes) = (entries.t.to_array(), entries.slope.to_array());
-        let mut near = entries.near;
-        while near != 0 {
-            let lane = near.trailing_zeros() as usize % 4;
-            near &= near - 1;
-            match clipped.sharpened(shape, lane, t[lane], slopes[lane]) {
-                Some(exact) => t[lane] = exact,
-                None => result.unknown |= 1 << lane,
-            }
-        }
-        let near = entries.near & !result.unknown;
-        let t = F::from_array(&t) + clipped.middle;
+        let near = entries.near;
+        let t = entries.t + clipped.middle;
         let steep = F::splat(-STEEP) * dot(rays.dir, rays.dir).sqrt();
         let is_valid = F::bitmask(from.lt(t) & entries.slope.lt(steep));
         let is_within = F::bitmask(t.le(far));
@@ -152,7 +189,116 @@ impl SimdKernel for NearestKernel<'_> {
     }
 }
 
+/// Kernel that finds where a convex norm falls below 1 from both ends of an interval of a ray.
+struct EndsKernel<'a> {
+    shape: &'a Superellipsoid,
+    ray: &'a Ray,
+    from: f64,
+    to: f64,
+}
+
+impl SimdKernel for EndsKernel<'_> {
+    type Output = [Estimate; 2];
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> [Estimate; 2] {
+        let EndsKernel {
+            shape,
+            ray,
+            from,
+            to,
+        } = self;
+        let DVec3 { x, y, z } = ray.dir;
+        let clipped = Clipped {
+            rays: RayPacket {
+                origin: splat(ray.origin),
+                dir: [
+                    F::from_array(&[x, -x, x, -x]),
+                    F::from_array(&[y, -y, y, -y]),
+                    F::from_array(&[z, -z, z, -z]),
+                ],
+            },
+            middle: F::splat(0.0),
+            from: F::from_array(&[from, -to, from, -to]),
+            to: F::from_array(&[to, -from, to, -from]),
+            hit_mask: 0b11,
+        };
+        let entries = shape.entries(&clipped, clipped.hit_mask);
+        let (t, slope) = (entries.t.to_array(), entries.slope.to_array());
+        [(0, 1.0), (1, -1.0)].map(|(lane, sign)| {
+            if entries.unclear >> lane & 1 == 1 {
+                Estimate::Unclear
+            } else if entries.near >> lane & 1 == 1 {
+                Estimate::Near(sign * t[lane], sign * slope[lane])
+            } else {
+                Estimate::None
+            }
+        })
+    }
+}
+
+/// Kernel that finds where the rays enter and leave the shape.
+struct SpanKernel<'a>(&'a Superellipsoid, &'a NearestQuery4);
+
+impl SimdKernel for SpanKernel<'_> {
+    type Output = SpanResult4;
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> SpanResult4 {
+        let SpanKernel(shape, query) = self;
+        let rays = query.rays::<F>();
+        let (low, high) = (F::from_array(&query.from), F::from_array(&query.far));
+        let mut unknown = !comfortable(&rays) & query.active;
+        let clipped = clip(&rays);
+        let middle = clipped.middle;
+        let (from, to) = (clipped.from + middle, clipped.to + middle);
+        let is_within = F::bitmask(low.le(to) & from.le(high));
+        let active = clipped.hit_mask & is_within & query.active & !unknown;
+        if active == 0 {
+            return SpanResult4 {
+                unknown,
+                ..SpanResult4::default()
+            };
+        }
+        // An end is not needed where the interval already begins or ends inside.
+        let (mut starts_inside, mut ends_inside) = (0, 0);
+        if F::bitmask(from.lt(low)) & active != 0 {
+            starts_inside = shape.inside(&clipped, low) & active;
+            ends_inside = shape.inside(&clipped, high) & active;
+        }
+        let entries = shape.sharp_entries(&clipped, active & !starts_inside);
+        let enter = entries.t + middle;
+        let is_far = F::bitmask(high.lt(enter));
+        let enters = entries.near | starts_inside;
+        let stays = enters & (is_far | ends_inside);
+        let exits = shape.sharp_entries(&clipped.reversed(), enters & !stays);
+        unknown |= entries.unclear | exits.unclear;
+        SpanResult4 {
+            enter: F::select(F::mask_from_bits(starts_inside), from, enter).to_array(),
+            leave: F::select(F::mask_from_bits(exits.near), middle - exits.t, to).to_array(),
+            hit_mask: stays | exits.near,
+            unknown,
+        }
+    }
+}
+
 impl<F: F64Lanes> Clipped<F> {
+    /// The same intervals from the other end.
+    #[inline(always)]
+    fn reversed(&self) -> Self {
+        let [x, y, z] = self.rays.dir;
+        Clipped {
+            rays: RayPacket {
+                origin: self.rays.origin,
+                dir: [-x, -y, -z],
+            },
+            middle: -self.middle,
+            from: -self.to,
+            to: -self.from,
+            hit_mask: self.hit_mask,
+        }
+    }
+
     /// The root of the exact norm of one ray near a rough one.
     #[inline(never)]
     fn sharpened(&self, shape: &Superellipsoid, lane: usize, t: f64, slope: f64) -> Option<f64> {

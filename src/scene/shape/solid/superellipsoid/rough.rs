@@ -39,6 +39,7 @@ pub(super) struct Rough<'s> {
 }
 
 /// Result of the search for where a convex norm falls below 1.
+#[derive(Clone, Copy)]
 pub(super) enum Estimate {
     /// Certainly nowhere.
     None,
@@ -80,39 +81,6 @@ impl<'s> Rough<'s> {
     /// Excess of the norm over 1, and its slope along the ray.
     pub(super) fn at(&self, t: f64) -> (f64, f64) {
         self.shape.rough_at(&RayPacket::of(&self.ray), t)
-    }
-
-    /// First point from one end to the other where a convex norm falls below 1.
-    pub(super) fn first_inside(&self, from: f64, to: f64) -> Estimate {
-        let ahead = (to - from).signum();
-        let slack = SLACK * self.ray.dir.length();
-        let mut t = from;
-        for _ in 0..MAX_STEPS {
-            let (value, slope) = self.at(t);
-            if value.abs() <= SLACK {
-                return if slope * ahead < -slack {
-                    Estimate::Near(t, slope)
-                } else {
-                    Estimate::Unclear
-                };
-            }
-            let next = t - value / slope;
-            let is_falling = slope * ahead < -slack && (to - next) * ahead >= 0.0;
-            if !is_falling {
-                // Lower bound of a convex function on the remaining interval; the box is less than 4 long.
-                let rest = value + (slope * (to - t)).min(0.0);
-                return if value > 0.0 && rest > 8.0 * SLACK {
-                    Estimate::None
-                } else {
-                    Estimate::Unclear
-                };
-            }
-            if (next - t).abs() <= LAST_ROUGH_STEP * from.abs().max(to.abs()) {
-                return Estimate::Near(next, slope);
-            }
-            t = next;
-        }
-        Estimate::Unclear
     }
 
     /// The root of the exact norm near `t`, where the slope is known to ten digits. `None` if it is not that near.
