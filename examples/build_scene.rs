@@ -4,7 +4,7 @@ use glam::DVec3;
 use povr::base::color::{Color, Rgb};
 use povr::base::options::RenderOptions;
 use povr::output::{self, EncodeOptions, Format, Target};
-use povr::render;
+use povr::render::{self, Earlier};
 use povr::scene::camera::Camera;
 use povr::scene::light::Light;
 use povr::scene::shape::{Plane, Shape, Sphere};
@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let render = RenderOptions::of_size(640, 480);
     let working = scene.working_gamma();
     let world = world::compile(scene, &render);
-    let drawn = render::render(&world, &render, None, &|_| {});
+    let drawn = render::render(&world, &render, Earlier::default(), &|_| {});
     let options = EncodeOptions {
         working,
         ..EncodeOptions::new(Format::PNG)

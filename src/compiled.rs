@@ -130,6 +130,7 @@ impl CompiledScene {
 
     /// Returns true if most of a larger picture from the current camera stays as it was in the last version of the scene, so
     /// that no picture in this size is needed before it.
+    #[cfg(feature = "cli")]
     pub(crate) fn needs_no_preview(&self, render: &RenderOptions) -> bool {
         self.pictures.has_most_of_larger(&self.world.camera, render)
     }

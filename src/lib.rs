@@ -195,7 +195,7 @@ impl RenderSession {
     }
 
     /// As [`RenderSession::compile`], for the next version of a scene: its text or its files have changed. The `last` version,
-    /// if there is one, is taken unless the new one has errors, and what has not changed is used again.
+    /// if there is one, is taken, and what has not changed is used again; it may stay if the new one has errors.
     ///
     /// # Errors
     /// When the scene cannot be read.

@@ -22,8 +22,8 @@ use crate::{ReadingCaches, RenderSession, SceneReading, read_scene, world};
 use std::ops::RangeInclusive;
 use std::sync::{Arc, Mutex};
 
-/// The most pictures whose tiles are cached: a preview, and the whole one.
-const MOST_PICTURES: usize = 2;
+/// The most pictures whose tiles are cached: two previews, and the whole one.
+const MOST_PICTURES: usize = 3;
 /// Smaller pictures are drawn in no time, and the pixels of larger ones would take more than 200 MB.
 const PIXELS: RangeInclusive<u64> = 1 << 10..=12 << 20;
 
@@ -81,6 +81,7 @@ impl PictureCache {
     }
 
     /// True if most tiles of a picture that is larger than this one are there.
+    #[cfg(feature = "cli")]
     pub(super) fn has_most_of_larger(&self, camera: &Camera, render: &RenderOptions) -> bool {
         let camera = text_of(camera);
         lock(&self.0).iter().any(|picture| {
@@ -150,8 +151,8 @@ fn frame(scene: &Scene) -> Option<String> {
 }
 
 impl SceneVersion {
-    /// What remains, beside the objects, of a scene that is about to be compiled; `None` if it will be drawn in other coordinates than its own,
-    /// or has calls that remember the first of them.
+    /// The parts, beside the objects, of a scene that is about to be compiled; `None` if it will be drawn in other
+    /// coordinates than its own, or has calls that remember the first of them.
     pub(crate) fn of(
         scene: &Scene,
         literals: Option<LiteralCache>,
@@ -198,8 +199,9 @@ pub(crate) fn next(
     listen: &EventHandler<'_>,
     session: &RenderSession,
 ) -> Result<Next, Failure> {
-    let version = last.as_ref().and_then(|last| last.version.as_deref());
-    let Some(version) = version.filter(|_| session.more.is_none()) else {
+    // One that cannot be compared is dropped before the next is read.
+    last.take_if(|last| last.version.is_none() || session.more.is_some());
+    let Some(version) = last.as_ref().and_then(|last| last.version.as_deref()) else {
         return Ok(Next::Unread);
     };
     let log = EventLog::default();
@@ -283,9 +285,6 @@ impl CompiledScene {
     }
 }
 
-#[cfg(test)]
-mod tests;
-
 /// The events of a reading, until it is known that it counts.
 #[derive(Default)]
 struct EventLog(Mutex<Vec<LoggedEvent>>);
@@ -324,3 +323,6 @@ impl EventLog {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

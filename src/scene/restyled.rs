@@ -1,9 +1,10 @@
 //! The shapes that have other textures in the next reading of a scene.
 
 use super::likeness::Likeness;
-use super::{Entry, Kind, Object, Objects, Operation};
+use super::{Attached, Entry, Kind, Object, Objects, Operation};
 use crate::base::color::Color;
 use crate::scene::shape::Sphere;
+use crate::scene::texture::Texture;
 use std::sync::Arc;
 
 /// With more such shapes than this, or more values to compare, comparing takes longer than it saves.
@@ -29,7 +30,11 @@ pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
     let mut likeness = Likeness::default();
     let mut all = Vec::new();
     for (index, (old, new)) in old.entries().zip(new.entries()).enumerate() {
-        if is_same(old, new, &mut likeness) {
+        let is_same = is_same(old, new, &mut likeness);
+        if all.len() > MOST || likeness.count() > MOST {
+            return None;
+        }
+        if is_same {
             continue;
         }
         let [old, new] = [old, new].map(|entry| entry.clone().into_object());
@@ -41,9 +46,6 @@ pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
             before,
             object,
         }));
-        if all.len() > MOST || likeness.count() > MOST {
-            return None;
-        }
     }
     Some(all)
 }
@@ -148,7 +150,8 @@ fn restyled_parts(
     if let (Some(old_parts), Some(new_parts)) = (old.plain_union(), new.plain_union()) {
         let is_same = old_parts.len() == new_parts.len()
             && likeness.alike(&without_kind(old), &without_kind(new));
-        if !is_same {
+        // Its parts share the interior of its finish.
+        if !is_same || has_interior(new.texture.as_ref()) {
             return None;
         }
         let (mut all, mut before) = (Vec::new(), before);
@@ -177,12 +180,14 @@ fn restyled_parts(
     if likeness.alike(&textures[0], &textures[1]) {
         return Some(Vec::new());
     }
-    let mut layers = textures
-        .iter()
-        .flatten()
-        .flat_map(|texture| texture.what.layers());
-    let has_interior = layers.any(|layer| layer.finish.has_interior());
-    (!has_interior).then(|| vec![(before, Arc::clone(new))])
+    let mut textures = textures.iter().map(Option::as_ref);
+    (!textures.any(has_interior)).then(|| vec![(before, Arc::clone(new))])
+}
+
+/// True if the finish of a texture makes an interior.
+fn has_interior(texture: Option<&Attached<Arc<Texture>>>) -> bool {
+    let mut layers = texture.iter().flat_map(|texture| texture.what.layers());
+    layers.any(|layer| layer.finish.has_interior())
 }
 
 /// An object's attributes.

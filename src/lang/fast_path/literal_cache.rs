@@ -162,10 +162,12 @@ impl<'a> LiteralReuse<'a> {
         })
     }
 
-    /// Keeps the pieces of a run.
+    /// Keeps the pieces of a run, unless they may use objects: those are instanced by the number of references to them.
     pub(super) fn end(&mut self, run: OpenRun, context: Context) {
         let pieces = run.pieces;
-        if !pieces.is_empty() {
+        let mut known = context.known.values();
+        let uses_objects = known.any(|value| matches!(value, KnownValue::Object(_)));
+        if !(pieces.is_empty() || uses_objects) {
             self.now.runs.push(Run { context, pieces });
         }
     }
@@ -204,17 +206,15 @@ impl Context {
         self.version.to_bits() == version.to_bits()
             && alike(&self.layer, layer)
             && likeness.same(&self.texture, texture)
-            && self.known.iter().all(|(name, old)| {
-                known
-                    .get(name)
-                    .is_some_and(|new| is_same_value(old, &new, &mut likeness))
-            })
+            && self
+                .known
+                .iter()
+                .all(|(name, old)| known.get(name).is_some_and(|new| is_same_value(old, &new)))
     }
 }
 
-fn is_same_value(old: &KnownValue, new: &KnownValue, likeness: &mut Likeness) -> bool {
+fn is_same_value(old: &KnownValue, new: &KnownValue) -> bool {
     match (old, new) {
-        (KnownValue::Object(old), KnownValue::Object(new)) => likeness.same(old, new),
         (KnownValue::Element(old), KnownValue::Element(new)) => {
             Arc::ptr_eq(old, new)
                 || are_alike::<Texture>(&**old, &**new)

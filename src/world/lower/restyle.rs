@@ -9,6 +9,9 @@ use crate::world::model::Item;
 use crate::world::surface::Surface;
 use rustc_hash::FxHashMap;
 
+/// The most surfaces without a shape, beside twice as many as there are shapes: then the scene is compiled again.
+const MOST_LEFT: usize = 1024;
+
 /// Primitives that have got other textures.
 #[derive(Debug, Default)]
 pub(crate) struct NewTextures {
@@ -28,7 +31,9 @@ impl World {
         first_items: &[u32],
         settings: &Settings,
     ) -> Option<NewTextures> {
-        if self.photons.is_some() {
+        // Surfaces that are shared or instanced stay when shapes leave them.
+        let is_worn = self.surfaces.len() > 2 * self.model.leaves.len() + MOST_LEFT;
+        if self.photons.is_some() || is_worn {
             return None;
         }
         let leaves = self.leaves_of_items(restyled, first_items)?;
@@ -43,8 +48,12 @@ impl World {
             are_opaque &= new.is_opaque();
             surfaces.push(new);
         }
+        let mut users = vec![0_u32; self.surfaces.len()];
+        for leaf in &self.model.leaves {
+            users[leaf.surface as usize] += 1;
+        }
         for (&leaf, surface) in leaves.iter().zip(surfaces) {
-            self.set_surface(leaf, surface);
+            self.set_surface(leaf, surface, &mut users);
         }
         let mut leaves = leaves;
         leaves.sort_unstable();
@@ -81,18 +90,22 @@ impl World {
         (left == 0 && numbers.len() == restyled.len()).then_some(leaves)
     }
 
-    /// Gives a primitive a surface, in place of its own if no other one has that.
-    fn set_surface(&mut self, leaf: u32, surface: Surface) {
+    /// Gives a primitive a surface, in place of its own if no other one has that; `users` are the numbers of primitives
+    /// with each surface.
+    fn set_surface(&mut self, leaf: u32, surface: Surface, users: &mut Vec<u32>) {
         let old = self.model.leaves[leaf as usize].surface;
-        let mut users = self.model.leaves.iter().filter(|leaf| leaf.surface == old);
-        let is_shared = users.nth(1).is_some() || !self.model.instances.is_empty();
+        let is_shared = users[old as usize] > 1 || !self.model.instances.is_empty();
         let number = match is_shared {
             true => index(self.surfaces.len()),
             false => old,
         };
         self.summary.put(number as usize, &surface);
         match is_shared {
-            true => self.surfaces.push(surface),
+            true => {
+                users[old as usize] -= 1;
+                users.push(1);
+                self.surfaces.push(surface);
+            }
             false => self.surfaces[number as usize] = surface,
         }
         self.model.leaves[leaf as usize].surface = number;

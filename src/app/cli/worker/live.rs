@@ -77,9 +77,10 @@ impl LiveScenes {
         }
         let picture = match (live.task, encode) {
             (LiveTask::Whole, Some(encode)) => {
-                let last = self
-                    .coarse
-                    .take_if(|(.., film)| film.width == painter.render.width);
+                let last = self.coarse.take_if(|(.., film)| {
+                    let render = painter.render;
+                    [film.width, film.height] == [render.width, render.height]
+                });
                 let last = last.filter(|last| film_of(Some(last), live).is_some());
                 let under = match last {
                     Some((.., film)) => film,
