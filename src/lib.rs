@@ -181,17 +181,11 @@ impl RenderSession {
     pub fn compile(
         &self,
         input: &Input,
-        (read, render): (&ReadOptions, &RenderOptions),
+        options: (&ReadOptions, &RenderOptions),
         camera: Option<Camera>,
         listen: &EventHandler<'_>,
     ) -> Result<CompiledScene, Failure> {
-        let several = Several {
-            camera: camera.map(Box::new),
-            last: None,
-        };
-        let watch = &mut StageTimer::start();
-        let usage = Use::Several(several);
-        compile_with(input, read, render, listen, (self, usage), watch)
+        self.compile_after(None, input, options, camera, listen)
     }
 
     /// As [`RenderSession::compile`], for the next version of a scene: its text or its files have changed. The `last` version,
@@ -203,13 +197,24 @@ impl RenderSession {
         &self,
         last: &mut Option<CompiledScene>,
         input: &Input,
+        options: (&ReadOptions, &RenderOptions),
+        camera: Option<Camera>,
+        listen: &EventHandler<'_>,
+    ) -> Result<CompiledScene, Failure> {
+        self.compile_after(Some(last), input, options, camera, listen)
+    }
+
+    fn compile_after(
+        &self,
+        last: Option<&mut Option<CompiledScene>>,
+        input: &Input,
         (read, render): (&ReadOptions, &RenderOptions),
         camera: Option<Camera>,
         listen: &EventHandler<'_>,
     ) -> Result<CompiledScene, Failure> {
         let several = Several {
             camera: camera.map(Box::new),
-            last: Some(last),
+            last,
         };
         let watch = &mut StageTimer::start();
         let usage = Use::Several(several);
