@@ -22,10 +22,9 @@ use crate::scene::shape::packet::{self, SpanPacket, across, dot, splat, sub};
 use crate::scene::shape::ray_packet::RayPacket;
 use crate::scene::shape::{
     Geometry, INSIDE_TOLERANCE, Root, Rounded, Start, Steps, SurfaceSide, first_visible,
-    original_span, read,
+    original_span, push_span, read,
 };
 use glam::{DAffine3, DVec3};
-use smallvec::SmallVec;
 
 /// A truncated cone. Face 0 is the side, 1 the base cap, 2 the apex cap.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +43,9 @@ enum Sides {
     /// Two intervals: up to the first value and from the second on.
     Outer(f64, f64),
 }
+
+/// The spans of a line inside a cone; only an hourglass has two.
+type Spans = [Option<[Root; 2]>; 2];
 
 /// True for a cone of these radii that POV-Ray takes for a cylinder (measured by bisection for radii of 0.05 to 50).
 pub(crate) fn is_almost_cylinder(a: f64, b: f64) -> bool {
@@ -171,17 +173,18 @@ impl Cone {
         SpanPacket::new(enter, leave, is_hit, is_known & is_slanted)
     }
 
-    fn crossings(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
+    /// The spans of a line inside, in order.
+    fn spans(&self, ray: &Ray) -> Spans {
         let p = ray.origin - self.axis.base;
         if is_comfortable(self.max_radius(), ray.dir.dot(ray.dir), p.dot(p)) {
-            self.crossings_in_range(ray)
+            self.spans_in_range(ray)
         } else {
-            self.rescaled_crossings(ray).unwrap_or_default()
+            self.rescaled_spans(ray).unwrap_or_default()
         }
     }
 
     #[cold]
-    fn rescaled_crossings(&self, ray: &Ray) -> Option<SmallVec<[Root; 4]>> {
+    fn rescaled_spans(&self, ray: &Ray) -> Option<Spans> {
         let to_apex = self.axis.apex - self.axis.base;
         let size = self.max_radius().max(to_apex.abs().max_element());
         let rescaled = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
@@ -195,46 +198,33 @@ impl Cone {
             apex_radius: self.apex_radius / rescaled.size,
             is_open: self.is_open,
         };
-        let roots = small.crossings_in_range(&rescaled.ray);
-        let pairs = roots.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
-        Some(
-            pairs
-                .filter_map(|pair| original_span(&rescaled, pair))
-                .flatten()
-                .collect(),
-        )
+        let spans = small.spans_in_range(&rescaled.ray);
+        Some(spans.map(|span| original_span(&rescaled, span?)))
     }
 
-    fn crossings_in_range(&self, ray: &Ray) -> SmallVec<[Root; 4]> {
-        let mut roots = SmallVec::new();
+    fn spans_in_range(&self, ray: &Ray) -> Spans {
         let Some(slab) = self.axis.slab(ray) else {
-            return roots;
+            return Spans::default();
         };
-        let mut push = |from: f64, to: f64| {
-            roots.extend(slab.clip(from, to, self.is_open).into_iter().flatten());
-        };
-        match self.sides(ray, slab.enter.t, slab.leave.t) {
-            None => {}
-            Some(Sides::Inner(from, to)) => push(from, to),
+        let slope = self.slope();
+        let clip = |from: f64, to: f64| slab.clip(from, to, self.is_open);
+        match self.sides(ray, slope, slab.enter.t, slab.leave.t) {
+            None => Spans::default(),
+            Some(Sides::Inner(from, to)) => [clip(from, to), None],
             Some(Sides::Outer(until, from)) if self.apex_radius < 0.0 => {
-                push(f64::NEG_INFINITY, until);
-                push(from, f64::INFINITY);
+                [clip(f64::NEG_INFINITY, until), clip(from, f64::INFINITY)]
             }
             // The slab holds the nappe with the positive radius.
-            Some(Sides::Outer(until, from)) => {
-                if self.slope() * self.axis.unit.dot(ray.dir) > 0.0 {
-                    push(from, f64::INFINITY);
-                } else {
-                    push(f64::NEG_INFINITY, until);
-                }
-            }
+            Some(Sides::Outer(until, from)) => match slope * self.axis.unit.dot(ray.dir) > 0.0 {
+                true => [clip(from, f64::INFINITY), None],
+                false => [clip(f64::NEG_INFINITY, until), None],
+            },
         }
-        roots
     }
 
     /// The line's intervals inside the infinite double cone; valid only near the interval between the caps.
-    fn sides(&self, ray: &Ray, enter: f64, leave: f64) -> Option<Sides> {
-        let slope = self.slope();
+    #[inline(always)]
+    fn sides(&self, ray: &Ray, slope: f64, enter: f64, leave: f64) -> Option<Sides> {
         let origin = ray.origin - self.axis.base;
         let (height, dir_height) = (self.axis.unit.dot(origin), self.axis.unit.dot(ray.dir));
         let (offset, dir) = (self.axis.across(origin), self.axis.across(ray.dir));
@@ -293,12 +283,15 @@ fn linear_sides(b: f64, c: f64, middle: f64) -> Option<Sides> {
 
 impl Geometry for Cone {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.crossings(ray));
-        Start::Outside
+        let [first, second] = self.spans(ray);
+        push_span(first, roots);
+        push_span(second, roots)
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.crossings(ray), from, to)
+        let spans = self.spans(ray);
+        let mut spans = spans.iter().flatten();
+        spans.find_map(|span| first_visible(span, from, to))
     }
 
     /// Same test as for a cylinder; an hourglass is not convex.
@@ -391,6 +384,12 @@ mod tests {
         Cone::read(&mut TextArgs::new(text)).unwrap()
     }
 
+    fn crossings(cone: &Cone, ray: &Ray) -> Vec<Root> {
+        let mut roots = Vec::new();
+        cone.roots(ray, &mut roots);
+        roots
+    }
+
     #[test]
     fn it_is_a_solid() {
         let tilted = cone("<1,2,3>, 1.5, <-2,3,5>, 0.3");
@@ -418,9 +417,9 @@ mod tests {
         let pointed = cone("<0,0,0>, 1, <0,1,0>, 0");
         for x in [-0.9, -0.3, 0.0, 1e-9, 0.6] {
             let ray = Ray::new(DVec3::new(x, 1.2, -5.0), DVec3::Z);
-            assert!(pointed.crossings(&ray).is_empty());
+            assert!(crossings(&pointed, &ray).is_empty());
             let ray = Ray::new(DVec3::new(x, 5.0, 0.0), DVec3::new(0.0, -1.0, 0.0));
-            assert_eq!(pointed.crossings(&ray).len(), 2, "x = {x}");
+            assert_eq!(crossings(&pointed, &ray).len(), 2, "x = {x}");
         }
     }
 
@@ -428,7 +427,7 @@ mod tests {
     fn a_ray_along_a_line_of_the_side_ends_at_a_cap() {
         let pointed = cone("<0,0,0>, 1, <0,1,0>, 0");
         let ray = Ray::new(DVec3::new(-1.5, 1.0, 0.0), DVec3::new(1.0, -1.0, 0.0));
-        let roots = pointed.crossings(&ray);
+        let roots = crossings(&pointed, &ray);
         let faces: Vec<_> = roots.iter().map(|root| (root.t, root.face)).collect();
         assert_eq!(faces, [(0.75, 0), (1.0, BASE)]);
     }
@@ -442,7 +441,7 @@ mod tests {
             let ray = rng.ray_near(&round.bounds());
             let mut expected = Vec::new();
             cylinder.roots(&ray, &mut expected);
-            let hits = round.crossings(&ray);
+            let hits = crossings(&round, &ray);
             assert_eq!(hits.len(), expected.len(), "{ray:?}");
             for (a, b) in hits.iter().zip(&expected) {
                 assert!((a.t - b.t).abs() < 1e-9, "{a:?} {b:?}");
@@ -475,7 +474,7 @@ mod tests {
             let origin = away * rng.vector(1.0);
             let aim = base + rng.vector(0.5);
             let ray = Ray::new(origin, (0.1 + rng.uniform()) * (aim - origin));
-            for root in cone.crossings(&ray) {
+            for root in crossings(&cone, &ray) {
                 let result = cone.root_at(&ray, root.t);
                 assert!(
                     result.is_none_or(|result| result == root),
@@ -492,7 +491,7 @@ mod tests {
         for scale in [1e-300, 1e-150, 1e150, 1e300] {
             let pointed = Cone::new(DVec3::ZERO, scale, DVec3::Y * scale, 0.0).unwrap();
             let origin = DVec3::new(0.0, 0.5, -3.0) * scale;
-            let roots = pointed.crossings(&Ray::new(origin, DVec3::Z));
+            let roots = crossings(&pointed, &Ray::new(origin, DVec3::Z));
             assert_eq!(roots.len(), 2);
             assert!((roots[0].t / scale - 2.5).abs() < 1e-14);
         }
