@@ -10,6 +10,7 @@ pub(super) mod occlusion;
 pub(super) mod packet;
 mod projector;
 pub(super) mod ray_counts;
+mod ties;
 pub(super) mod transmission;
 
 use super::csg::sweep::{RawHit, Sweep};
@@ -23,6 +24,7 @@ use super::query::transmission::ItemSet;
 use crate::base::accel::Bundle;
 use crate::scene::shape::Root;
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// Per-thread buffers that ray queries reuse.
 #[derive(Debug, Default)]
@@ -55,6 +57,18 @@ impl QueryScratch {
             hit_leaves.note_all(bests);
         }
     }
+}
+
+thread_local! {
+    static INNER: Cell<Option<Box<QueryScratch>>> = const { Cell::new(None) };
+}
+
+/// Calls `query`, which is part of a query whose own buffers are in use, with other buffers.
+fn with_inner_scratch<T>(query: impl FnOnce(&mut QueryScratch) -> T) -> T {
+    let mut scratch = INNER.take().unwrap_or_default();
+    let result = query(&mut scratch);
+    INNER.set(Some(scratch));
+    result
 }
 
 /// The rule by which a hit was chosen among those at the same distance.

@@ -1,9 +1,10 @@
-//! Closest-hit queries: the nearest visible surface on a ray, the rules for ties, and error bounds at the ray's origin.
+//! Closest-hit queries: the nearest visible surface on a ray, and error bounds at the ray's origin.
 
 use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
+use super::ties::{behind, tie_slack};
 use super::{ClosestHit, QueryScratch, Tie};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
@@ -12,11 +13,8 @@ use crate::base::options::TMinRule;
 use crate::scene::shape::{Root, Rounded, RoundedHit, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
-use crate::world::index::index;
-use crate::world::model::{IndexedItem, ItemBvh, Model};
+use crate::world::model::IndexedItem;
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
-use crate::world::slabs::SlabTree;
-use smallvec::SmallVec;
 
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
 /// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
@@ -49,26 +47,6 @@ const LOSS_OF_PHOTONS: Loss = Loss {
     rounding: f64::INFINITY,
     normal: 0.1,
 };
-
-/// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
-const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
-
-/// Comparisons of pairs of tied hits of one ray, each of some hundred box tests, after which all are sorted at once.
-const MOST_PAIRS: u8 = 8;
-
-/// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and of the
-/// ray's origin.
-#[inline(always)]
-fn tie_slack(t: f64, query: &Query) -> f64 {
-    let blur = query.origin_surface.map_or(0.0, |origin| origin.blur);
-    TIE * t + TIE / BLUR * blur
-}
-
-/// A far limit that leaves in hits at the same point as one at this distance.
-#[inline(always)]
-fn behind(t: f64, query: &Query) -> f64 {
-    t + tie_slack(t, query)
-}
 
 /// Accepts the first hit that the query's kind of ray sees.
 struct ClosestQuery<'w> {
@@ -364,127 +342,6 @@ impl World {
         if end < far { end } else { far }
     }
 
-    /// The hit that is shown of all within a tie of the nearest, among which these two are. POV-Ray comes to one item
-    /// after the other, leaves out one whose box begins behind the nearest hit so far, and replaces that by a hit whose
-    /// distance it rounds to a smaller number. Where no roundings are known, the least distance decides.
-    #[cold]
-    #[inline(never)]
-    fn shown_of_tied(&self, new: &ClosestHit, best: &ClosestHit, query: &Query) -> ClosestHit {
-        let ray = &query.ray;
-        if best.tie != Tie::Settled && self.is_alike_for_shadows(new, best, query) {
-            let order = |of: &ClosestHit| (of.hit.root.t, of.item);
-            return if order(new) < order(best) {
-                *new
-            } else {
-                *best
-            };
-        }
-        // Neither is rounded otherwise: the order of all tied hits is that of each pair. Many are sorted at once.
-        if let Tie::Pairs(pairs @ 0..MOST_PAIRS) = best.tie
-            && self.tie_rounding(best).is_none()
-            && self.tie_rounding(new).is_none()
-        {
-            let mut both = [*best, *new].map(|of| ClosestHit {
-                tie: Tie::Pairs(pairs + 1),
-                ..of
-            });
-            if best.hit.root.t == new.hit.root.t {
-                self.sort_as_povray(&mut both, ray);
-            } else {
-                both.sort_by(|a, b| a.hit.root.t.total_cmp(&b.hit.root.t));
-            }
-            return both[0];
-        }
-        // All of them, so that the order in which rays come to items does not matter.
-        let mut tied = self.tied_hits(query, new.hit.root.t.min(best.hit.root.t));
-        if tied.iter().all(|of| self.tie_rounding(of).is_none()) {
-            let distances = tied.iter().map(|of| of.hit.root.t);
-            let least = distances.fold(f64::INFINITY, f64::min);
-            tied.retain(|of| of.hit.root.t == least);
-            self.sort_as_povray(&mut tied, ray);
-            return tied.first().copied().unwrap_or(*best);
-        }
-        self.sort_as_povray(&mut tied, ray);
-        let distance = |of: &ClosestHit| self.povray_distance(of, query);
-        let nearer = |a: ClosestHit, b: ClosestHit| {
-            let end = distance(&a);
-            let is_tested = self.box_entry(b.item, ray) < end;
-            if is_tested && distance(&b) < end {
-                b
-            } else {
-                a
-            }
-        };
-        tied.into_iter().reduce(nearer).unwrap_or(*best)
-    }
-
-    /// Returns true if light is transmitted alike whichever of two tied hits is shown.
-    fn is_alike_for_shadows(&self, a: &ClosestHit, b: &ClosestHit, query: &Query) -> bool {
-        query.kind == RayKind::Shadow
-            && a.hit.surface == b.hit.surface
-            && self.uniform_transmittance(a.hit.surface).is_some()
-    }
-
-    /// The first hits of all items within a tie of the nearest one, which lies at `least` or before.
-    fn tied_hits(&self, query: &Query, mut least: f64) -> SmallVec<[ClosestHit; 4]> {
-        let mut scratch = QueryScratch::default();
-        let search = self.search_for(query);
-        let mut tied = SmallVec::<[ClosestHit; 4]>::new();
-        // Items nearer than a tie replace these when the search comes to them; others at their distance are not looked for.
-        let from = least - tie_slack(least, query);
-        let mut far = behind(least, query);
-        let mut visit = |item: IndexedItem| {
-            let hit = self.intersect_item(item, query, &search, behind(least, query), &mut scratch);
-            if let Some(hit) = hit.filter(|hit| (from..query.t_max).contains(&hit.root.t)) {
-                least = least.min(hit.root.t);
-                let item = item.number;
-                tied.push(ClosestHit {
-                    hit,
-                    item,
-                    tie: Tie::Settled,
-                });
-            }
-            behind(least, query)
-        };
-        for &item in &self.bvh().unbounded {
-            far = visit(item);
-        }
-        let ItemBvh { tree, bounded, .. } = self.bvh();
-        with_widest(|lanes| {
-            tree.nearest_in(lanes, &query.ray, (from, far), |number, _| {
-                visit(bounded[number as usize])
-            });
-        });
-        tied.retain(|of| of.hit.root.t <= behind(least, query));
-        tied
-    }
-
-    /// POV-Ray's rounding of the distance of a hit, if that is known and decides ties.
-    fn tie_rounding(&self, of: &ClosestHit) -> Option<&Rounded> {
-        let Model {
-            rounding, leaves, ..
-        } = &self.model;
-        rounding.of_ties(of.hit.leaf, leaves)
-    }
-
-    /// The distance of a hit as POV-Ray rounds it where that is known.
-    fn povray_distance(&self, of: &ClosestHit, query: &Query) -> f64 {
-        let Root { t, face, .. } = of.hit.root;
-        let hit = self
-            .tie_rounding(of)
-            .and_then(|form| form.hit(&query.ray, t, face));
-        hit.map(|hit| hit.t)
-            .filter(|rounded| (rounded - t).abs() <= tie_slack(t, query))
-            .unwrap_or(t)
-    }
-
-    /// The distance at which a ray enters the box of an item, as POV-Ray rounds it; none for an unbounded item, or where
-    /// it uses no boxes.
-    fn box_entry(&self, item: u32, ray: &Ray) -> f64 {
-        let item_box = self.tree_box(item).filter(|_| self.ties_by_box);
-        item_box.map_or(f64::NEG_INFINITY, |item_box| item_box.entry(ray))
-    }
-
     /// Distance up to which hits are ignored: the error of the ray's origin.
     pub(in crate::world) fn t_min(&self, query: &Query) -> f64 {
         self.t_min_from(query.origin_surface.map(|origin| origin.blur), query.kind)
@@ -583,19 +440,6 @@ impl World {
             exited_leaf: self
                 .model
                 .exited_convex(query.origin_surface.as_ref(), &query.ray),
-        }
-    }
-
-    /// Sorts hits at one distance as POV-Ray comes to their items: as its tree of boxes delivers them, unbounded ones
-    /// first, then mostly by the distance at which the ray enters the box (docs/povray-shapes.md, section 5.2).
-    #[cold]
-    fn sort_as_povray(&self, tied: &mut [ClosestHit], ray: &Ray) {
-        tied.sort_by_key(|of| of.item);
-        if self.ties_by_box && tied.len() > 1 {
-            let tree = self.slab_tree.get_or_init(|| {
-                SlabTree::new((0..index(self.boxes.len())).map(|item| self.tree_box(item)))
-            });
-            tree.sort(tied, |of| of.item, |of| self.box_entry(of.item, ray), ray);
         }
     }
 
