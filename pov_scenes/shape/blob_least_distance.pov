@@ -1,6 +1,6 @@
 // Rays ignore hits on a blob that are nearer than 0.01, in units of the scene: through the clear pane, the blobs behind it
 // have a hole, the right one where it is clipped. With the small surface of revolution povr has POV-Ray's distances.
-#version 3.8;
+#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 0, -8> look_at 0 angle 40 }
 light_source { <4, 6, -8>, 1 }

@@ -362,7 +362,7 @@ impl World {
         }
     }
 
-    /// Distance up to which hits on blobs are ignored: POV-Ray's where its distances are followed, in scenes of 3.8.
+    /// Distance up to which hits on blobs are ignored: POV-Ray's where its distances are followed.
     #[inline(always)]
     fn blob_t_min(&self, kind: RayKind) -> f64 {
         let follows = self.least_distance == TMinRule::PovRay
@@ -370,7 +370,7 @@ impl World {
                 kind,
                 RayKind::Radiosity | RayKind::Photon | RayKind::PhotonReflection
             );
-        match follows && self.globals.is_3_8 {
+        match follows {
             true => POV_RAY_BLOB * self.globals.unit,
             false => 0.0,
         }
