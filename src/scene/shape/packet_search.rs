@@ -164,6 +164,50 @@ mod tests {
     }
 
     #[test]
+    fn packets_that_leave_a_fractal_of_many_iterations_end_as_each_ray() {
+        let fractals = [
+            "<-0.083, 0, -0.83, -0.025> max_iteration 30 precision 40",
+            "<-0.2, 0.1, 0.6, 0.1> cube max_iteration 25 slice <0.1, 0.2, 0.3, 0.9>, 0.1",
+        ];
+        let mut rng = Random::new(79);
+        for text in fractals {
+            let shape = Shape::JuliaFractal(JuliaFractal::read(&mut TextArgs::new(text)).unwrap());
+            let (mut hits, mut misses) = (0, 0);
+            for round in 0..400 {
+                let rays = [(); 4].map(|()| {
+                    let ray = rng.ray_near(&shape.bounds());
+                    let t = shape
+                        .nearest(&ray, 0.0, f64::INFINITY)
+                        .map_or(1.0, |root| root.t);
+                    Ray::new(ray.at(t), 0.7 * rng.vector(1.0))
+                });
+                let of =
+                    |part: fn(&Ray) -> DVec3| [0, 1, 2].map(|axis| rays.map(|r| part(&r)[axis]));
+                let query = NearestQuery4 {
+                    origin: of(|ray| ray.origin),
+                    dir: of(|ray| ray.dir),
+                    from: [0.0; 4],
+                    far: [[f64::INFINITY, 0.5][round % 2]; 4],
+                    left: 0b1111,
+                    active: 0b1111,
+                };
+                let result = shape.search_packet(&query);
+                for (lane, ray) in rays.iter().enumerate() {
+                    if result.unknown >> lane & 1 == 1 {
+                        continue;
+                    }
+                    let scalar = shape.nearest_beside(ray, 0.0, query.far[lane], 0);
+                    let packet = (result.hit_mask >> lane & 1 == 1).then_some(result.t[lane]);
+                    assert_eq!(packet, scalar.map(|root| root.t), "{text} {ray:?}");
+                    hits += usize::from(packet.is_some());
+                    misses += usize::from(packet.is_none());
+                }
+            }
+            assert!(hits > 50 && misses > 200, "{text} {hits} {misses}");
+        }
+    }
+
+    #[test]
     fn spans_have_the_ends_of_each_ray_within_the_interval() {
         let shapes = [
             Shape::Superellipsoid(Superellipsoid::new(0.3, 0.25)),

@@ -21,6 +21,7 @@
 
 mod complex;
 mod exact;
+mod exact_packet;
 mod inside_test;
 mod left_orbit;
 mod packet;

@@ -5,8 +5,9 @@
 //! in POV-Ray's order.
 
 use super::complex::Function;
-use super::inside_test::to_complex_pair;
+use super::inside_test::{BATCH, to_complex_pair};
 use super::{Fractal, JuliaFractal, Rule, TOLERANCE};
+use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Ray, Step, Transform, normal_from_inverse};
 use crate::scene::shape::{Crossing, Geometry, RoundedHit};
 use glam::{DVec3, DVec4};
@@ -89,9 +90,24 @@ pub(super) struct SearchHit {
 
 /// The first point of a step of the search.
 #[derive(Clone, Copy)]
-struct SearchPoint {
-    depth: f64,
-    point: DVec3,
+pub(super) struct SearchPoint {
+    pub(super) depth: f64,
+    pub(super) point: DVec3,
+}
+
+impl SearchPoint {
+    /// The point this far ahead in this direction.
+    fn ahead(self, step: f64, dir: DVec3) -> SearchPoint {
+        SearchPoint {
+            depth: self.depth + step,
+            point: self.point + step * dir,
+        }
+    }
+}
+
+/// The distance of the hit within a step from outside to inside, on a ray as [`Fractal::exact_unit`] gives it.
+pub(super) fn hit_within_step(fractal: &Fractal, ray: Ray, from: SearchPoint, step: f64) -> f64 {
+    Search::new(fractal, ray).halve(from, step, false).depth
 }
 
 impl Search<'_> {
@@ -123,10 +139,7 @@ impl Search<'_> {
             if depth > leave || depth == at.depth || at.depth > most {
                 return None;
             }
-            let next = SearchPoint {
-                depth,
-                point: at.point + step * dir,
-            };
+            let next = at.ahead(step, dir);
             let next_left_at = self.search(next.point);
             if next_left_at.is_some() != left_at.is_some() {
                 let hit = self.halve(at, step, left_at.is_none());
@@ -150,23 +163,71 @@ impl Search<'_> {
     }
 
     /// Halves a step until it is short enough; the end that is inside.
-    fn halve(&mut self, from: SearchPoint, mut step: f64, is_inside: bool) -> SearchPoint {
+    fn halve(&mut self, from: SearchPoint, step: f64, is_inside: bool) -> SearchPoint {
+        if !self.fractal.is_hypercomplex() {
+            let end = self.halve_in_batches(from, step, is_inside);
+            if self.is_inside(end.point) {
+                return end;
+            }
+            // The normal depends on the iterates that all evaluations have left.
+        }
+        self.halve_one_by_one(from, step, is_inside)
+    }
+
+    fn halve_one_by_one(
+        &mut self,
+        from: SearchPoint,
+        mut step: f64,
+        is_inside: bool,
+    ) -> SearchPoint {
         let Ray { dir, .. } = self.ray;
         let mut at = from;
         while step > TOLERANCE {
             step *= 0.5;
-            let middle = at.point + step * dir;
-            if self.is_inside(middle) == is_inside {
-                at.point = middle;
-                at.depth += step;
+            let middle = at.ahead(step, dir);
+            if self.is_inside(middle.point) == is_inside {
+                at = middle;
             }
         }
-        if !is_inside {
-            at.point += step * dir;
-            at.depth += step;
+        let end = if is_inside { at } else { at.ahead(step, dir) };
+        self.is_inside(end.point);
+        end
+    }
+
+    /// The same for quaternions without the iterates: all midpoints that three halvings may need are tested at once.
+    fn halve_in_batches(&self, from: SearchPoint, mut step: f64, is_inside: bool) -> SearchPoint {
+        let Ray { dir, .. } = self.ray;
+        let mut at = from;
+        while step > TOLERANCE {
+            // Heap-ordered tree of subintervals: the lower end and the midpoint of each. Node 0 is not used.
+            let (mut lows, mut middles) = ([at; BATCH], [at; BATCH]);
+            let mut starts = [[0.0; BATCH]; 4];
+            let mut half = step;
+            for node in 1..BATCH {
+                if node.is_power_of_two() {
+                    half *= 0.5;
+                }
+                if node > 1 {
+                    lows[node] = [lows[node / 2], middles[node / 2]][node % 2];
+                }
+                middles[node] = lows[node].ahead(half, dir);
+                let start = self.fractal.exact_start(middles[node].point);
+                for (axis, x) in start.to_array().into_iter().enumerate() {
+                    starts[axis][node] = x;
+                }
+            }
+            let states = self.fractal.states_of(&starts, dir);
+            let mut node = 1;
+            while node < BATCH && step > TOLERANCE {
+                step *= 0.5;
+                let is_beyond = states.is_inside(node) == is_inside;
+                if is_beyond {
+                    at = middles[node];
+                }
+                node = 2 * node + usize::from(is_beyond);
+            }
         }
-        self.is_inside(at.point);
-        at
+        if is_inside { at } else { at.ahead(step, dir) }
     }
 
     /// Evaluates a point of the search: the number of iterations after which the orbit leaves the sphere, if it does.
@@ -237,15 +298,15 @@ impl Search<'_> {
 
     /// The distance estimate of quaternions.
     fn distance(&self, last: usize, norm: f64, degree: f64) -> f64 {
-        let (mut scale, mut product) = (1.0 / degree, self.orbit[0]);
-        for &z in &self.orbit[1..=last] {
+        let (mut scale, mut product) = (1.0 / degree, self.orbit[0].to_array());
+        for z in &self.orbit[1..=last] {
             scale /= degree;
             product = match self.fractal.rule {
-                Rule::QuaternionCube => cube_product(z, product),
-                _ => square_product(z, product),
+                Rule::QuaternionCube => cube_product(z.to_array(), product),
+                _ => square_product(z.to_array(), product),
             };
         }
-        let [x, y, z, w] = product.to_array();
+        let [x, y, z, w] = product;
         let size = x * x + y * y + z * z + w * w;
         scale * (norm / size).sqrt() * norm.ln()
     }
@@ -346,23 +407,25 @@ fn value_of(rule: Rule, z: DVec4) -> DVec4 {
 }
 
 /// Product of quaternions, summed as in POV-Ray's derivative of squares.
-fn square_product(a: DVec4, b: DVec4) -> DVec4 {
-    DVec4::new(
-        a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w,
-        a.x * b.y + a.y * b.x + a.z * b.w - a.w * b.z,
-        a.x * b.z + a.z * b.x + a.w * b.y - a.y * b.w,
-        a.x * b.w + a.w * b.x + a.y * b.z - a.z * b.y,
-    )
+#[inline(always)]
+pub(super) fn square_product<F: F64Lanes>([x, y, z, w]: [F; 4], [i, j, k, l]: [F; 4]) -> [F; 4] {
+    [
+        x * i - y * j - z * k - w * l,
+        x * j + y * i + z * l - w * k,
+        x * k + z * i + w * j - y * l,
+        x * l + w * i + y * k - z * j,
+    ]
 }
 
 /// The same, summed as in that of cubes.
-fn cube_product(a: DVec4, b: DVec4) -> DVec4 {
-    DVec4::new(
-        a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w,
-        a.x * b.y + a.y * b.x - a.w * b.z + a.z * b.w,
-        a.z * b.x + a.w * b.y + a.x * b.z - a.y * b.w,
-        a.w * b.x - a.z * b.y + a.y * b.z + a.x * b.w,
-    )
+#[inline(always)]
+pub(super) fn cube_product<F: F64Lanes>([x, y, z, w]: [F; 4], [i, j, k, l]: [F; 4]) -> [F; 4] {
+    [
+        x * i - y * j - z * k - w * l,
+        x * j + y * i - w * k + z * l,
+        z * i + w * j + x * k - y * l,
+        w * i - z * j + y * k + x * l,
+    ]
 }
 
 /// The derivative of the square of a quaternion in the direction `d`.

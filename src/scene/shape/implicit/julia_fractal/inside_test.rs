@@ -81,13 +81,18 @@ impl Fractal {
                 starts[axis][number] = x;
             }
         }
-        let along = to_complex_pair(ray.dir.extend(0.0));
+        self.states_of(&starts, ray.dir)
+    }
+
+    /// States of the points of a ray in this direction from which these numbers come, for rules with a kernel.
+    pub(super) fn states_of(&self, starts: &[[f64; BATCH]; 4], dir: DVec3) -> PointStates {
+        let along = to_complex_pair(dir.extend(0.0));
         with_widest(
             #[inline(always)]
             |lanes| {
                 let kernel = OrbitKernel {
                     fractal: self,
-                    starts: &starts,
+                    starts,
                     along,
                 };
                 lanes.run(kernel)
@@ -361,6 +366,14 @@ pub(super) struct Quaternion<F, const DEGREE: u8> {
     c: [F; 4],
     /// Product of the squared norms of all iterates.
     norm_product: F,
+}
+
+impl<F: F64Lanes, const DEGREE: u8> Quaternion<F, DEGREE> {
+    /// The current iterates.
+    #[inline(always)]
+    pub(super) fn iterate(&self) -> [F; 4] {
+        self.z
+    }
 }
 
 impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {

@@ -4,6 +4,7 @@
 //! Rays that start inside, and rays that would have to continue after a root, take the scalar path.
 
 use super::complex::Function;
+use super::exact_packet::ExactQuaternion;
 use super::inside_test::{Orbit, Pair, PointStates, Quaternion};
 use super::{Fractal, JuliaFractal, LEAST_DISTANCE, Rule, TOLERANCE};
 use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
@@ -15,9 +16,9 @@ use crate::scene::shape::packet_search::{NearestQuery4, NearestResult4};
 const LOSS: f64 = 1e-9;
 
 /// Kernel that finds the nearest roots of a packet.
-struct PacketSearch<'a> {
-    fractal: &'a Fractal,
-    query: &'a NearestQuery4,
+pub(super) struct PacketSearch<'a> {
+    pub(super) fractal: &'a Fractal,
+    pub(super) query: &'a NearestQuery4,
 }
 
 /// A packet of rays of unit direction.
@@ -45,8 +46,12 @@ impl SimdKernel for PacketSearch<'_> {
     #[inline(always)]
     fn run<F: F64x4>(self) -> NearestResult4 {
         match self.fractal.rule {
-            Rule::QuaternionSquare => self.search::<F, Quaternion<F, 2>>(),
-            Rule::QuaternionCube => self.search::<F, Quaternion<F, 3>>(),
+            Rule::QuaternionSquare => {
+                self.search_both::<F, Quaternion<F, 2>, ExactQuaternion<F, 2>>()
+            }
+            Rule::QuaternionCube => {
+                self.search_both::<F, Quaternion<F, 3>, ExactQuaternion<F, 3>>()
+            }
             Rule::Hypercomplex(Function::Square) => self.search::<F, Pair<F>>(),
             Rule::Hypercomplex(_) => NearestResult4 {
                 unknown: self.query.active,
@@ -57,6 +62,17 @@ impl SimdKernel for PacketSearch<'_> {
 }
 
 impl PacketSearch<'_> {
+    /// Searches the rays that leave the surface to the last bit where that is needed.
+    #[inline(always)]
+    fn search_both<F: F64Lanes, O: Orbit<F>, E: Orbit<F>>(&self) -> NearestResult4 {
+        let mut result = self.search::<F, O>();
+        let exact = self.exact_lanes() & !result.unknown;
+        if exact != 0 {
+            self.search_exactly::<F, E>(exact, &mut result);
+        }
+        result
+    }
+
     #[inline(always)]
     fn search<F: F64Lanes, O: Orbit<F>>(&self) -> NearestResult4 {
         let (fractal, query) = (self.fractal, self.query);
@@ -92,13 +108,17 @@ impl PacketSearch<'_> {
             t: [f64::INFINITY; 4],
             hit_mask: 0,
             // Lanes without a finite start take the scalar path, since they report all roots behind the origin.
-            // So do those that leave the surface, if the last bit counts there.
+            // So do those that leave the surface of a hypercomplex fractal, if the last bit counts there.
             unknown: query.active
                 & (!F::bitmask(F::splat(f64::NEG_INFINITY).lt(from))
-                    | if fractal.is_exact() { query.left } else { 0 }),
+                    | if fractal.is_exact() && fractal.is_hypercomplex() {
+                        query.left
+                    } else {
+                        0
+                    }),
         };
         let is_hit = F::splat(0.0).lt(half_sq) & depth.lt(leave);
-        let mut active = F::bitmask(is_hit) & query.active & !result.unknown;
+        let mut active = F::bitmask(is_hit) & query.active & !result.unknown & !self.exact_lanes();
         // Roots beyond this are not needed.
         let end = F::from_array(&query.far) * length * F::splat(1.0 + LOSS);
         let mut states = self.states::<F, O>(&rays, depth, active);
@@ -170,7 +190,7 @@ impl PacketSearch<'_> {
     }
 
     #[inline(always)]
-    fn steps(&self, states: &PointStates, active: u32) -> [f64; 4] {
+    pub(super) fn steps(&self, states: &PointStates, active: u32) -> [f64; 4] {
         let mut steps = [0.0; 4];
         let mut lane = 0;
         while lane < 4 {
