@@ -5,6 +5,7 @@
 
 use super::implicit::julia_fractal::ExactSearch;
 use super::mesh::height_field::RoundedField;
+use super::patch::triangle::turns_over;
 use super::solid::axial::{APEX, BASE, SIDE};
 use super::solid::cone::is_almost_cylinder;
 use super::swept::rounded::RoundedSweep;
@@ -476,16 +477,7 @@ fn plane_of(corners: &mut [DVec3; 3], normalization: Normalization) -> (DVec3, f
     let [a, b, c] = *corners;
     let normal = normalization.unit((a - b).cross(c - b));
     let distance = -normal.dot(a);
-    let size = normal.abs();
-    let turn = |i: usize, j: usize| (b[i] - c[i]) * (b[j] - a[j]) < (b[j] - c[j]) * (b[i] - a[i]);
-    let is_turned = if size.x >= size.y && size.x >= size.z {
-        turn(1, 2)
-    } else if size.y >= size.z {
-        turn(0, 2)
-    } else {
-        turn(0, 1)
-    };
-    if is_turned {
+    if turns_over(corners, normal) {
         corners.swap(0, 1);
     }
     (normal, distance)

@@ -123,12 +123,12 @@ impl Geometry for SmoothTriangle {
             return false;
         };
         *self.normals = [first, second, third];
-        let is_absorbed = self.flat.absorb(step);
+        self.flat.move_by(step);
         let face = self.flat.normal(self.flat.corners[0], 0);
         if !are_on_one_side(face, &self.normals) {
             self.flat = self.flat.collapsed();
         }
-        is_absorbed
+        true
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {

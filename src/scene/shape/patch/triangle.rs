@@ -5,7 +5,7 @@
 //! so triangles that share corners in a scene still share them bit for bit in the world.
 
 use crate::base::args::{Args, Parse};
-use crate::base::math::conditioning::power_of_two;
+use crate::base::math::conditioning::{Normalization, power_of_two};
 use crate::base::math::watertight::{RayFrame, TriangleHit};
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
@@ -64,6 +64,24 @@ impl Triangle {
         RayFrame::new(ray).hit(&self.corners)
     }
 
+    /// Moves the corners.
+    pub(super) fn move_by(&mut self, step: &Step) {
+        let moved = step.transform().world_from_object;
+        self.corners = self.corners.map(|corner| moved.transform_point3(corner));
+    }
+
+    /// Winds the corners as POV-Ray does before each transform; returns true if that turns the triangle over.
+    fn wind(&mut self) -> bool {
+        let [a, b, c] = self.corners;
+        let size = power_of_two((a - b).abs().max((c - b).abs()).max_element());
+        let across = ((a - b) / size).cross((c - b) / size);
+        let is_turned = turns_over(&self.corners, Normalization::default().unit(across));
+        if is_turned {
+            self.corners.swap(0, 1);
+        }
+        is_turned
+    }
+
     fn touch(&self, ray: &Ray) -> Option<Root> {
         self.hit(ray).map(|hit| Root {
             t: hit.t,
@@ -71,6 +89,20 @@ impl Triangle {
             face: 0,
             is_visible: true,
         })
+    }
+}
+
+/// True if POV-Ray exchanges the first two corners of a triangle: projected along the largest component of its normal
+/// they are wound the other way (docs/povray-shapes.md, section 5.4).
+pub(in crate::scene::shape) fn turns_over([a, b, c]: &[DVec3; 3], normal: DVec3) -> bool {
+    let turn = |i: usize, j: usize| (b[i] - c[i]) * (b[j] - a[j]) < (b[j] - c[j]) * (b[i] - a[i]);
+    let size = normal.abs();
+    if size.x >= size.y && size.x >= size.z {
+        turn(1, 2)
+    } else if size.y >= size.z {
+        turn(0, 2)
+    } else {
+        turn(0, 1)
     }
 }
 
@@ -111,9 +143,21 @@ impl Geometry for Triangle {
         Some(Rounded::of_triangle(self, steps))
     }
 
+    fn note_steps(&mut self, steps: &[Step]) {
+        let mut moved = *self;
+        let turns = steps.iter().filter(|step| {
+            let is_turned = moved.wind();
+            moved.move_by(step);
+            is_turned
+        });
+        if turns.count() % 2 == 1 {
+            self.corners.swap(0, 1);
+        }
+    }
+
     fn absorb(&mut self, step: &Step) -> bool {
-        let moved = step.transform().world_from_object;
-        self.corners = self.corners.map(|corner| moved.transform_point3(corner));
+        self.wind();
+        self.move_by(step);
         true
     }
 
@@ -126,10 +170,42 @@ impl Geometry for Triangle {
 mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
+    use crate::base::math::sampling::random::Random;
     use crate::scene::shape::tests::check;
 
     fn triangle(text: &str) -> Triangle {
         Triangle::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn rounded_hits_follow_from_the_moved_corners() {
+        let mut rng = Random::new(7);
+        let mut vector = || DVec3::from_array([0; 3].map(|_| 2.0 * rng.uniform() - 1.0));
+        let normalization = Normalization::default();
+        for _ in 0..500 {
+            let mut moved = Triangle {
+                corners: [vector(), vector(), vector()],
+            };
+            let steps = [
+                Step::Rotate(360.0 * vector()),
+                Step::Translate(vector()),
+                Step::Scale(vector()),
+            ];
+            let ray = Ray::new(5.0 * vector(), vector().normalize());
+            let hit = |triangle: &Triangle, steps: &[Step]| {
+                let steps = Steps {
+                    steps,
+                    normalization,
+                };
+                let hit = Rounded::of_triangle(triangle, &steps).hit(&ray, 0.0, 0);
+                hit.map(|hit| (hit.t, hit.normal))
+            };
+            let expected = hit(&moved, &steps);
+            assert!(steps.iter().all(|step| moved.absorb(step)));
+            assert_eq!(hit(&moved, &[]), expected);
+            let normal = moved.normal(DVec3::ZERO, 0);
+            assert!(expected.is_some_and(|(_, rounded)| rounded.dot(normal) > 0.0));
+        }
     }
 
     #[test]
