@@ -50,7 +50,7 @@ impl Model {
             let form = u32::try_from(number)
                 .ok()
                 .and_then(|at| self.rounding.forms.get(&at));
-            let can_be = leaf.world_sphere().is_some() || form.is_some();
+            let can_be = leaf.knows_rounding() || form.is_some();
             if can_be && is_wanted(leaf.surface) || form.is_some_and(Rounded::is_search) {
                 bits[number / u64::BITS as usize] |= 1 << (number % u64::BITS as usize);
             }

@@ -1,9 +1,11 @@
 //! A primitive in the scene: in world coordinates where possible, otherwise behind an inverse matrix.
 
 use crate::base::accel::BoundingCylinder;
-use crate::base::math::conditioning::unit;
+use crate::base::math::conditioning::{Normalization, unit};
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
-use crate::scene::shape::{Geometry, Root, Shape, Sphere, Start, TextureWeights};
+use crate::scene::shape::{
+    Geometry, Root, Rounded, RoundedHit, Shape, Sphere, Start, Steps, TextureWeights,
+};
 use glam::{DAffine3, DMat3, DVec3};
 
 /// Relative safety margin, larger than the rounding errors of values derived from a matrix.
@@ -182,6 +184,46 @@ impl Leaf {
     #[inline(always)]
     pub fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         self.shape.nearest(self.to_object(ray, &mut None), from, to)
+    }
+
+    /// True if POV-Ray's rounding of its hits follows from what is stored here.
+    pub(super) fn knows_rounding(&self) -> bool {
+        self.world_sphere().is_some() || self.decides_ties_itself()
+    }
+
+    /// True for such shapes whose rounded distances decide ties.
+    pub(super) fn decides_ties_itself(&self) -> bool {
+        match &self.shape {
+            Shape::Triangle(_) => self.object_from_world.is_none(),
+            Shape::Mesh(_) => true,
+            _ => false,
+        }
+    }
+
+    /// The hit of a world ray on a face near `t` with POV-Ray's rounding, if [`Leaf::knows_rounding`].
+    pub(super) fn rounded_hit(
+        &self,
+        ray: &Ray,
+        t: f64,
+        face: u32,
+        normalization: Normalization,
+    ) -> Option<RoundedHit> {
+        match (&self.shape, self.object_from_world.as_deref()) {
+            (Shape::Sphere(sphere), None) => Some(sphere.rounded_hit(ray, t, normalization)),
+            (Shape::Triangle(triangle), None) => {
+                let steps = &[];
+                let form = Rounded::of_triangle(
+                    triangle,
+                    &Steps {
+                        steps,
+                        normalization,
+                    },
+                );
+                form.hit(ray, t, face)
+            }
+            (Shape::Mesh(mesh), stored) => mesh.rounded_hit(ray, stored, face, normalization),
+            _ => None,
+        }
     }
 
     /// Returns true if a world ray that leaves the shape outward cannot hit it again; false if unknown.

@@ -110,7 +110,7 @@ impl Rounded {
     }
 
     /// A triangle with these steps.
-    pub(super) fn of_triangle(triangle: &Triangle, steps: &Steps<'_>) -> Self {
+    pub(crate) fn of_triangle(triangle: &Triangle, steps: &Steps<'_>) -> Self {
         steps.rounded(moved_triangle(triangle, steps))
     }
 
@@ -273,7 +273,7 @@ fn nearer(roots: [f64; 2], t: f64) -> f64 {
 }
 
 /// A ray in the space of a stored shape, with a direction of length 1, and the factor of distances there.
-fn to_stored(ray: &Ray, stored: &DAffine3, normalization: Normalization) -> (Ray, f64) {
+pub(super) fn to_stored(ray: &Ray, stored: &DAffine3, normalization: Normalization) -> (Ray, f64) {
     let local = ray.to_object(stored);
     let length = local.dir.length();
     let dir = normalization.divided(local.dir, length);

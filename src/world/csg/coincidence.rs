@@ -10,7 +10,7 @@ use super::inside::InsideState;
 use super::program::CsgProgram;
 use super::sweep::{Event, Sweep, SweepContext};
 use crate::base::math::COINCIDENT;
-use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, SurfaceSide};
+use crate::scene::shape::{Crossing, FlatFace, Geometry, SurfaceSide};
 use crate::world::primitive::Leaf;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -108,12 +108,11 @@ impl CsgProgram {
         let is_tie = show > 1 && !self.has_clean_cuts();
         let rounding = context.rounding.filter(|_| is_tie)?;
         let distance = |event: &Event| {
-            let Root { t, face, .. } = event.root;
             if !event.root.is_visible {
-                return Some(t);
+                return Some(event.root.t);
             }
-            let form = rounding.of_ties(self.first + event.leaf, context.leaves)?;
-            form.hit(context.ray, t, face).map(|hit| hit.t)
+            let leaf = self.first + event.leaf;
+            rounding.tied_distance(leaf, context.leaves, context.ray, &event.root)
         };
         let rounded = |event: &Event| Some((distance(event)?, *event));
         events.iter().map(rounded).collect()

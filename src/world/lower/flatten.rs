@@ -20,7 +20,7 @@ use crate::world::surface::Surface;
 use std::sync::Arc;
 
 /// The most discs, cylinders, cones, quadrics, prisms and lathes that are rounded for the pixels in which they coincide with others, and
-/// the most CSG objects of which POV-Ray's boxes are stored for them.
+/// the most CSG objects, and the most meshes, of which POV-Ray's boxes are stored for them.
 pub(crate) const MOST_TYING: usize = 1 << 9;
 
 impl Lowering {
@@ -131,6 +131,12 @@ impl Lowering {
         let number = index(self.parts.leaves.len());
         self.parts.push(PendingItem::Leaf(number), bounds);
         let rounded = self.rounded(shape, steps, &leaf, self.parts.own_boxes.len());
+        let is_turned = leaf.object_from_world.is_some();
+        if is_turned && matches!(shape, Shape::Mesh(_)) && self.parts.mesh_boxes.len() < MOST_TYING
+        {
+            let own_box = ExtentBox::of_shape(shape, steps);
+            self.parts.mesh_boxes.insert(number, own_box);
+        }
         self.parts.leaves.push(leaf);
         if let Some((rounded, own_box)) = rounded {
             self.parts.round(number, rounded, own_box);
@@ -170,7 +176,7 @@ impl Lowering {
     /// Returns true if hits on a leaf may be wanted with POV-Ray's rounding; `tying` of those that
     /// decide ties are already stored.
     pub(crate) fn may_round(&self, leaf: &Leaf, tying: usize) -> bool {
-        if leaf.sphere().is_some() {
+        if leaf.knows_rounding() {
             return false;
         }
         if leaf.shape.is_searched() {

@@ -4,7 +4,6 @@ use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
-use super::ties::{behind, tie_slack};
 use super::{ClosestHit, QueryScratch, Tie};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
@@ -13,7 +12,7 @@ use crate::base::options::TMinRule;
 use crate::scene::shape::{Root, Rounded, RoundedHit, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
-use crate::world::model::IndexedItem;
+use crate::world::model::{IndexedItem, Model};
 use crate::world::ray::{BLUR, Hit, Query, RayKind, SpawnSurface};
 
 /// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
@@ -40,6 +39,12 @@ struct Loss {
 const LOSS: Loss = Loss {
     rounding: 65536.0,
     normal: 1e-9,
+};
+
+/// Planes of meshes are stored in single precision.
+const LOSS_OF_MESHES: Loss = Loss {
+    rounding: 262_144.0,
+    normal: 1e-6,
 };
 
 /// Photons of far lights hit where few digits are left, and go on from there in POV-Ray.
@@ -257,7 +262,7 @@ impl World {
         best: &mut Option<ClosestHit>,
         scratch: &mut QueryScratch,
     ) {
-        let far = best.map_or(query.t_max, |best| behind(best.hit.root.t, query));
+        let far = best.map_or(query.t_max, |best| self.behind(best.hit.root.t, query));
         self.bvh().tree.nearest_in(
             lanes,
             &query.ray,
@@ -325,7 +330,7 @@ impl World {
             tie: Tie::Pairs(0),
         };
         if let Some(known) = best {
-            let slack = tie_slack(hit.root.t, query);
+            let slack = self.tie_slack(hit.root.t, query);
             let ahead = known.hit.root.t - hit.root.t;
             if ahead < -slack {
                 return far;
@@ -337,7 +342,7 @@ impl World {
                 nearest = self.shown_of_tied(&nearest, known, query);
             }
         }
-        let end = behind(nearest.hit.root.t, query);
+        let end = self.behind(nearest.hit.root.t, query);
         *best = Some(nearest);
         if end < far { end } else { far }
     }
@@ -445,23 +450,11 @@ impl World {
 
     /// A hit with the rounding of POV-Ray, if that is known of its leaf.
     pub(in crate::world) fn rounded_hit(&self, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
-        self.rounded_by(
-            self.model.rounding.forms.get(&hit.spawn_surface.leaf),
-            ray,
-            hit,
-        )
-    }
-
-    /// The same, with the rounded form of its leaf; none for a sphere in world space.
-    fn rounded_by(&self, form: Option<&Rounded>, ray: &Ray, hit: &Hit) -> Option<RoundedHit> {
         let SpawnSurface { leaf, face, .. } = hit.spawn_surface;
-        match form {
-            Some(form) => form.hit(ray, hit.t, face),
-            None => {
-                let sphere = self.model.world_sphere(leaf)?;
-                Some(sphere.rounded_hit(ray, hit.t, self.globals.normalization()))
-            }
-        }
+        let Model {
+            rounding, leaves, ..
+        } = &self.model;
+        rounding.hit(leaf, leaves, ray, hit.t, face)
     }
 
     /// The hit of a photon with the rounding of POV-Ray, by which its photon maps are ordered.
@@ -473,9 +466,17 @@ impl World {
     /// The hit with the rounding of POV-Ray, unless that loses too much.
     #[inline(never)]
     fn rounded(&self, ray: &Ray, hit: Hit, most: &Loss) -> Hit {
-        let form = self.model.rounding.forms.get(&hit.spawn_surface.leaf);
-        match self.rounded_by(form, ray, &hit) {
-            Some(RoundedHit { t, point, normal }) if form.is_some_and(Rounded::is_search) => Hit {
+        let Model {
+            rounding, leaves, ..
+        } = &self.model;
+        let leaf = hit.spawn_surface.leaf;
+        let is_search = rounding.forms.get(&leaf).is_some_and(Rounded::is_search);
+        let of = leaves.get(leaf as usize).map(|leaf| &leaf.shape);
+        let is_single = matches!(of, Some(Shape::Mesh(_))) && most.rounding.is_finite();
+        let most = if is_single { &LOSS_OF_MESHES } else { most };
+        let error = hit.spawn_surface.blur * (BLUR / self.blur);
+        match self.rounded_hit(ray, &hit) {
+            Some(RoundedHit { t, point, normal }) if is_search => Hit {
                 t,
                 point,
                 shading_normal: normal,
@@ -486,7 +487,7 @@ impl World {
                 ..hit
             },
             Some(RoundedHit { t, point, normal })
-                if (t - hit.t).abs() <= most.rounding * hit.spawn_surface.blur
+                if (t - hit.t).abs() <= most.rounding * error
                     && (normal.length_squared() - 1.0).abs() < most.normal
                     && normal.dot(hit.shading_normal).abs() > 1.0 - most.normal =>
             {
@@ -508,7 +509,7 @@ impl World {
         } = hit.root;
         let point = ray.at(t);
         let (normal, shading_normal) = self.model.normals(hit.leaf, point, ray.dir, face);
-        let blur = BLUR * point.abs().max_element().max(t);
+        let blur = self.blur * point.abs().max_element().max(t);
         let departure = SpawnSurface {
             leaf: hit.leaf,
             face,

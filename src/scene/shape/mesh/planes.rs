@@ -3,10 +3,13 @@
 //! Normal and distance are computed in double precision, for a `mesh` from the corners as they are written, for `mesh2`
 //! from the stored ones, and then rounded (docs/povray-shapes.md, section 5.4).
 
-use super::Triangles;
+use super::{Mesh, Triangles};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::simd::with_widest;
-use crate::base::math::{Ray, rounding};
-use glam::{DVec3, Vec3};
+use crate::base::math::{Ray, normal_from_inverse, rounding};
+use crate::scene::shape::rounded::to_stored;
+use crate::scene::shape::{Geometry, RoundedHit};
+use glam::{DAffine3, DVec3, Vec3};
 
 /// POV-Ray's least distance of a hit on a triangle, in units of the mesh.
 const MIN_DISTANCE: f64 = 1e-6;
@@ -35,10 +38,15 @@ impl FacePlane {
         }
     }
 
+    /// The distance at which a ray intersects the plane.
+    fn distance_along(&self, ray: &Ray) -> f64 {
+        let normal = self.normal.as_dvec3();
+        -(f64::from(self.distance) + normal.dot(ray.origin)) / normal.dot(ray.dir)
+    }
+
     /// Intersects the whole line of a ray with the triangle of these corners, which lie near the plane; returns `t`.
     fn hit(&self, ray: &Ray, corners: &[DVec3; 3]) -> Option<f64> {
-        let normal = self.normal.as_dvec3();
-        let t = -(f64::from(self.distance) + normal.dot(ray.origin)) / normal.dot(ray.dir);
+        let t = self.distance_along(ray);
         let along = self.normal.abs().max_position();
         let (right, up) = ((along + 1) % 3, (along + 2) % 3);
         let point = ray.at(t);
@@ -51,6 +59,39 @@ impl FacePlane {
         let is_inside =
             sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0);
         is_inside.then_some(t)
+    }
+}
+
+impl Mesh {
+    /// The hit of a world ray on a triangle with the rounding of POV-Ray; `stored` is the inverse matrix of the mesh.
+    /// `None` where it is not finite.
+    pub(crate) fn rounded_hit(
+        &self,
+        ray: &Ray,
+        stored: Option<&DAffine3>,
+        face: u32,
+        normalization: Normalization,
+    ) -> Option<RoundedHit> {
+        // POV-Ray normalises nothing in a mesh without transforms.
+        let (local, length) = match stored {
+            None => (*ray, 1.0),
+            Some(stored) => to_stored(ray, stored, normalization),
+        };
+        let plane = self.triangles.plane(face);
+        let local_t = plane.distance_along(&local);
+        let t = local_t / length;
+        let smooth = self.shading_normal(local.at(local_t), face);
+        let normal = match smooth {
+            Some(smooth) => normalization.unit(smooth),
+            None => plane.normal.as_dvec3(),
+        };
+        let normal = match stored {
+            None => normal,
+            Some(stored) => normalization.unit(normal_from_inverse(stored, normal)),
+        };
+        let point = ray.at(t);
+        let hit = RoundedHit { t, point, normal };
+        (point.is_finite() && normal.is_finite()).then_some(hit)
     }
 }
 

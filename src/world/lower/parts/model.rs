@@ -46,6 +46,8 @@ pub(in crate::world) struct ModelBuilder {
     pub(in crate::world) rounded: FxHashMap<u32, Rounded>,
     /// POV-Ray's boxes of those that decide ties.
     pub(in crate::world) own_boxes: FxHashMap<u32, Bounds>,
+    /// POV-Ray's boxes of the first meshes that have a matrix.
+    pub(in crate::world) mesh_boxes: FxHashMap<u32, Bounds>,
     /// POV-Ray's boxes of the first programs.
     pub(in crate::world) program_boxes: Vec<Bounds>,
 }
@@ -63,12 +65,16 @@ impl ModelBuilder {
 
     /// POV-Ray's boxes of the items that have one of their own, by the number of the item.
     pub(in crate::world) fn povray_boxes(&self) -> FxHashMap<u32, SingleBox> {
-        if self.own_boxes.is_empty() && self.program_boxes.is_empty() {
+        let are_none = self.own_boxes.is_empty() && self.mesh_boxes.is_empty();
+        if are_none && self.program_boxes.is_empty() {
             return FxHashMap::default();
         }
         let own_box = |(number, item): (u32, &PendingItem)| {
             let own_box = match *item {
-                PendingItem::Leaf(leaf) => self.own_boxes.get(&leaf),
+                PendingItem::Leaf(leaf) => {
+                    let own_box = self.own_boxes.get(&leaf);
+                    own_box.or_else(|| self.mesh_boxes.get(&leaf))
+                }
                 PendingItem::Program(program) => self.program_boxes.get(program as usize),
                 _ => None,
             };
@@ -78,7 +84,7 @@ impl ModelBuilder {
     }
 
     /// Returns true if a face across an axis, of a shape that decides ties, lies in one plane with a face of another: then
-    /// roundings show.
+    /// roundings show. Triangles do not count as faces of others, nor do meshes but for the sides of their boxes.
     pub(in crate::world) fn has_flush_faces(&self) -> bool {
         let mut faces = Faces::default();
         for (&leaf, bounds) in &self.own_boxes {
@@ -89,27 +95,53 @@ impl ModelBuilder {
                 faces.add(leaf, &Bounds::new(middle, middle));
             }
         }
+        let mut triangles = Faces::default();
+        let mut flat = 0;
+        for (number, leaf) in (0..).zip(&self.leaves) {
+            match &leaf.shape {
+                Shape::Mesh(_) => faces.add(number, &box_in_world(leaf)),
+                Shape::Triangle(triangle) if flat < MOST_FLAT => {
+                    let Bounds { min, max } = triangle.bounds();
+                    let at = DVec3::select(min.cmpeq(max), min, DVec3::splat(f64::NAN));
+                    if !at.is_nan_mask().all() {
+                        triangles.add(number, &Bounds { min: at, max: at });
+                        flat += 1;
+                    }
+                }
+                _ => {}
+            }
+        }
         faces.sort();
+        triangles.sort();
         let mut leaves = (0..).zip(&self.leaves);
         faces.meet_each_other()
+            || self.own_boxes.values().any(|bounds| triangles.meet(bounds))
             || leaves.any(|(number, leaf)| match &leaf.shape {
                 _ if self.own_boxes.contains_key(&number) => false,
-                Shape::Cuboid(cuboid) => {
-                    let bounds = cuboid.bounds();
-                    let to_object = leaf.object_from_world.as_ref();
-                    faces.meet(
-                        &to_object
-                            .map_or(bounds, |to_object| bounds.transformed(&to_object.inverse())),
-                    )
-                }
-                Shape::Plane(plane) => {
-                    let is_across = plane.normal.abs().cmpgt(DVec3::splat(ALONG));
-                    let nowhere = DVec3::splat(f64::NAN);
-                    let at = DVec3::select(is_across, plane.distance * plane.normal, nowhere);
-                    faces.meet(&Bounds { min: at, max: at })
-                }
-                _ => false,
+                Shape::Mesh(_) => triangles.meet(&box_in_world(leaf)),
+                _ => sides(leaf).is_some_and(|at| faces.meet(&at) || triangles.meet(&at)),
             })
+    }
+
+    /// Returns true if a side of the box of a mesh lies in one plane with a face of another shape.
+    pub(in crate::world) fn has_flush_meshes(&self) -> bool {
+        let mut of_meshes = Faces::default();
+        for (number, leaf) in (0..).zip(&self.leaves) {
+            if let Shape::Mesh(_) = leaf.shape {
+                of_meshes.add(number, &box_in_world(leaf));
+            }
+        }
+        if of_meshes.across.iter().all(Vec::is_empty) {
+            return false;
+        }
+        of_meshes.sort();
+        of_meshes.meet_each_other()
+            || self.own_boxes.values().any(|at| of_meshes.meet(at))
+            || self
+                .leaves
+                .iter()
+                .filter_map(sides)
+                .any(|at| of_meshes.meet(&at))
     }
 
     /// Sets the rounded form of a leaf, and POV-Ray's box of it if it decides ties.
@@ -125,13 +157,38 @@ impl ModelBuilder {
         for leaf in first..index(self.leaves.len()) {
             self.rounded.remove(&leaf);
             self.own_boxes.remove(&leaf);
+            self.mesh_boxes.remove(&leaf);
         }
         self.leaves.truncate(first as usize);
     }
 }
 
+/// A box around a leaf in the world.
+fn box_in_world(leaf: &Leaf) -> Bounds {
+    let bounds = leaf.shape.bounds();
+    let to_object = leaf.object_from_world.as_ref();
+    to_object.map_or(bounds, |to_object| bounds.transformed(&to_object.inverse()))
+}
+
+/// The places of the faces of a box or plane across each axis, not finite where there are none.
+fn sides(leaf: &Leaf) -> Option<Bounds> {
+    match &leaf.shape {
+        Shape::Cuboid(_) => Some(box_in_world(leaf)),
+        Shape::Plane(plane) => {
+            let is_across = plane.normal.abs().cmpgt(DVec3::splat(ALONG));
+            let nowhere = DVec3::splat(f64::NAN);
+            let at = DVec3::select(is_across, plane.distance * plane.normal, nowhere);
+            Some(Bounds { min: at, max: at })
+        }
+        _ => None,
+    }
+}
+
 /// Least component of the unit normal of a plane across an axis.
 const ALONG: f64 = 1.0 - 1e-9;
+
+/// The most triangles across an axis that are compared with other faces.
+const MOST_FLAT: u32 = 1 << 16;
 
 /// A face across an axis.
 #[derive(Clone, Copy)]
@@ -239,7 +296,7 @@ impl Model {
             instances: parts.instances,
             rounding: Rounding {
                 forms: parts.rounded,
-                leaves: Vec::new(),
+                ..Rounding::default()
             },
             bvh,
             cluster,
