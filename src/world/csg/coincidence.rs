@@ -9,11 +9,23 @@
 use super::inside::InsideState;
 use super::program::CsgProgram;
 use super::sweep::{Event, Sweep, SweepContext};
-use crate::base::math::COINCIDENT;
-use crate::scene::shape::{Crossing, FlatFace, Geometry, SurfaceSide};
+use crate::base::math::{COINCIDENT, Ray};
+use crate::scene::shape::{Crossing, FlatFace, Geometry, Root, Shape, SurfaceSide};
 use crate::world::primitive::Leaf;
 use glam::DVec3;
 use smallvec::SmallVec;
+
+/// For each of several surfaces at one distance, true if it shows.
+type Shown = SmallVec<[bool; 4]>;
+
+/// Rays whose points decide which surfaces show, and the most of them that may be against the others: where more are,
+/// POV-Ray leaves speckles.
+const VOTES: u32 = 24;
+const MOST_AGAINST: usize = 3;
+/// Largest angle between them: much less than a pixel, much more than a rounding.
+const BESIDE: f64 = 1.0 / (1_u64 << 18) as f64;
+/// Multiples of these spread evenly, modulo 1 (M. Roberts's sequence R2).
+const SPREAD: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053];
 
 /// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,10 +120,12 @@ impl CsgProgram {
         let is_tie = show > 1 && !self.has_clean_cuts();
         let rounding = context.rounding.filter(|_| is_tie)?;
         let distance = |event: &Event| {
-            if !event.root.is_visible {
+            let leaf = self.first + event.leaf;
+            // Roots of boxes are rounded alike.
+            let is_box = matches!(context.leaves[leaf as usize].shape, Shape::Cuboid(_));
+            if is_box || !event.root.is_visible {
                 return Some(event.root.t);
             }
-            let leaf = self.first + event.leaf;
             rounding.tied_distance(leaf, context.leaves, context.ray, &event.root)
         };
         let rounded = |event: &Event| Some((distance(event)?, *event));
@@ -134,7 +148,9 @@ impl CsgProgram {
             ..
         } = sweep;
         let events = &events[at..end];
-        let by_rounding = self.shown_by_rounding(events, context, state);
+        let by_rounding = self
+            .shown_by_rounding(events, context, state)
+            .or_else(|| self.shown_by_points(events, context, state));
         let mut is_certain = true;
         shown.clear();
         match by_rounding {
@@ -186,7 +202,7 @@ impl CsgProgram {
         events: &[Event],
         context: SweepContext,
         state: &mut InsideState,
-    ) -> Option<SmallVec<[bool; 4]>> {
+    ) -> Option<Shown> {
         let mut faces: SmallVec<[WorldFace; 4]> = SmallVec::new();
         for event in events {
             let leaf = &context.leaves[(self.first + event.leaf) as usize];
@@ -197,7 +213,7 @@ impl CsgProgram {
             faces.push(face);
         }
         let mut shown = |origin: f64, toward: fn(f64) -> f64| {
-            let mut shown: SmallVec<[bool; 4]> = SmallVec::new();
+            let mut shown = Shown::new();
             let mut last = None;
             for (event, own) in events.iter().zip(&faces) {
                 let position = origin + toward(own.offset(origin));
@@ -221,6 +237,105 @@ impl CsgProgram {
         let is_even = is_from_camera || is_same(origin.next_down()) && is_same(origin.next_up());
         let is_certain = is_even && shown(origin, near_power).as_ref() == Some(&own);
         is_certain.then_some(own)
+    }
+
+    /// The surfaces shown where all are faces of boxes and prisms, and POV-Ray's points show the same ones nearly all over
+    /// the face: those that every ancestor lets through by the point of this ray and those of rays beside it.
+    fn shown_by_points(
+        &self,
+        events: &[Event],
+        context: SweepContext,
+        state: &mut InsideState,
+    ) -> Option<Shown> {
+        let first = events.first()?;
+        let leaf = &context.leaves[(self.first + first.leaf) as usize];
+        let Root { t, face, .. } = first.root;
+        let ray = *context.ray;
+        let middle = ray.at(t);
+        let (normal, _) = leaf.normals(middle, ray.dir, face);
+        let height = normal.dot(middle - ray.origin);
+        let length = ray.dir.length();
+        let (right, up) = (ray.dir / length).any_orthonormal_pair();
+        let mut votes: [(Shown, usize); 2] = Default::default();
+        for turn in 0..VOTES {
+            let [x, y] = SPREAD.map(|factor| BESIDE * length * (f64::from(turn) * factor).fract());
+            let dir = ray.dir + x * right + y * up;
+            let beside = Ray::new(ray.origin, dir * (length / dir.length()));
+            // The first one is the ray itself.
+            let beside = if turn == 0 { ray } else { beside };
+            let near = height / normal.dot(beside.dir);
+            let shown = self.shown_at_point(events, &beside, near, context, state)?;
+            let is_alike = |(other, count): &&mut (Shown, usize)| {
+                *count == 0 || self.look_alike(events, [other, &shown], context)
+            };
+            let (other, count) = votes.iter_mut().find(is_alike)?;
+            if *count == 0 {
+                *other = shown;
+            }
+            *count += 1;
+            if votes.iter().all(|vote| vote.1 > MOST_AGAINST) {
+                return None;
+            }
+        }
+        let [first, second] = votes;
+        Some(if first.1 > second.1 {
+            first.0
+        } else {
+            second.0
+        })
+    }
+
+    /// Returns true if it does not matter which of two sets of surfaces shows: a ray hits one of several that look alike.
+    fn look_alike(&self, events: &[Event], sets: [&[bool]; 2], context: SweepContext) -> bool {
+        let shows = |set: &[bool]| set.contains(&true);
+        let one_shows = |at: &usize| sets.iter().any(|set| set[*at]);
+        let surface = |at: usize| {
+            let leaf = self.first + events[at].leaf;
+            context.leaves[leaf as usize].surface
+        };
+        let mut surfaces = (0..events.len()).filter(one_shows).map(surface);
+        let first = surfaces.next();
+        sets[0] == sets[1]
+            || sets.into_iter().all(shows) && surfaces.all(|surface| Some(surface) == first)
+    }
+
+    /// The surfaces that show on a ray by POV-Ray's points on them, about at `t`. Points and inside tests of boxes and
+    /// prisms are POV-Ray's to the last bit; `None` for other shapes and for curved sides of prisms.
+    fn shown_at_point(
+        &self,
+        events: &[Event],
+        ray: &Ray,
+        t: f64,
+        context: SweepContext,
+        state: &mut InsideState,
+    ) -> Option<Shown> {
+        let leaf = |event: &Event| &context.leaves[(self.first + event.leaf) as usize];
+        let mut shown = Shown::new();
+        for event in events {
+            let leaf_of = leaf(event);
+            let face = event.root.face;
+            let point = match &leaf_of.shape {
+                Shape::Cuboid(cuboid) => {
+                    let face = cuboid.flat_face(face)?;
+                    let to_object = leaf_of.object_from_world.as_ref();
+                    let local = to_object.map_or(*ray, |to_object| ray.to_object(to_object));
+                    let offset = face.coordinate - local.origin[face.axis];
+                    ray.at(offset / local.dir[face.axis])
+                }
+                Shape::Prism(_) => {
+                    let form = context.rounding?.forms.get(&(self.first + event.leaf))?;
+                    form.hit(ray, t, face)?.point
+                }
+                _ => return None,
+            };
+            for other in events {
+                let is_inverse = self.operands[other.leaf as usize].is_inverse;
+                let is_in = leaf(other).contains(point) != is_inverse;
+                self.put(other.leaf, is_in, state);
+            }
+            shown.push(self.lets_through(event.leaf, state));
+        }
+        Some(shown)
     }
 
     /// Selects the surfaces shown among several at the same `t` so that they bound the solid: at a node whose other
