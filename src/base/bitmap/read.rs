@@ -3,7 +3,7 @@
 use super::decode::decode;
 use super::format::Format;
 use super::handling::Handling;
-use super::mapping::{NO_INDEX, Purpose};
+use super::mapping::{Interpolation, NO_INDEX, Purpose};
 use super::size::bytes_to_decode;
 use super::{Bitmap, Mapping, Samples};
 use crate::base::args::{Args, Parse, SampledFunction, Word, not_built};
@@ -88,6 +88,13 @@ impl MappedBitmap {
             }
         }
         positions.map(|at| f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey()))
+    }
+
+    /// True if rounding decides whether an index counts: that of an image without a palette is interpolated to a number
+    /// next to [`NO_INDEX`].
+    #[must_use]
+    pub fn rounds_index(&self) -> bool {
+        self.mapping.interpolation != Interpolation::None && self.bitmap.palette_len().is_none()
     }
 
     /// Index of the texture that a `material_map` of `textures` textures selects at a point.

@@ -248,7 +248,8 @@ impl PreparedNormal {
             entries.any(|(_, entry)| entry.jumps())
         };
         match &self.relief {
-            Relief::Flat | Relief::Image(..) | Relief::Facets(..) => false,
+            Relief::Flat | Relief::Facets(..) => false,
+            Relief::Image(_, source) => source.uses_index && source.rounds_index(),
             Relief::Pattern(pattern) | Relief::Slopes(pattern, _) => pattern.jumps(),
             Relief::Normals(pattern, map) => pattern.jumps() || any(map),
             Relief::Average(_, map) => any(map),

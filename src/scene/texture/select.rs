@@ -135,8 +135,12 @@ impl Selector {
 
     /// True if some pattern in it jumps where surfaces may lie.
     pub(super) fn jumps(&self) -> bool {
-        matches!(self, Selector::Map(pattern, _) if pattern.jumps())
-            || self.textures().any(PreparedTexture::jumps)
+        let own = match self {
+            Selector::Map(pattern, _) => pattern.jumps(),
+            Selector::Material(_, source, _) => source.rounds_index(),
+            _ => false,
+        };
+        own || self.textures().any(PreparedTexture::jumps)
     }
 
     /// True if this selector, or one in its textures, depends on the normal.
