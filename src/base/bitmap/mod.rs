@@ -88,13 +88,16 @@ struct Transfer {
 impl Transfer {
     fn apply(self, stored: f32) -> f32 {
         match (self.file, self.working) {
-            (Some(file), Some(working)) if file != working => working.encode(file.decode(stored)),
+            (Some(file), Some(working)) if !file.is_almost(working) => {
+                working.encode(file.decode(stored))
+            }
             _ => stored,
         }
     }
 
     fn is_identity(self) -> bool {
-        !matches!((self.file, self.working), (Some(file), Some(working)) if file != working)
+        let both = self.file.zip(self.working);
+        both.is_none_or(|(file, working)| file.is_almost(working))
     }
 
     fn table(self) -> Box<[f32; 256]> {

@@ -30,6 +30,15 @@ impl Gamma {
         }
     }
 
+    /// True if values of the one serve for the other, as in POV-Ray: a `gAMA` chunk says 0.45455 for 1/2.2.
+    #[must_use]
+    pub fn is_almost(self, other: Gamma) -> bool {
+        match (self, other) {
+            (Gamma::Power(from), Gamma::Power(to)) => (1.0 - to / from).abs() <= 0.01,
+            _ => self == other,
+        }
+    }
+
     /// Linear light of an encoded value.
     #[must_use]
     pub fn decode(self, encoded: f32) -> f32 {
@@ -91,6 +100,20 @@ impl ItuCurve {
 #[cfg(test)]
 mod tests {
     use super::Gamma;
+
+    #[test]
+    fn powers_within_a_hundredth_are_one() {
+        for encoding in [0.454_55, 0.451, 0.459] {
+            assert!(Gamma::Power(1.0 / encoding).is_almost(Gamma::Power(2.2)));
+        }
+        for other in [
+            Gamma::Power(1.0 / 0.46),
+            Gamma::Power(1.0 / 0.449),
+            Gamma::Srgb,
+        ] {
+            assert!(!other.is_almost(Gamma::Power(2.2)));
+        }
+    }
 
     #[test]
     fn decoding_inverts_encoding() {
