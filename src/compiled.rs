@@ -6,6 +6,8 @@ use self::edited::{PictureCache, SceneVersion, picture_text};
 use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::math::conditioning::Normalization;
+#[cfg(feature = "cli")]
+use crate::base::options::Plan;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
@@ -138,6 +140,12 @@ impl CompiledScene {
     /// The options to encode its pictures, from those for any scene.
     pub(crate) fn encoding(&self, options: &EncodeOptions) -> EncodeOptions {
         options.for_scene(self.working, self.rounding)
+    }
+
+    /// The features that the scene needs, and those it does not.
+    #[cfg(feature = "cli")]
+    pub(crate) fn plan(&self) -> Plan {
+        self.world.plan()
     }
 
     /// Draws a picture. The camera must have been set for its size.

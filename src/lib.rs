@@ -399,7 +399,7 @@ pub fn read(
 fn load(input: &Input, sources: &mut Sources) -> Result<FileId, Box<Diagnostic>> {
     match input {
         Input::File(path) => sources.load_file(path),
-        Input::Edited { path, text } => sources.load_edited(path, text),
+        Input::Edited { path, text, .. } => sources.load_edited(path, Arc::clone(text)),
         Input::Text { name, text } => Ok(sources.add_text(name.clone(), text)),
     }
 }
@@ -588,6 +588,10 @@ fn read_scene(
         literals: last_literals,
     }: ReadingCaches<'_>,
 ) -> Result<SceneReading, Failure> {
+    let reported = match input {
+        Input::Edited { change, .. } => change.as_ref(),
+        Input::File(_) | Input::Text { .. } => None,
+    };
     let earlier = cache.and_then(|cache| lock(cache).clone());
     let mut token_cache = cache.map(|_| TokenCache::default());
     let mut sources = Sources::new(options.library_paths.clone())
@@ -623,7 +627,7 @@ fn read_scene(
                 scene: file,
                 sources: &mut sources,
                 token_cache: token_cache.as_mut(),
-                literals: last_literals,
+                literals: last_literals.map(|last| (last, reported)),
             };
             let reading = lang::evaluate_with(texts, options, &mut probe, &mut forward);
             if render.quality >= QUALITY_OF_RADIOSITY {

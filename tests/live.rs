@@ -4,6 +4,8 @@
 
 mod support;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -73,6 +75,24 @@ impl Live {
 
     fn changes(&self, change: &Value) {
         assert_eq!(self.change(change), (204, String::new()), "{change}");
+    }
+
+    /// The states from the current one on, before which something is done.
+    fn events(&self, act: impl FnOnce()) -> impl Iterator<Item = Value> {
+        let (address, token) = (&self.address, &self.token);
+        let mut stream = TcpStream::connect(address).expect("the server is there");
+        stream.set_read_timeout(Some(TIME_LIMIT)).expect("a limit");
+        write!(
+            stream,
+            "GET /{token}/events HTTP/1.1\r\nHost: {address}\r\n\r\n"
+        )
+        .expect("it is asked");
+        act();
+        BufReader::new(stream).lines().filter_map(|line| {
+            let line = line.expect("an event");
+            let event = line.strip_prefix("data: ")?;
+            Some(serde_json::from_str(event).expect("a state"))
+        })
     }
 
     /// The first state that passes a test.
@@ -344,6 +364,79 @@ fn a_moved_camera_stays_when_the_objects_change() {
         (&state["is_moved"], &state["camera"]),
         (&json!(true), &moved["camera"])
     );
+}
+
+/// A scene of many spheres, of which one has another colour.
+fn spheres(special: u32, color: &str) -> String {
+    let mut text = "#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 8, -12> look_at 0 angle 60 }
+light_source { <4, 9, -8>, 1 }
+plane { y, -2 pigment { rgb 0.8 } }
+"
+    .to_owned();
+    for at in 0..2000_u32 {
+        let (x, z) = (at % 40, at / 40);
+        let color = if at == special { color } else { "<0, 1, 0>" };
+        text += &format!(
+            "sphere {{ <{}, 0, {}>, 0.12 pigment {{ rgb {color} }} }}\n",
+            f64::from(x) / 4.0 - 5.0,
+            f64::from(z) / 4.0 - 6.0
+        );
+    }
+    text
+}
+
+#[test]
+fn a_little_edit_comes_as_a_patch() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let first = spheres(930, "<0, 1, 0>");
+    write(folder.path(), &first);
+    let live = Live::start(folder.path(), &[]);
+    let before = live.whole();
+    let mut png = live.answer("GET", "picture.png", "").1;
+    assert_eq!(png, drawn(&first, &[]));
+    let mut number = before["picture"].clone();
+    let decoded = |png: &[u8]| image::load_from_memory(png).expect("a picture").to_rgb8();
+    for color in ["<1, 0, 0>", "<1, 0, 1>"] {
+        let text = spheres(930, color);
+        let path = folder.path().join("s.pov");
+        let events = live.events(|| {
+            // In one step, and written in place.
+            match color {
+                "<1, 0, 0>" => {
+                    write(folder.path(), &text);
+                }
+                _ => {
+                    fs::write(folder.path().join("draft"), &text).expect("a file");
+                    fs::rename(folder.path().join("draft"), &path).expect("a file");
+                }
+            }
+        });
+        let mut patched = None;
+        for state in events {
+            if let Some(patch) = state["patch"].as_object() {
+                assert_eq!((&patch["over"], &state["picture"]), (&number, &number));
+                let bytes = STANDARD.decode(patch["png"].as_str().expect("a text"));
+                let position =
+                    ["column", "row"].map(|side| patch[side].as_i64().expect("a number"));
+                let mut picture = decoded(&png);
+                let part = decoded(&bytes.expect("base64"));
+                assert!(4 * part.width() * part.height() < picture.width() * picture.height());
+                image::imageops::replace(&mut picture, &part, position[0], position[1]);
+                patched = Some((patch["number"].clone(), picture));
+            } else if is_whole(&state) && state["picture"] != number {
+                number = state["picture"].clone();
+                break;
+            }
+        }
+        png = live.answer("GET", "picture.png", "").1;
+        assert_eq!(png, drawn(&text, &[]));
+        // It may be over before it is seen.
+        if let Some((patched, picture)) = patched {
+            assert_eq!(patched, number);
+            assert!(picture == decoded(&png));
+        }
+    }
 }
 
 #[test]

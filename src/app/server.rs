@@ -46,6 +46,9 @@ const HEADERS: [(HeaderName, &str); 5] = [
     ),
 ];
 
+/// The header of a numbered answer.
+const PICTURE_NUMBER: HeaderName = HeaderName::from_static("picture-number");
+
 /// Most threads for handlers of `POST`; more requests wait for one of them.
 const BLOCKING_THREADS: usize = 8;
 
@@ -87,6 +90,8 @@ impl Default for Limits {
 pub(crate) enum Answer {
     /// Contents of a media type.
     Content(&'static str, Bytes),
+    /// The same with a number that the page knows them by.
+    Numbered(u64, &'static str, Bytes),
     /// A stream of server-sent events: the current text, which has no line breaks, and each later one.
     Events(watch::Receiver<String>),
     /// Nothing, as all is done.
@@ -337,6 +342,11 @@ impl Connection {
             Answer::Done => response(StatusCode::NO_CONTENT, PLAIN, Either::Left(Full::default())),
             Answer::Content(kind, bytes) => {
                 response(StatusCode::OK, kind, Either::Left(bytes.into()))
+            }
+            Answer::Numbered(number, kind, bytes) => {
+                let mut reply = response(StatusCode::OK, kind, Either::Left(bytes.into()));
+                reply.headers_mut().insert(PICTURE_NUMBER, number.into());
+                reply
             }
             Answer::Refusal(status, reason) => refusal(status, reason),
             Answer::Events(_) if is_head => {

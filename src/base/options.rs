@@ -14,7 +14,7 @@ use crate::base::color::Gamma;
 use crate::base::encoding::{EncodeOptions, Rounding};
 use crate::base::file::Folders;
 use crate::base::film::{Film, Pixel};
-use crate::base::source::{Dependency, Message};
+use crate::base::source::{Dependency, Message, TextChange};
 
 /// Progress events of reading and rendering.
 #[derive(Clone, Copy, Debug)]
@@ -64,8 +64,10 @@ pub enum Input {
     Edited {
         /// The file, as the user named it.
         path: PathBuf,
-        /// The undecoded text.
-        text: Vec<u8>,
+        /// The text.
+        text: Arc<String>,
+        /// For the next version of a scene, the change of its text since the version that is given, if all are reported.
+        change: Option<TextChange>,
     },
     /// A text in memory: standard input, a test, a Rust caller.
     Text {

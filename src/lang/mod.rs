@@ -28,7 +28,7 @@ pub use reader::{ObjectSpan, Reading};
 pub use token_cache::TokenCache;
 
 use crate::base::options::ReadOptions;
-use crate::base::source::{Diagnostic, FileId, Sources};
+use crate::base::source::{Diagnostic, FileId, Sources, TextChange};
 use reader::Reader;
 
 /// An event while a scene is read.
@@ -66,8 +66,11 @@ pub struct Texts<'a> {
     /// read once.
     pub token_cache: Option<&'a mut TokenCache>,
     /// Objects of the last reading of a scene whose text may have changed, perhaps none: those of this one are cached.
-    pub literals: Option<&'a LiteralCache>,
+    pub literals: Option<LastLiterals<'a>>,
 }
+
+/// Objects of the last reading of a scene, and the change of its text since, if all changes are reported.
+pub type LastLiterals<'a> = (&'a LiteralCache, Option<&'a TextChange>);
 
 /// As [`evaluate`]; `probe` answers `trace` and `inside`, and `listener` receives the findings and the text written by
 /// the scene as they occur.

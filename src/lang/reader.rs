@@ -1,6 +1,5 @@
 //! The reader: all state of reading a scene.
 
-use super::ReadEvent;
 use super::budget::Budget;
 use super::diagnose::trial::Trials;
 use super::dialect::Dialect;
@@ -20,6 +19,7 @@ use super::report::Report;
 use super::scope::Scopes;
 use super::statement_state::{NameUsage, StatementState};
 use super::token_cache::TokenCache;
+use super::{LastLiterals, ReadEvent};
 use crate::base::args::{Parse, Word};
 use crate::base::options::ReadOptions;
 use crate::base::source::{Code, Dependency, Diagnostic, FileId, Sources, Span};
@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
     pub(super) fn new(
         scene: FileId,
         sources: &'a mut Sources,
-        (token_cache, literals): (Option<&'a mut TokenCache>, Option<&'a LiteralCache>),
+        (token_cache, literals): (Option<&'a mut TokenCache>, Option<LastLiterals<'a>>),
         options: &'a ReadOptions,
         probe: &'a mut dyn Probe,
         listener: &'a mut dyn FnMut(ReadEvent<'_>),

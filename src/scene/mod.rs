@@ -28,7 +28,7 @@ pub use object::{
     Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
 };
 pub use objects::{ColorOrTexture, Objects, PlainObject};
-pub(crate) use objects::{Colored, Entry, OwnedObject};
+pub(crate) use objects::{Colored, Entry, OwnedObject, SharedEntries};
 pub(crate) use scaled::CameraLimit;
 
 use crate::base::color::{Color, Gamma, Rgb};

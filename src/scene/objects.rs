@@ -10,6 +10,7 @@ use crate::scene::shape::{Shape, Sphere};
 use crate::scene::texture::{Finish, Layer, Texture};
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// Objects per chunk. Chunks are freed one by one while their objects are consumed.
@@ -18,8 +19,70 @@ const CHUNK: usize = 4096;
 /// The objects of a scene, in file order.
 #[derive(Clone, Debug, Default)]
 pub struct Objects {
-    /// All but the last chunk are full.
-    chunks: Vec<Vec<Entry>>,
+    chunks: Vec<Chunk>,
+    len: usize,
+}
+
+/// Successive objects.
+#[derive(Clone, Debug)]
+enum Chunk {
+    Own(Vec<Entry>),
+    /// Those that are in other lists too.
+    Shared(SharedEntries),
+}
+
+/// Objects that several lists share.
+#[derive(Clone, Debug)]
+pub(crate) struct SharedEntries {
+    entries: Arc<[Entry]>,
+    has_whole: bool,
+    has_textures: bool,
+}
+
+impl From<Vec<Entry>> for SharedEntries {
+    fn from(entries: Vec<Entry>) -> Self {
+        let mut has_textures = entries.iter().map(|entry| entry.texture().is_some());
+        SharedEntries {
+            has_textures: has_textures.any(|has_texture| has_texture),
+            has_whole: entries.iter().any(|entry| entry.whole().is_some()),
+            entries: entries.into(),
+        }
+    }
+}
+
+impl Deref for SharedEntries {
+    type Target = [Entry];
+
+    fn deref(&self) -> &[Entry] {
+        &self.entries
+    }
+}
+
+impl SharedEntries {
+    /// True if some may be more than plain shapes.
+    pub(crate) fn has_whole(&self) -> bool {
+        self.has_whole
+    }
+}
+
+impl Deref for Chunk {
+    type Target = [Entry];
+
+    fn deref(&self) -> &[Entry] {
+        match self {
+            Chunk::Own(entries) => entries,
+            Chunk::Shared(shared) => shared,
+        }
+    }
+}
+
+impl Chunk {
+    fn into_entries(self) -> Vec<Entry> {
+        match self {
+            Chunk::Own(entries) => entries,
+            Chunk::Shared(shared) => shared.to_vec(),
+        }
+    }
 }
 
 /// A shape with a material, without transforms or other attributes.
@@ -118,10 +181,11 @@ impl Objects {
 
     /// Removes the last object and returns it.
     pub fn pop(&mut self) -> Option<Arc<Object>> {
-        let chunk = self.chunks.last_mut()?;
-        let last = chunk.pop();
-        if chunk.is_empty() {
-            self.chunks.pop();
+        let mut entries = self.chunks.pop()?.into_entries();
+        let last = entries.pop();
+        self.len -= usize::from(last.is_some());
+        if !entries.is_empty() {
+            self.chunks.push(Chunk::Own(entries));
         }
         last.map(Entry::into_object)
     }
@@ -137,21 +201,32 @@ impl Objects {
         let mut entries = entries.into_iter();
         while let Some(next) = entries.next() {
             self.push_entry(next);
-            if let Some(chunk) = self.chunks.last_mut() {
-                let free = CHUNK.saturating_sub(chunk.len());
+            if let Some(Chunk::Own(chunk)) = self.chunks.last_mut() {
+                let before = chunk.len();
+                let free = CHUNK.saturating_sub(before);
                 chunk.extend(entries.by_ref().take(free));
+                self.len += chunk.len() - before;
             }
         }
     }
 
+    /// Appends entries that stay in other lists too.
+    pub(crate) fn append_shared(&mut self, entries: &SharedEntries) {
+        if !entries.is_empty() {
+            self.len += entries.len();
+            self.chunks.push(Chunk::Shared(entries.clone()));
+        }
+    }
+
     fn push_entry(&mut self, entry: Entry) {
+        self.len += 1;
         match self.chunks.last_mut() {
-            Some(chunk) if chunk.len() < CHUNK => chunk.push(entry),
+            Some(Chunk::Own(chunk)) if chunk.len() < CHUNK => chunk.push(entry),
             _ => {
                 let capacity = if self.chunks.is_empty() { 4 } else { CHUNK };
                 let mut chunk = Vec::with_capacity(capacity);
                 chunk.push(entry);
-                self.chunks.push(chunk);
+                self.chunks.push(Chunk::Own(chunk));
             }
         }
     }
@@ -159,8 +234,7 @@ impl Objects {
     /// Number of objects.
     #[must_use]
     pub fn len(&self) -> usize {
-        let full = self.chunks.len().saturating_sub(1) * CHUNK;
-        full + self.chunks.last().map_or(0, Vec::len)
+        self.len
     }
 
     /// Returns true if there are no objects.
@@ -176,27 +250,50 @@ impl Objects {
 
     /// All objects by value; each can be dropped before the next is converted.
     pub fn into_objects(self) -> impl Iterator<Item = Arc<Object>> {
-        self.chunks.into_iter().flatten().map(Entry::into_object)
+        let entries = self.chunks.into_iter().flat_map(Chunk::into_entries);
+        entries.map(Entry::into_object)
     }
 
-    /// The chunks, and the size of all but the last.
+    /// The objects in chunks, and the size of all but the last.
     pub(crate) fn into_chunks(self) -> (Vec<Vec<Entry>>, usize) {
-        (self.chunks, CHUNK)
+        let before_last = self.chunks.len().saturating_sub(1);
+        let mut others = self.chunks.iter().take(before_last);
+        let is_regular = others.all(|chunk| matches!(chunk, Chunk::Own(own) if own.len() == CHUNK));
+        if is_regular {
+            let chunks = self.chunks.into_iter().map(Chunk::into_entries);
+            return (chunks.collect(), CHUNK);
+        }
+        let mut chunks: Vec<Vec<Entry>> = Vec::with_capacity(self.len.div_ceil(CHUNK));
+        for entry in self.chunks.into_iter().flat_map(Chunk::into_entries) {
+            match chunks.last_mut() {
+                Some(chunk) if chunk.len() < CHUNK => chunk.push(entry),
+                _ => {
+                    let mut chunk = Vec::with_capacity(CHUNK);
+                    chunk.push(entry);
+                    chunks.push(chunk);
+                }
+            }
+        }
+        (chunks, CHUNK)
     }
 
     /// The objects that may be more than plain shapes. All others have no parts, lights or interior.
     pub(crate) fn whole(&self) -> impl Iterator<Item = &Arc<Object>> {
-        self.entries().filter_map(Entry::whole)
+        let some_in = |chunk: &&Chunk| !matches!(chunk, Chunk::Shared(shared) if !shared.has_whole);
+        let chunks = self.chunks.iter().filter(some_in);
+        chunks
+            .flat_map(|chunk| chunk.iter())
+            .filter_map(Entry::whole)
     }
 
     /// The textures of plain shapes, without those of a single colour.
     pub(crate) fn textures_of_plain(&self) -> impl Iterator<Item = &Arc<Texture>> {
-        self.entries().filter_map(|entry| match entry {
-            Entry::TexturedSphere { texture, .. } | Entry::Textured { texture, .. } => {
-                Some(texture)
-            }
-            _ => None,
-        })
+        let some_in =
+            |chunk: &&Chunk| !matches!(chunk, Chunk::Shared(shared) if !shared.has_textures);
+        let chunks = self.chunks.iter().filter(some_in);
+        chunks
+            .flat_map(|chunk| chunk.iter())
+            .filter_map(Entry::texture)
     }
 
     /// The finishes of shapes of a single colour.
@@ -210,7 +307,59 @@ impl Objects {
     }
 
     pub(super) fn entries(&self) -> impl Iterator<Item = &Entry> + Clone {
-        self.chunks.iter().flatten()
+        self.chunks.iter().flat_map(|chunk| chunk.iter())
+    }
+
+    /// Pairs of the entries of two lists of the same length, with their indices, without those that the lists share.
+    pub(super) fn unshared_pairs<'a>(
+        &'a self,
+        other: &'a Objects,
+        mut visit: impl FnMut(usize, &'a Entry, &'a Entry) -> bool,
+    ) -> bool {
+        let (mut own, mut others) = (Position::of(self), Position::of(other));
+        let mut index = 0;
+        while let (Some(a), Some(b)) = (own.rest(), others.rest()) {
+            let count = a.len().min(b.len());
+            // A rest that two chunks share lies at the same addresses.
+            if !std::ptr::eq(a.as_ptr(), b.as_ptr()) {
+                for (at, (a, b)) in (index..).zip(a.iter().zip(b)).take(count) {
+                    if !visit(at, a, b) {
+                        return false;
+                    }
+                }
+            }
+            own.skip(count);
+            others.skip(count);
+            index += count;
+        }
+        true
+    }
+}
+
+/// A position between two entries of a list.
+struct Position<'a> {
+    chunks: std::slice::Iter<'a, Chunk>,
+    rest: &'a [Entry],
+}
+
+impl<'a> Position<'a> {
+    fn of(objects: &'a Objects) -> Self {
+        Position {
+            chunks: objects.chunks.iter(),
+            rest: &[],
+        }
+    }
+
+    /// The next entries of the list, at least one; `None` at its end.
+    fn rest(&mut self) -> Option<&'a [Entry]> {
+        while self.rest.is_empty() {
+            self.rest = self.chunks.next()?;
+        }
+        Some(self.rest)
+    }
+
+    fn skip(&mut self, count: usize) {
+        self.rest = &self.rest[count..];
     }
 }
 
@@ -287,6 +436,16 @@ impl Entry {
     pub(crate) fn whole(&self) -> Option<&Arc<Object>> {
         match self {
             Entry::Whole(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// The texture, for a plain shape that has one.
+    fn texture(&self) -> Option<&Arc<Texture>> {
+        match self {
+            Entry::TexturedSphere { texture, .. } | Entry::Textured { texture, .. } => {
+                Some(texture)
+            }
             _ => None,
         }
     }
@@ -440,153 +599,4 @@ fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, ColorOrTexture)> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::DVec3;
-
-    fn sphere(x: f64) -> Shape {
-        Shape::Sphere(Sphere {
-            centre: DVec3::X * x,
-            radius: 1.0,
-        })
-    }
-
-    fn red() -> ColorOrTexture {
-        ColorOrTexture::Color(
-            Color::from_components([1.0, 0.0, 0.0, 0.25, 0.5]),
-            Arc::default(),
-        )
-    }
-
-    fn debug_text(object: &Object) -> String {
-        format!("{object:?}")
-    }
-
-    #[test]
-    fn a_sphere_entry_takes_64_bytes() {
-        assert_eq!(size_of::<Entry>(), 64);
-    }
-
-    #[test]
-    fn plain_objects_are_stored_unchanged() {
-        let texture = Arc::new(Texture::from(Layer::default()));
-        let shared = ColorOrTexture::Texture(Arc::clone(&texture));
-        let disc = Shape::read(
-            crate::base::args::Word::Disc,
-            &mut crate::base::args::text::TextArgs::new("0, <0, 1, 0>, 1 }"),
-        );
-        let mut objects = Objects::default();
-        let mut expected = Vec::new();
-        for shape in [sphere(1.0), disc.unwrap().unwrap()] {
-            for look in [red(), shared.clone()] {
-                let plain = PlainObject {
-                    shape: shape.clone(),
-                    look,
-                };
-                let object = Object::from(plain.clone());
-                expected.push(debug_text(&object));
-                expected.push(debug_text(&object));
-                objects.push_plain(plain);
-                objects.push(Arc::new(object));
-            }
-        }
-        let made: Vec<String> = objects.iter().map(|object| debug_text(&object)).collect();
-        assert_eq!(made, expected);
-        assert_eq!(objects.whole().count(), 0);
-        assert_eq!(objects.into_objects().count(), 8);
-    }
-
-    #[test]
-    fn an_object_with_more_to_it_stays_whole() {
-        let plain = || {
-            Object::from(PlainObject {
-                shape: sphere(0.0),
-                look: red(),
-            })
-        };
-        let changes: [fn(&mut Object); 4] = [
-            |object| object.is_inverse = true,
-            |object| object.flags.hollow = Some(false),
-            |object| object.interior = Some(Arc::default()),
-            |object| object.texture = None,
-        ];
-        for change in changes {
-            let mut objects = Objects::default();
-            let mut object = plain();
-            change(&mut object);
-            objects.push(Arc::new(object));
-            assert_eq!(objects.whole().count(), 1);
-        }
-    }
-
-    #[test]
-    fn a_transformed_shape_of_one_colour_is_stored_compactly_and_unchanged() {
-        let moved = |look: ColorOrTexture| {
-            let shape = sphere(1.0);
-            let mut object = Object::from(PlainObject { shape, look });
-            object.steps = vec![Step::Rotate(DVec3::X), Step::Translate(DVec3::Y)];
-            object
-        };
-        let object = moved(red());
-        let expected = debug_text(&object);
-        let mut objects = Objects::default();
-        objects.push(Arc::new(object));
-        assert_eq!(objects.whole().count(), 0);
-        let out: Vec<String> = objects.iter().map(|out| debug_text(&out)).collect();
-        assert_eq!(out, [expected]);
-        // An entry with a shared texture stays an object.
-        let texture = Arc::new(Texture::from(Layer::default()));
-        let shared = moved(ColorOrTexture::Texture(Arc::clone(&texture)));
-        objects.push(Arc::new(shared));
-        assert_eq!(objects.whole().count(), 1);
-    }
-
-    #[test]
-    fn objects_like_another_differ_in_shape_and_colour() {
-        let color =
-            |index: usize| Color::from_components([0.1, 0.0, 0.0, 0.0, f64::from(index == 1)]);
-        let center = |index: usize| sphere(if index == 1 { 5.0 } else { 0.0 });
-        let plain = || {
-            Object::from(PlainObject {
-                shape: sphere(0.0),
-                look: red(),
-            })
-        };
-        let mut moved = plain();
-        moved.steps = vec![Step::Translate(DVec3::Y)];
-        moved.flags.no_shadow = true;
-        for model in [plain(), moved] {
-            for colors in [None, Some(&color as &(dyn Fn(usize) -> Color + Sync))] {
-                let mut objects = Objects::default();
-                objects.extend_like(&model, 3, center, colors);
-                for (index, object) in objects.iter().enumerate() {
-                    let mut expected = model.clone();
-                    expected.kind = Kind::Shape(Arc::new(center(index)));
-                    if let (Some(color), Some(texture)) = (colors, &mut expected.texture) {
-                        texture.what = Arc::new(texture.what.with_color(color(index)));
-                    }
-                    assert_eq!(debug_text(&object), debug_text(&expected));
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn objects_are_counted_over_all_chunks() {
-        let shape = sphere(0.0);
-        let plain = || PlainObject {
-            shape: shape.clone(),
-            look: red(),
-        };
-        let mut objects = Objects::default();
-        assert!(objects.is_empty());
-        for count in 1..=2 * CHUNK + 3 {
-            objects.push_plain(plain());
-            assert_eq!(objects.len(), count);
-        }
-        let more = vec![Entry::from(plain()); CHUNK + 10];
-        objects.append(more);
-        assert_eq!(objects.len(), 3 * CHUNK + 13);
-        assert_eq!(objects.iter().count(), objects.len());
-    }
-}
+mod tests;

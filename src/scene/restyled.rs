@@ -29,25 +29,29 @@ pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
     }
     let mut likeness = Likeness::default();
     let mut all = Vec::new();
-    for (index, (old, new)) in old.entries().zip(new.entries()).enumerate() {
+    let mut compare = |index: usize, old: &Entry, new: &Entry| {
         let is_same = is_same(old, new, &mut likeness);
         if all.len() > MOST || likeness.count() > MOST {
-            return None;
+            return false;
         }
         if is_same {
-            continue;
+            return true;
         }
         let [old, new] = [old, new].map(|entry| entry.clone().into_object());
         let shapes = new.size().leaves;
-        let parts = restyled_parts(&old, &new, 0, &mut likeness)?;
+        let Some(parts) = restyled_parts(&old, &new, 0, &mut likeness) else {
+            return false;
+        };
         all.extend(parts.into_iter().map(|(before, object)| Restyled {
             index,
             shapes,
             before,
             object,
         }));
-    }
-    Some(all)
+        true
+    };
+    let is_done = old.unshared_pairs(new, &mut compare);
+    is_done.then_some(all)
 }
 
 /// True if two entries are certainly alike.

@@ -360,6 +360,31 @@ def without_a_scene_the_showcase_is_the_first_page(live):
     expect(page.locator("#message")).to_contain_text("copy its source")
 
 
+def spheres(color):
+    rows = [f"sphere {{ <{at % 40 / 4 - 5}, 0, {at // 40 / 4 - 6}>, 0.12 pigment {{ rgb <0, 1, 0> }} }}" for at in range(2000)]
+    rows[930] = rows[930].replace("<0, 1, 0>", color)
+    head = SCENE.split("sphere")[0]
+    return head.replace("<0, 2, -6>", "<0, 8, -12>") + "\n".join(rows) + "\n"
+
+
+@test
+def a_little_edit_is_drawn_over_the_last_picture(live):
+    live.scene.write_text(spheres("<0, 1, 0>"))
+    live.start()
+    page = live.page()
+    page.wait_for_timeout(300)
+    loads = []
+    page.on("request", lambda request: "picture.png" in request.url and loads.append(request.url))
+    colors = ["<1, 0, 0>", "<1, 0, 1>", "<1, 1, 0>", "<0, 0, 1>", "<1, 1, 1>"]
+    for color in colors:
+        shown = after(page, lambda color=color: live.scene.write_text(spheres(color)))
+        other = live.page()
+        assert picture(other) == shown
+        other.close()
+    # Where the whole picture is there before the page knows of its part, it is loaded.
+    assert len(loads) < len(colors), loads
+
+
 @test
 def a_file_that_changes_all_the_time_is_seen_meanwhile(live):
     live.start()

@@ -17,7 +17,9 @@ mod wishes;
 
 use crate::app::cli::options::command_line;
 use crate::app::server;
+use crate::app::worker::Splice;
 use crate::base::file::{FileLimits, Folders, Named, read_limited};
+use std::ffi::OsString;
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -137,7 +139,8 @@ fn secret(text: &str) -> Result<String, &'static str> {
 const PREVIEW_PATIENCE: Duration = Duration::from_millis(300);
 /// Polling interval for file systems that report no changes.
 const LOOK: Duration = Duration::from_millis(500);
-/// An editor may write a file in several steps: it is read after this time without changes,
+/// An editor may write a file in several steps. Where the system does not tell that it is done, the file is read after this
+/// time without changes,
 const CALM: Duration = Duration::from_millis(10);
 /// but no later than this.
 const IMPATIENCE: Duration = Duration::from_secs(1);
@@ -157,8 +160,8 @@ struct Wanted {
 /// Events that the loop waits for.
 #[derive(Debug)]
 enum WatchEvent {
-    /// Something in a watched folder.
-    Change,
+    /// Something in a watched folder; the name of a file that has been written completely.
+    Change(Option<OsString>),
     /// The wishes of the viewers have changed.
     Wish,
     /// The rendering has ended.
@@ -262,6 +265,7 @@ fn run_as(
         wishes: Arc::clone(&wishes),
         preview_side: AtomicU32::new(painter::PREVIEW),
         drawn: Mutex::default(),
+        delivered: Mutex::default(),
         picked: Mutex::default(),
         warnings: Mutex::default(),
         overlaid: Mutex::default(),
@@ -271,11 +275,13 @@ fn run_as(
         settings_of: &settings_of,
         sender: sender.clone(),
         receiver,
-        watched: Watched::new(move || drop(sender.send(WatchEvent::Change))),
+        watched: Watched::new(move |written| drop(sender.send(WatchEvent::Change(written)))),
         known: Known::of([file.clone()], SystemTime::now()),
         text_known: Known::of([file], SystemTime::now()),
         scene: None,
         versions: 0,
+        text: None,
+        written: None,
         drawn: 0,
     };
     thread::scope(|scope| {
@@ -440,6 +446,10 @@ struct Watch<'a> {
     scene: Option<(u64, SceneWish)>,
     /// The number of that version; the scene is read once for each.
     versions: u64,
+    /// That number and the number of the text, if the version has the text as it is.
+    text: Option<(u64, u64)>,
+    /// The name of the file that has been written completely, if that is the last event.
+    written: Option<OsString>,
     /// The number of the wishes that were drawn last.
     drawn: u64,
 }
@@ -499,27 +509,41 @@ impl Watch<'_> {
                 return;
             }
             // Whatever ends the wait, the files and wishes are checked.
-            let _ = self.receiver.recv_timeout(LOOK);
+            if let Ok(WatchEvent::Change(name)) = self.receiver.recv_timeout(LOOK) {
+                self.written = name;
+            }
         }
     }
 
     /// Waits until nothing changes any more, and reports the change.
     fn wait_until_stable(&mut self) {
-        if let Some(file) = self
-            .changed()
+        let changed = self.changed();
+        if let Some(file) = changed
+            .as_ref()
             .filter(|_| !self.painter.settings.verbosity.quiet)
         {
             say(format_args!("povr: `{}` has changed", file.display()));
         }
         let start = Instant::now();
         let mut before = self.known.again();
+        let mut written = self.written.take();
         while start.elapsed() < IMPATIENCE {
-            thread::sleep(CALM);
-            let now = self.known.again();
-            if now == before {
+            // The system tells when the writer is done.
+            let name = changed.as_ref().and_then(|file| file.file_name());
+            if name.is_some() && name == written.as_deref() {
                 break;
             }
-            before = now;
+            match self.receiver.recv_timeout(CALM) {
+                Ok(WatchEvent::Change(name)) => written = name,
+                Ok(WatchEvent::Wish | WatchEvent::End) => {}
+                Err(_) => {
+                    let now = self.known.again();
+                    if now == before {
+                        break;
+                    }
+                    before = now;
+                }
+            }
         }
         while self.receiver.try_recv().is_ok() {}
         self.scene = None;
@@ -532,29 +556,60 @@ impl Watch<'_> {
         }
         let painter = &self.painter;
         let SceneFile { path, built_in } = &painter.scene;
+        // The change of the text since that of a number.
+        let mut since = None;
         if self.scene.is_none() {
             // Before its text is read, so that no change of it is missed.
             self.text_known = Known::of([path.clone()], SystemTime::now());
             let limits = FileLimits::default();
-            let bytes = match built_in {
-                Some(text) => Some(text.as_bytes().to_vec()),
-                None => read_limited(path, Named::ByScene, &limits).ok().flatten(),
-            };
-            painter.wishes.take_file(bytes);
+            // Of a long text most stays.
+            let source = painter.wishes.current().source;
+            let number = source.number;
+            let change = source.change_to(path).filter(|_| built_in.is_none());
+            drop(source);
+            let is_taken = change
+                .as_ref()
+                .is_some_and(|change| painter.wishes.take_change(number, change));
+            if is_taken {
+                since = change.map(|change| (number, change));
+            } else {
+                let bytes = match built_in {
+                    Some(text) => Some(text.as_bytes().to_vec()),
+                    None => read_limited(path, Named::ByScene, &limits).ok().flatten(),
+                };
+                painter.wishes.take_file(bytes);
+            }
             painter.shown.refresh();
         }
         let wished = painter.wishes.current();
         let read = (wished.source.number, wished.wish.scene.clone());
+        let edits = &wished.wish.scene.edits;
+        let number = wished.source.number;
+        let mut change = None;
         if self.scene.as_ref() != Some(&read) {
             self.versions += 1;
             self.scene = Some(read);
+            let is_plain = edits.is_empty() && built_in.is_none();
+            let last =
+                std::mem::replace(&mut self.text, is_plain.then_some((self.versions, number)));
+            let since = since.filter(|(of, change)| {
+                // Pages may have written it meanwhile.
+                *of + u64::from(!change.is_empty()) == number
+            });
+            change = last
+                .filter(|_| is_plain)
+                .and_then(|(version, text)| match since {
+                    _ if text == number => Some((version, Splice::default())),
+                    Some((of, change)) if of == text => Some((version, change)),
+                    _ => None,
+                });
         }
-        let edits = &wished.wish.scene.edits;
         let text = wished.source.text.as_deref();
         let text = text.filter(|_| !edits.is_empty() || built_in.is_some());
         Order {
             number: self.versions,
             text: text.and_then(|text| source::edited(text, edits)),
+            change,
             is_wished: wished.number != self.drawn,
             wished,
         }
@@ -573,6 +628,7 @@ impl Watch<'_> {
         self.drawn = order.wished.number;
         let mut is_changed = false;
         let mut changed_at = None;
+        let mut written = None;
         // Until the scene has been read, the previous dependencies count.
         let mut known = self.known.again();
         let (painter, sender, receiver) = (&self.painter, self.sender.clone(), &self.receiver);
@@ -599,14 +655,17 @@ impl Watch<'_> {
                 } else if painter.wishes.number() != order.wished.number {
                     drawing.supersede();
                 }
-                if matches!(happened, Ok(WatchEvent::End)) {
-                    break;
+                match happened {
+                    Ok(WatchEvent::End) => break,
+                    Ok(WatchEvent::Change(name)) => written = name,
+                    _ => {}
                 }
             }
         });
         self.painter.shown.set_drawing(false);
         self.watched.watch(&known);
         self.known = known;
+        self.written = written;
         // A last check: from now on the system reports changes.
         !is_changed && self.changed().is_none()
     }

@@ -266,6 +266,7 @@ impl Worker {
         let Draw {
             mut read,
             mut render,
+            mut live,
             files,
             ..
         } = draw;
@@ -306,11 +307,11 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
-        let drawn = match &draw.live {
+        let drawn = match &mut live {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
             Some(live) => {
                 let scene = LiveScene {
-                    input: live.input(draw.scene),
+                    path: &draw.scene,
                     session,
                     read: &read,
                     render: &render,
@@ -330,7 +331,7 @@ impl Worker {
             output::encode(&drawn.film, &options).map_err(|refused| Some(refused.to_string()))
         });
         let encoded = encoded.collect();
-        if let Some(live) = &draw.live {
+        if let Some(live) = &live {
             self.live.store(live, drawn.film);
         }
         encoded

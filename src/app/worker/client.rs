@@ -1,7 +1,9 @@
 //! A command's end of a worker.
 
 use super::COMMAND;
-use super::wire::{Draw, LONGEST_PARTIAL, Limit, Reply, Report, Request, read_bytes};
+use super::wire::{
+    Draw, LONGEST_PARTIAL, Limit, LiveText, Reply, Report, Request, Splice, read_bytes,
+};
 use crate::app::program;
 use crate::app::watchdog::Watchdog;
 use crate::base::file::Folders;
@@ -25,6 +27,9 @@ const BEYOND: Duration = Duration::from_secs(3);
 /// Time for a worker to report that its picture is cancelled.
 const GRACE: Duration = Duration::from_secs(1);
 
+/// Workers read longer texts from their files.
+const LONGEST_TEXT: usize = 1 << 26;
+
 /// Maximum length of the quoted end of standard error in bytes.
 const LAST_WORDS: usize = 1 << 10;
 
@@ -45,6 +50,8 @@ pub(crate) struct Worker {
     replies: BufReader<ChildStdout>,
     last_words: Option<JoinHandle<Vec<u8>>>,
     is_spent: bool,
+    /// The number of the live scene whose text it has.
+    text: Option<u64>,
 }
 
 /// Controls the picture that a worker draws; from any thread.
@@ -147,11 +154,34 @@ impl Worker {
             replies: BufReader::new(replies),
             last_words: None,
             is_spent: false,
+            text: None,
         };
         let named = |name: &str| thread::Builder::new().name(name.to_owned());
         named("requests").spawn(move || write_requests(requests, &receiver))?;
         worker.last_words = Some(named("last words").spawn(move || end_of(errors))?);
         Ok(worker)
+    }
+
+    /// The text for a request for the live scene of a number. `change` is that of the text since an earlier number, `whole`
+    /// the text, without which the worker reads the file.
+    pub(crate) fn text_for(
+        &mut self,
+        number: u64,
+        change: Option<&(u64, Splice)>,
+        whole: Option<&str>,
+    ) -> LiveText {
+        let before = self.text.replace(number);
+        if before == Some(number) {
+            return LiveText::Sent;
+        }
+        if let Some((_, splice)) = change.filter(|(of, _)| before == Some(*of)) {
+            return LiveText::Changed(splice.clone());
+        }
+        if let Some(text) = whole.filter(|text| text.len() <= LONGEST_TEXT) {
+            return LiveText::Whole(text.to_owned());
+        }
+        self.text = None;
+        LiveText::File
     }
 
     /// Controls the next picture.
@@ -183,6 +213,7 @@ impl Worker {
         self.is_spent = (draw.is_sandboxed || draw.max_memory.is_some()) && draw.live.is_none();
         let expected = Expected::of(&draw);
         if let Err(error) = self.control.begin(draw) {
+            self.text = None;
             let reason = format!("the picture cannot be requested of a process: {error}");
             return Err(Lost::Failed(Some(reason)));
         }

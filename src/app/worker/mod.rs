@@ -17,8 +17,8 @@ mod wire;
 pub use client::read_replies;
 pub(crate) use client::{Control, Lost, Worker};
 pub(crate) use wire::{
-    CameraReport, Draw, LONGEST_PARTIAL, Limit, Live, LiveTask, MapKind, MapReport, Picked,
-    PickedSurface, Reply, Report, Request,
+    CameraReport, Draw, LONGEST_PARTIAL, Limit, Live, LiveTask, LiveText, MapKind, MapReport,
+    Patch, Picked, PickedSurface, PictureKey, Reply, Report, Request, Splice,
 };
 
 /// The first argument of a worker process.

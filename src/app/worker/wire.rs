@@ -4,7 +4,7 @@
 //! nobody reads one.
 
 use crate::base::options::{Event, ReadOptions, RenderOptions};
-use crate::base::source::{Dependency, Location, Message};
+use crate::base::source::{Dependency, Location, Message, TextChange};
 use crate::output::EncodeOptions;
 use crate::scene::camera::View;
 use serde::de::DeserializeOwned;
@@ -66,13 +66,58 @@ pub(crate) struct Draw {
 pub(crate) struct Live {
     /// The number of the scene's text with the options for reading it: the scene is read and compiled when it changes.
     pub(crate) number: u64,
-    /// The text, if it is not that of the file.
-    pub(crate) text: Option<String>,
+    /// The text.
+    pub(crate) text: LiveText,
     /// True if there is no file: the scene is one that povr brings along.
     pub(crate) is_built_in: bool,
     /// The statement of the camera, if it is not the scene's own.
     pub(crate) camera: Option<String>,
     pub(crate) task: LiveTask,
+}
+
+/// The text of a live scene.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) enum LiveText {
+    /// That of the file, which the worker reads.
+    File,
+    /// The last one that was sent, which had the same number.
+    Sent,
+    /// The last one that was sent, with another part.
+    Changed(Splice),
+    /// This one.
+    Whole(String),
+}
+
+/// A part of a text in place of another one.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Splice {
+    /// The bytes that are replaced.
+    pub(crate) range: Range<usize>,
+    pub(crate) with: String,
+}
+
+impl Splice {
+    /// Applies it to a text; false if it has no such part.
+    pub(crate) fn apply(&self, text: &mut String) -> bool {
+        let is_there = text.get(self.range.clone()).is_some();
+        if is_there {
+            text.replace_range(self.range.clone(), &self.with);
+        }
+        is_there
+    }
+
+    /// True if it changes nothing.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.range.is_empty() && self.with.is_empty()
+    }
+
+    /// The range that changes.
+    pub(crate) fn change(&self) -> TextChange {
+        TextChange {
+            old: self.range.clone(),
+            new_end: self.range.start + self.with.len(),
+        }
+    }
 }
 
 /// The product of a live scene.
@@ -123,9 +168,26 @@ pub(crate) enum Report {
     Map(MapReport),
     /// The statistics of a live scene and its whole picture, as JSON.
     Statistics(String),
+    /// The part of the whole picture in which it differs from an earlier one; its files follow.
+    Patch(Box<Patch>),
     /// The file of a picture in progress, which comes behind a [`Reply::Partial`].
     #[serde(skip)]
     Partial(Vec<u8>),
+}
+
+/// A whole picture by the number and the camera of its scene ([`Live`]).
+pub(crate) type PictureKey = (u64, Option<String>);
+
+/// The part of a whole picture in which it differs from an earlier one.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Patch {
+    /// The earlier picture.
+    pub(crate) over: PictureKey,
+    /// The position of its upper left pixel in the whole picture.
+    pub(crate) column: u32,
+    pub(crate) row: u32,
+    /// A PNG file in base64, as a page takes it.
+    pub(crate) png: String,
 }
 
 /// A pixel and the surface that the camera sees in its centre.
@@ -231,6 +293,13 @@ impl Reply {
             Event::Drawn(pixels) => Reply::Drawn(pixels),
             _ => return None,
         })
+    }
+}
+
+impl Live {
+    /// The picture that is asked for, among whole ones.
+    pub(crate) fn picture(&self) -> PictureKey {
+        (self.number, self.camera.clone())
     }
 }
 

@@ -6,11 +6,15 @@
 //!
 //! Files that the user names (the scene, the picture) may be pipes and devices.
 
+mod difference;
 mod folders;
 mod pending;
 mod read;
 mod regular;
 
+#[cfg(feature = "cli")]
+pub(crate) use difference::difference;
+pub(crate) use difference::{common_end, common_start};
 pub use folders::Folders;
 pub(crate) use pending::{PendingFile, check_appendable, check_replaceable, folder_of, save};
 pub use read::MAX_FILE_BYTES;

@@ -143,7 +143,7 @@ impl Sources {
     pub fn load_edited(
         &mut self,
         path: impl AsRef<Path>,
-        text: impl AsRef<[u8]>,
+        text: Arc<String>,
     ) -> Result<FileId, Box<Diagnostic>> {
         let path = path.as_ref();
         let name = path.display();
@@ -153,8 +153,7 @@ impl Sources {
             return Ok(file);
         }
         self.note(path, true);
-        let text = text.as_ref().to_vec();
-        let id = self.push(name.to_string(), Some(path.to_owned()), text);
+        let id = self.push_decoded(name.to_string(), Some(path.to_owned()), (text, false));
         self.by_path.insert(key, id);
         Ok(id)
     }
@@ -166,12 +165,21 @@ impl Sources {
     }
 
     fn push(&mut self, name: String, path: Option<PathBuf>, bytes: Vec<u8>) -> FileId {
-        let id = FileId(u32::try_from(self.texts.len()).expect("a run has under 2³² files"));
         let (text, is_latin1) = decode(bytes);
+        self.push_decoded(name, path, (text.into(), is_latin1))
+    }
+
+    fn push_decoded(
+        &mut self,
+        name: String,
+        path: Option<PathBuf>,
+        (text, is_latin1): (Arc<String>, bool),
+    ) -> FileId {
+        let id = FileId(u32::try_from(self.texts.len()).expect("a run has under 2³² files"));
         self.texts.push(Source {
             name,
             path,
-            text: text.into(),
+            text,
             is_latin1,
             lines: OnceLock::new(),
         });

@@ -1,5 +1,6 @@
 //! Scene texts, spans in them, and diagnostics.
 
+mod change;
 mod data;
 mod dependency;
 mod diagnostic;
@@ -17,6 +18,7 @@ mod tests;
 mod text;
 mod written_files;
 
+pub use change::TextChange;
 pub use dependency::Dependency;
 pub use diagnostic::{Code, Diagnostic, Fix, Label, Severity};
 pub use files::{Declared, Sources};

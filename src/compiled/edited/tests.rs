@@ -191,6 +191,16 @@ fn parts_of_unions_get_other_textures() {
 }
 
 #[test]
+fn parts_of_long_unions_get_other_textures() {
+    let old = spheres(6000);
+    let (head, spheres) = old.split_once("rgb 0.8 } }\n").unwrap();
+    let old = format!("{head}rgb 0.8 }} }}\nunion {{ {spheres} }}");
+    let new = replaced(&old, 1000, "rgb <1, 0.5, 0>", "rgb <0, 0.5, 1>");
+    let reused = reused_tiles(&old, &new, &render());
+    assert!(reused.is_some_and(|reused| reused > 0), "{reused:?}");
+}
+
+#[test]
 fn what_directives_change_is_read_again() {
     let head = format!(
         "{HEAD}#declare A = 0.5; #declare R = seed(4);

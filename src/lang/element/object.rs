@@ -24,15 +24,20 @@ impl LiteralSink for Vec<Arc<Object>> {
         Arc::new(read.into_object(defaults.layer))
     }
 
-    fn to_cached(objects: &[Arc<Object>]) -> CachedObjects {
+    fn to_cached(objects: Vec<Arc<Object>>) -> CachedObjects {
         CachedObjects::Parts(objects.into())
     }
 
-    fn of_cached(objects: &CachedObjects) -> Option<Vec<Arc<Object>>> {
-        match objects {
-            CachedObjects::Parts(parts) => Some(parts.to_vec()),
-            CachedObjects::Entries(_) => None,
-        }
+    fn suits(objects: &CachedObjects) -> bool {
+        matches!(objects, CachedObjects::Parts(_))
+    }
+
+    fn take_cached(&mut self, reader: &mut Reader<'_>, objects: &CachedObjects) -> Parse<()> {
+        let CachedObjects::Parts(parts) = objects else {
+            return Ok(());
+        };
+        self.extend_from_slice(parts);
+        reader.count_objects(parts.len() as u64)
     }
 
     fn take(&mut self, reader: &mut Reader<'_>, mut piece: Vec<Arc<Object>>) -> Parse<()> {

@@ -37,28 +37,43 @@ impl LiteralSink for TopLevel {
         }
     }
 
-    fn to_cached(objects: &[Entry]) -> CachedObjects {
+    fn to_cached(objects: Vec<Entry>) -> CachedObjects {
         CachedObjects::Entries(objects.into())
     }
 
-    fn of_cached(objects: &CachedObjects) -> Option<Vec<Entry>> {
-        match objects {
-            CachedObjects::Entries(entries) => Some(entries.to_vec()),
-            CachedObjects::Parts(_) => None,
-        }
+    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Entry>) -> Parse<()> {
+        count(reader, &piece)?;
+        reader.draft.objects.append(piece);
+        Ok(())
     }
 
-    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Entry>) -> Parse<()> {
-        let mut plain = 0;
-        for entry in &piece {
-            match entry.whole() {
-                Some(object) => reader.count_leaves(object)?,
-                None => plain += 1,
-            }
-        }
-        reader.draft.objects.append(piece);
-        reader.count_single_shapes(plain)
+    fn suits(objects: &CachedObjects) -> bool {
+        matches!(objects, CachedObjects::Entries(_))
     }
+
+    fn take_cached(&mut self, reader: &mut Reader<'_>, objects: &CachedObjects) -> Parse<()> {
+        let CachedObjects::Entries(entries) = objects else {
+            return Ok(());
+        };
+        match entries.has_whole() {
+            true => count(reader, entries)?,
+            false => reader.count_single_shapes(entries.len() as u64)?,
+        }
+        reader.draft.objects.append_shared(entries);
+        Ok(())
+    }
+}
+
+/// Counts the primitives of objects.
+fn count(reader: &mut Reader<'_>, entries: &[Entry]) -> Parse<()> {
+    let mut plain = 0;
+    for entry in entries {
+        match entry.whole() {
+            Some(object) => reader.count_leaves(object)?,
+            None => plain += 1,
+        }
+    }
+    reader.count_single_shapes(plain)
 }
 
 /// The appearance of a shape with a colour of its own or the default texture.

@@ -120,15 +120,17 @@ impl Reader<'_> {
             let next = cached_from(cached.as_ref(), *at);
             let mut take = |reader: &mut Self, piece: Piece<T::Item>, at: &mut usize| {
                 *at = piece.range.end;
-                if let Some((_, run)) = &mut cached {
-                    run.keep(CachedPiece {
-                        range: piece.range,
-                        parts: piece.parts,
-                        objects: T::to_cached(&piece.read),
-                    });
-                }
                 reader.count_objects(piece.parts)?;
-                sink.take(reader, piece.read)
+                let Some((_, run)) = &mut cached else {
+                    return sink.take(reader, piece.read);
+                };
+                let objects = T::to_cached(piece.read);
+                run.keep(CachedPiece {
+                    range: piece.range,
+                    parts: piece.parts,
+                    objects: objects.clone(),
+                });
+                sink.take_cached(reader, &objects)
             };
             let first = *at..next.min(*at + parallel::FIRST_BYTES);
             let piece_context = self.piece_context(noted);
@@ -181,15 +183,14 @@ impl Reader<'_> {
         let Some(piece) = reuse.piece_at(*at, text.len(), run, is_current) else {
             return Ok(false);
         };
-        let Some(read) = T::of_cached(&piece.objects) else {
+        if !T::suits(&piece.objects) {
             return Ok(false);
-        };
+        }
         reuse.note_taken();
         *at = piece.range.end;
-        let parts = piece.parts;
+        self.count_objects(piece.parts)?;
+        sink.take_cached(self, &piece.objects)?;
         run.keep(piece);
-        self.count_objects(parts)?;
-        sink.take(self, read)?;
         Ok(true)
     }
 

@@ -5,23 +5,21 @@
 //! first byte as before. So its objects are taken from the last reading. All else is read as ever.
 
 use super::known::{Known, KnownValue, NotedValues};
-use crate::base::source::FileId;
+use crate::base::source::{FileId, TextChange};
 use crate::scene::likeness::{Likeness, alike};
 use crate::scene::texture::{Finish, Layer, Material, Pigment, Texture};
-use crate::scene::{Entry, Object};
+use crate::scene::{Object, SharedEntries};
 use rustc_hash::FxHashMap;
 use std::any::Any;
 use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Texts are compared in blocks of this many bytes.
-const BLOCK: usize = 1 << 12;
-
 /// The objects of a scene's text that were read as literals.
 #[derive(Clone, Debug, Default)]
 pub struct LiteralCache {
-    text: Arc<String>,
+    /// The text; `None` if its changes are reported.
+    text: Option<Arc<String>>,
     runs: Vec<Run>,
     /// True if some were taken from the reading before.
     has_taken: bool,
@@ -56,16 +54,9 @@ pub(super) struct CachedPiece {
 #[derive(Clone, Debug)]
 pub(crate) enum CachedObjects {
     /// Those of the scene itself.
-    Entries(Arc<[Entry]>),
+    Entries(SharedEntries),
     /// Parts of an object.
     Parts(Arc<[Arc<Object>]>),
-}
-
-/// The range in which two texts differ: what lies between their common beginning and their common end.
-#[derive(Clone, Debug)]
-struct Change {
-    old: Range<usize>,
-    new_end: usize,
 }
 
 /// Takes objects from the last reading of a scene, and keeps those of the current one.
@@ -73,7 +64,7 @@ struct Change {
 pub(crate) struct LiteralReuse<'a> {
     scene: FileId,
     last: &'a LiteralCache,
-    change: Change,
+    change: TextChange,
     /// The first byte of each piece of the last reading, ascending, with its run and its number there.
     starts: Vec<(usize, [usize; 2])>,
     now: LiteralCache,
@@ -88,8 +79,22 @@ pub(super) struct OpenRun {
 }
 
 impl<'a> LiteralReuse<'a> {
-    /// The reuse for the scene in a file, from the cache of the last reading.
-    pub(crate) fn new(scene: FileId, text: &Arc<String>, last: &'a LiteralCache) -> Self {
+    /// The reuse for the scene in a file, from the cache of the last reading. `reported` is the change of the text since, if
+    /// all changes are reported.
+    pub(crate) fn new(
+        scene: FileId,
+        text: &Arc<String>,
+        (last, reported): (&'a LiteralCache, Option<&TextChange>),
+    ) -> Self {
+        let change = match (reported, &last.text) {
+            (Some(reported), _) => reported.clone(),
+            (None, Some(last)) => TextChange::between(last.as_bytes(), text.as_bytes()),
+            // All of it may have changed.
+            (None, None) => TextChange {
+                old: 0..usize::MAX / 2,
+                new_end: text.len(),
+            },
+        };
         let runs = last.runs.iter().enumerate();
         let positions = runs.flat_map(|(run, pieces)| {
             let pieces = pieces.pieces.iter().enumerate();
@@ -100,10 +105,10 @@ impl<'a> LiteralReuse<'a> {
         LiteralReuse {
             scene,
             last,
-            change: Change::between(last.text.as_bytes(), text.as_bytes()),
+            change,
             starts,
             now: LiteralCache {
-                text: Arc::clone(text),
+                text: reported.is_none().then(|| Arc::clone(text)),
                 ..LiteralCache::default()
             },
         }
@@ -230,50 +235,4 @@ fn is_same_value(old: &KnownValue, new: &KnownValue) -> bool {
 fn are_alike<T: Any + Debug>(old: &dyn Any, new: &dyn Any) -> bool {
     let both = old.downcast_ref::<T>().zip(new.downcast_ref::<T>());
     both.is_some_and(|(old, new)| alike(old, new))
-}
-
-impl Change {
-    fn between(old: &[u8], new: &[u8]) -> Change {
-        let start = common_start(old, new);
-        let most = old.len().min(new.len()) - start;
-        let end = common_end(&old[old.len() - most..], &new[new.len() - most..]);
-        Change {
-            old: start..old.len() - end,
-            new_end: new.len() - end,
-        }
-    }
-
-    /// The range in the new text of an unchanged range of the old one.
-    fn moved(&self, range: &Range<usize>) -> Option<Range<usize>> {
-        if range.end <= self.old.start {
-            return Some(range.clone());
-        }
-        let moved = |at: usize| at - self.old.end + self.new_end;
-        (range.start >= self.old.end).then(|| moved(range.start)..moved(range.end))
-    }
-
-    /// The position in the old text of an unchanged one in the new text.
-    fn old_position(&self, at: usize) -> Option<usize> {
-        if at < self.old.start {
-            return Some(at);
-        }
-        (at >= self.new_end).then(|| at - self.new_end + self.old.end)
-    }
-}
-
-/// The length of the common beginning of two texts.
-fn common_start(a: &[u8], b: &[u8]) -> usize {
-    let blocks = a.chunks_exact(BLOCK).zip(b.chunks_exact(BLOCK));
-    let blocks = BLOCK * blocks.take_while(|(a, b)| a == b).count();
-    let bytes = a[blocks..].iter().zip(&b[blocks..]);
-    blocks + bytes.take_while(|(a, b)| a == b).count()
-}
-
-/// The length of the common end of two texts of the same length.
-fn common_end(a: &[u8], b: &[u8]) -> usize {
-    let blocks = a.rchunks_exact(BLOCK).zip(b.rchunks_exact(BLOCK));
-    let blocks = BLOCK * blocks.take_while(|(a, b)| a == b).count();
-    let rest = |text: &[u8]| text.len() - blocks;
-    let bytes = a[..rest(a)].iter().rev().zip(b[..rest(b)].iter().rev());
-    blocks + bytes.take_while(|(a, b)| a == b).count()
 }

@@ -36,13 +36,16 @@ pub(crate) trait LiteralSink {
     fn item(read: Read, defaults: &Defaults<'_>) -> Self::Item;
 
     /// Objects of this kind for the next reading.
-    fn to_cached(objects: &[Self::Item]) -> CachedObjects;
-
-    /// Cached objects of this kind; `None` for others.
-    fn of_cached(objects: &CachedObjects) -> Option<Vec<Self::Item>>;
+    fn to_cached(objects: Vec<Self::Item>) -> CachedObjects;
 
     /// Takes the objects of a piece.
     fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Self::Item>) -> Parse<()>;
+
+    /// True if cached objects are of this kind.
+    fn suits(objects: &CachedObjects) -> bool;
+
+    /// Takes cached objects of this kind.
+    fn take_cached(&mut self, reader: &mut Reader<'_>, objects: &CachedObjects) -> Parse<()>;
 }
 
 /// Attributes of objects that set none.
@@ -266,15 +269,19 @@ mod tests {
 
         fn item(_: Read, _: &Defaults<'_>) {}
 
-        fn to_cached(_: &[()]) -> CachedObjects {
+        fn to_cached(_: Vec<()>) -> CachedObjects {
             CachedObjects::Parts(Arc::default())
         }
 
-        fn of_cached(_: &CachedObjects) -> Option<Vec<()>> {
-            None
+        fn take(&mut self, _: &mut Reader<'_>, _: Vec<()>) -> Parse<()> {
+            Ok(())
         }
 
-        fn take(&mut self, _: &mut Reader<'_>, _: Vec<()>) -> Parse<()> {
+        fn suits(_: &CachedObjects) -> bool {
+            false
+        }
+
+        fn take_cached(&mut self, _: &mut Reader<'_>, _: &CachedObjects) -> Parse<()> {
             Ok(())
         }
     }

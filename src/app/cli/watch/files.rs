@@ -5,11 +5,13 @@
 //! systems), and nothing is rendered again for a file that was only read.
 
 use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use notify::{RecommendedWatcher, RecursiveMode, Watcher};
+use notify::event::{AccessKind, AccessMode, ModifyKind, RenameMode};
+use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher};
 
 /// The state of a file: its length and modification time; `None` if it does not exist.
 type Stamp = Option<(u64, Option<SystemTime>)>;
@@ -76,12 +78,22 @@ pub(super) struct Watched {
 }
 
 impl Watched {
-    /// Calls `notify_change` for every event in a watched folder.
-    pub(super) fn new(notify_change: impl Fn() + Send + 'static) -> Watched {
+    /// Calls `notify_change` for every event in a watched folder, with the name of a file that has been written completely.
+    pub(super) fn new(notify_change: impl Fn(Option<OsString>) + Send + 'static) -> Watched {
         let handler = move |event: notify::Result<notify::Event>| {
+            let Ok(event) = event else {
+                return;
+            };
+            let is_written = matches!(
+                event.kind,
+                EventKind::Access(AccessKind::Close(AccessMode::Write))
+                    | EventKind::Modify(ModifyKind::Name(RenameMode::To | RenameMode::Both))
+            );
+            let path = event.paths.last().filter(|_| is_written);
+            let name = path.and_then(|path| path.file_name()).map(OsStr::to_owned);
             // Reading a file changes nothing.
-            if event.is_ok_and(|event| !event.kind.is_access()) {
-                notify_change();
+            if is_written || !event.kind.is_access() {
+                notify_change(name);
             }
         };
         Watched {

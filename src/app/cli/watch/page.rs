@@ -46,7 +46,10 @@ pub(super) fn serve(
         Route::get("/page.js", |_| {
             Answer::Content("text/javascript; charset=utf-8", SCRIPT.into())
         }),
-        Route::get("/picture.png", move |_| png(picture.png())),
+        Route::get("/picture.png", move |_| match picture.numbered_png() {
+            Some((number, png)) => Answer::Numbered(number, "image/png", png),
+            None => Answer::Done,
+        }),
         Route::get("/overlay.png", move |_| png(overlay.overlay_png())),
         Route::get("/history.png", move |call| {
             png(call

@@ -17,7 +17,10 @@ use crate::app::cli::draw::report::{Reporter, say};
 use crate::app::cli::kernel;
 use crate::app::cli::options::error::CliError;
 use crate::app::cli::options::settings::Settings;
-use crate::app::worker::{Control, Draw, Live, LiveTask, Lost, MapKind, MapReport, Report, Worker};
+use crate::app::worker::{
+    Control, Draw, Live, LiveTask, LiveText, Lost, MapKind, MapReport, PictureKey, Report, Splice,
+    Worker,
+};
 use crate::base::options::{CancelToken, Event, RenderOptions, Sampling};
 use crate::base::source::Severity;
 use crate::base::sync::lock;
@@ -53,6 +56,8 @@ pub(super) struct Painter {
     pub(super) preview_side: AtomicU32,
     /// The number of the scene in the last whole picture, with its camera.
     pub(super) drawn: Mutex<Option<(u64, Option<View>)>>,
+    /// The last whole picture, with its number on the page.
+    pub(super) delivered: Mutex<Option<(PictureKey, u64)>>,
     /// The number of the last pixel that was reported on.
     pub(super) picked: Mutex<Option<u64>>,
     /// The warnings of the scene of a number.
@@ -68,6 +73,8 @@ pub(super) struct Order {
     pub(super) number: u64,
     /// The text, if it is not that of the file.
     pub(super) text: Option<String>,
+    /// The change of the text since that of an earlier number.
+    pub(super) change: Option<(u64, Splice)>,
     pub(super) wished: Wished,
     /// True if viewers have asked for it, and not a change of files.
     pub(super) is_wished: bool,
@@ -83,6 +90,8 @@ struct Pass {
 #[derive(Debug, Default)]
 struct News {
     traced: Duration,
+    /// The number that the picture has on the page already, as a patch.
+    number: Option<u64>,
     map: Option<MapReport>,
     statistics: Option<String>,
 }
@@ -171,7 +180,7 @@ impl Painter {
             if is_preview && png.is_empty() {
                 continue;
             }
-            self.show(png, is_preview, seconds);
+            let number = self.show(png, (is_preview, news.number), seconds);
             if is_preview {
                 if !has_better {
                     has_better = true;
@@ -186,6 +195,8 @@ impl Painter {
                 continue;
             }
             (*lock(&self.drawn)).clone_from(&current);
+            let camera = wish.view.as_ref().map(View::to_string);
+            *lock(&self.delivered) = Some(((order.number, camera), number));
             self.store(files.next());
             if !self.settings.verbosity.quiet {
                 say(format_args!("povr: drawn in {seconds:.2} s"));
@@ -337,7 +348,8 @@ impl Painter {
             is_sandboxed: self.settings.is_sandboxed,
             live: Some(Live {
                 number: order.number,
-                text: order.text.clone(),
+                // Once it is known which worker draws.
+                text: LiveText::File,
                 is_built_in: self.scene.built_in.is_some(),
                 camera: view.as_ref().map(View::to_string),
                 task,
@@ -389,7 +401,7 @@ impl Painter {
     /// The files of a picture, from the worker of the last picture or a new one, and the time to trace it.
     fn drawn(
         &self,
-        draw: Draw,
+        mut draw: Draw,
         (drawing, is_preview): (&Drawing, bool),
         order: &Order,
         listen: &dyn Fn(Event<'_>),
@@ -399,6 +411,11 @@ impl Painter {
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
         drawing.begin(Stop::Worker(worker.control()), is_preview)?;
         let wished = &order.wished;
+        if let Some(live) = &mut draw.live {
+            let whole = order.text.as_ref().or(wished.source.text.as_ref());
+            let whole = whole.map(String::as_str);
+            live.text = worker.text_for(order.number, order.change.as_ref(), whole);
+        }
         let read = (wished.source.number, &wished.wish.scene.edits);
         let news = RefCell::new(News::default());
         let start = Instant::now();
@@ -409,9 +426,16 @@ impl Painter {
             Report::Map(map) => news.borrow_mut().map = Some(map),
             Report::Statistics(json) => news.borrow_mut().statistics = Some(json),
             Report::Picked(picked) => self.shown.pick(*picked),
+            Report::Patch(patch) => {
+                let delivered = lock(&self.delivered);
+                let delivered = delivered.as_ref().filter(|(key, _)| *key == patch.over);
+                if let Some((_, over)) = delivered.filter(|_| !drawing.is_cancelled()) {
+                    news.borrow_mut().number = self.shown.patch(*over, *patch);
+                }
+            }
             Report::Partial(png) => {
                 if !drawing.is_cancelled() {
-                    self.show_on_page(png, true, start.elapsed().as_secs_f64());
+                    self.show_on_page(png, (true, None), start.elapsed().as_secs_f64());
                 }
             }
         })?;
@@ -433,7 +457,8 @@ impl Painter {
     /// The passes: a preview first, unless the picture is small itself.
     fn passes(&self) -> Vec<Pass> {
         let render = RenderOptions {
-            statistics: true,
+            // The worker takes them once the picture is sent.
+            statistics: false,
             ..self.settings.render.clone()
         };
         let (width, height) = (render.width, render.height);
@@ -475,21 +500,29 @@ impl Painter {
         whole.coarse(width, height)
     }
 
-    fn show(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
+    /// Shows a picture, which may have a number already; returns its number on the page.
+    fn show(&self, png: Vec<u8>, kind: (bool, Option<u64>), seconds: f64) -> u64 {
         if !self.is_silent {
+            let (is_preview, _) = kind;
             terminal::show(&png, is_preview);
         }
-        self.show_on_page(png, is_preview, seconds);
+        self.show_on_page(png, kind, seconds)
     }
 
-    fn show_on_page(&self, png: Vec<u8>, is_preview: bool, seconds: f64) {
-        self.shown.put(Picture {
+    fn show_on_page(
+        &self,
+        png: Vec<u8>,
+        (is_preview, number): (bool, Option<u64>),
+        seconds: f64,
+    ) -> u64 {
+        let picture = Picture {
             png: png.into(),
             is_preview,
             seconds,
             size: (self.settings.render.width, self.settings.render.height),
             warnings: lock(&self.warnings).1.clone(),
-        });
+        };
+        self.shown.put(picture, number)
     }
 }
 

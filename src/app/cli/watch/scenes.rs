@@ -1,7 +1,7 @@
 //! The scenes that a page can open: those of a folder, or those that povr brings along, with thumbnails that a worker of
 //! their own draws.
 
-use crate::app::worker::{Draw, Live, LiveTask, Worker};
+use crate::app::worker::{Draw, Live, LiveTask, LiveText, Worker};
 use crate::base::options::Writes;
 use crate::base::sync::lock;
 use crate::output::{EncodeOptions, Format};
@@ -255,7 +255,7 @@ fn thumbnail(
         is_sandboxed: settings.is_sandboxed,
         live: scene.built_in.map(|text| Live {
             number: 0,
-            text: Some(text.to_owned()),
+            text: LiveText::Whole(text.to_owned()),
             is_built_in: true,
             camera: None,
             task: LiveTask::Coarse,

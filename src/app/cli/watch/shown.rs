@@ -2,7 +2,7 @@
 
 use super::source::Control;
 use super::wishes::{Overlay, Wished, Wishes};
-use crate::app::worker::{MapReport, Picked};
+use crate::app::worker::{MapReport, Patch, Picked};
 use crate::base::sync::lock;
 use hyper::body::Bytes;
 use serde::Serialize;
@@ -63,6 +63,10 @@ struct State {
     picture: Option<Picture>,
     /// The number of the picture.
     pictures: u64,
+    /// The last number of a picture; larger than the other one while a patch is there.
+    last_number: u64,
+    /// The next whole picture as a patch of the current one, until its file is there.
+    patch: Option<PatchOf>,
     /// The errors of the scene; empty if none.
     errors: String,
     /// The clock of the command line.
@@ -84,6 +88,18 @@ struct State {
     history: VecDeque<(u64, Bytes)>,
 }
 
+/// A picture as a patch of another one. A page that shows that one draws the patch over it.
+#[derive(Clone, Debug, Serialize)]
+struct PatchOf {
+    /// The number of the new picture, and that of the other one.
+    number: u64,
+    over: u64,
+    column: u32,
+    row: u32,
+    /// A PNG file in base64.
+    png: String,
+}
+
 /// The display as the page receives it.
 #[derive(Serialize)]
 struct Event<'a> {
@@ -94,6 +110,7 @@ struct Event<'a> {
     thumbnails: u64,
     /// The number of the picture.
     picture: u64,
+    patch: Option<&'a PatchOf>,
     errors: &'a str,
     /// The warnings of the scene that the picture shows.
     warnings: &'a str,
@@ -101,8 +118,9 @@ struct Event<'a> {
     seconds: Option<f64>,
     width: Option<u32>,
     height: Option<u32>,
-    /// The number of the text.
+    /// The number of the text, and its length in bytes.
     text: u64,
+    text_bytes: usize,
     /// The statement of the camera; `None` if it cannot be moved.
     camera: Option<String>,
     is_moved: bool,
@@ -144,7 +162,8 @@ impl Shown {
         self.change(|state| {
             *state = State {
                 number: state.number,
-                pictures: state.pictures + 1,
+                pictures: state.last_number + 1,
+                last_number: state.last_number + 1,
                 thumbnails: state.thumbnails,
                 scene: Some(scene),
                 clock,
@@ -169,22 +188,51 @@ impl Shown {
         self.is_drawing.load(Ordering::Relaxed)
     }
 
-    /// Shows a picture and clears the errors.
-    pub(super) fn put(&self, picture: Picture) {
+    /// Shows a picture and clears the errors. Returns the number of the picture: this one, if it has been shown as a patch.
+    pub(super) fn put(&self, picture: Picture, number: Option<u64>) -> u64 {
         self.change(|state| {
             if !picture.is_preview {
                 state.remember(picture.png.clone());
             }
+            let number = number.unwrap_or(state.last_number + 1);
             state.picture = Some(picture);
+            state.patch = None;
             state.is_overlaid = false;
-            state.pictures += 1;
+            state.pictures = number;
+            state.last_number = number.max(state.last_number);
             state.errors.clear();
+            number
+        })
+    }
+
+    /// Shows the next whole picture as a patch of another one, if that is the current picture. Returns its number.
+    pub(super) fn patch(&self, over: u64, patch: Patch) -> Option<u64> {
+        if lock(&self.state).pictures != over {
+            return None;
+        }
+        let Patch {
+            column, row, png, ..
+        } = patch;
+        let number = self.change(|state| {
+            state.last_number += 1;
+            state.patch = Some(PatchOf {
+                number: state.last_number,
+                over,
+                column,
+                row,
+                png,
+            });
+            state.last_number
         });
+        Some(number)
     }
 
     /// Shows errors beside the last picture.
     pub(super) fn fail(&self, errors: String) {
-        self.change(|state| state.errors = errors);
+        self.change(|state| {
+            state.errors = errors;
+            state.patch = None;
+        });
     }
 
     /// Shows the report on a pixel.
@@ -226,8 +274,14 @@ impl Shown {
 
     /// The picture, as a PNG file.
     pub(super) fn png(&self) -> Option<Bytes> {
+        self.numbered_png().map(|(_, png)| png)
+    }
+
+    /// The same with its number.
+    pub(super) fn numbered_png(&self) -> Option<(u64, Bytes)> {
         let state = lock(&self.state);
-        state.picture.as_ref().map(|picture| picture.png.clone())
+        let picture = state.picture.as_ref()?;
+        Some((state.pictures, picture.png.clone()))
     }
 
     /// A finished picture by its number, as a PNG file.
@@ -243,11 +297,12 @@ impl Shown {
         self.events.subscribe()
     }
 
-    fn change(&self, change: impl FnOnce(&mut State)) {
+    fn change<T>(&self, change: impl FnOnce(&mut State) -> T) -> T {
         let mut state = lock(&self.state);
-        change(&mut state);
+        let result = change(&mut state);
         state.number += 1;
         self.events.send_replace(state.json(&self.wishes));
+        result
     }
 }
 
@@ -280,6 +335,7 @@ impl State {
             scene: self.scene.as_deref(),
             thumbnails: self.thumbnails,
             picture: self.pictures,
+            patch: self.patch.as_ref(),
             errors: &self.errors,
             warnings: picture.map_or("", |picture| &picture.warnings),
             is_preview: picture.is_some_and(|picture| picture.is_preview),
@@ -287,6 +343,7 @@ impl State {
             width: picture.map(|picture| picture.size.0),
             height: picture.map(|picture| picture.size.1),
             text: source.number,
+            text_bytes: source.text.as_ref().map_or(0, String::len),
             camera: view.map(|view| view.to_string()),
             is_moved: wish.view.is_some(),
             has_cursor: source.has_cursor,

@@ -1,8 +1,11 @@
 //! The text of a live scene: the numbers that a page may change, and the statements written back to the file.
 
+use crate::app::worker::Splice;
+use crate::base::file::{FileLimits, Named, difference};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::path::Path;
 
 /// The prefix of the numbers that a scene may use to answer to the cursor.
 pub(super) const CURSOR: &str = "live_cursor";
@@ -14,7 +17,7 @@ const MARK: &str = "live:";
 const LONGEST: usize = 40;
 
 /// The text of a scene's file.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct SceneText {
     /// Different for each.
     pub(super) number: u64,
@@ -23,6 +26,8 @@ pub(super) struct SceneText {
     /// True if a byte-order mark begins the file.
     has_mark: bool,
     pub(super) controls: Vec<Control>,
+    /// True if comments of the text may give sliders.
+    has_controls: bool,
     /// True if the scene may answer to the cursor.
     pub(super) has_cursor: bool,
 }
@@ -39,13 +44,77 @@ impl SceneText {
             false => whole,
         });
         let written = text.as_deref().unwrap_or_default();
+        let has_controls = holds(written, MARK);
         SceneText {
             number,
             has_mark,
-            controls: controls(written),
+            controls: match has_controls {
+                true => controls(written),
+                false => Vec::new(),
+            },
+            has_controls,
             has_cursor: holds(written, CURSOR),
             text,
         }
+    }
+
+    /// The part of the text that differs in a file now; an empty one if none does. `None` if the file cannot be read so, and
+    /// has to be read as a whole.
+    pub(super) fn change_to(&self, file: &Path) -> Option<Splice> {
+        let text = self.text.as_ref().filter(|_| !self.has_mark)?;
+        let limits = FileLimits::default();
+        let (range, new) = difference(file, Named::ByScene, &limits, text.as_bytes()).ok()??;
+        let mut with = new;
+        let (mut start, mut end) = (range.start, range.end);
+        // Characters are whole.
+        while !text.is_char_boundary(start) {
+            start -= 1;
+        }
+        with.splice(0..0, text.as_bytes()[start..range.start].iter().copied());
+        while !text.is_char_boundary(end) {
+            with.push(text.as_bytes()[end]);
+            end += 1;
+        }
+        let is_change = start < end || !with.is_empty();
+        // There may be a byte-order mark.
+        if is_change && start == 0 {
+            return None;
+        }
+        Some(Splice {
+            range: start..end,
+            with: String::from_utf8(with).ok()?,
+        })
+    }
+
+    /// This text with a change of one of its parts.
+    pub(super) fn changed(mut self, change: &Splice) -> Self {
+        let Some(text) = &mut self.text else {
+            return self;
+        };
+        if !change.apply(text) {
+            return self;
+        }
+        self.number += 1;
+        let text = &*text;
+        // If the old text has no such words, the new one has them near the change only.
+        let start = change.range.start;
+        let start = (0..=start.saturating_sub(CURSOR.len().max(MARK.len())))
+            .rfind(|&at| text.is_char_boundary(at))
+            .unwrap_or_default();
+        let end = change.range.start + change.with.len() + CURSOR.len().max(MARK.len());
+        let end = (end..text.len()).find(|&at| text.is_char_boundary(at));
+        let near = &text[start..end.unwrap_or(text.len())];
+        let holds_now = |word: &str, held: bool| match held {
+            true => holds(text, word),
+            false => holds(near, word),
+        };
+        self.has_cursor = holds_now(CURSOR, self.has_cursor);
+        self.has_controls = holds_now(MARK, self.has_controls);
+        self.controls = match self.has_controls {
+            true => controls(text),
+            false => Vec::new(),
+        };
+        self
     }
 
     /// The bytes of the file with this text or a changed one.
@@ -75,9 +144,6 @@ pub(super) struct Control {
 
 /// The numbers of a text that its comments give sliders, in order.
 fn controls(text: &str) -> Vec<Control> {
-    if !holds(text, MARK) {
-        return Vec::new();
-    }
     let mut start = 0;
     let mut controls = Vec::new();
     for line in text.split_inclusive('\n') {
@@ -341,6 +407,49 @@ mod tests {
         let left = rebased(&wanted, &statement);
         let new = edited(text, &statement).unwrap();
         assert_eq!(edited(&new, &left).as_deref(), Some("a -0.25 camera 6 d"));
+    }
+
+    #[test]
+    fn a_changed_file_gives_the_text_that_reading_it_gives() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("s.pov");
+        let texts = [
+            "#version 3.7; // grün\n#declare A = 1;\nsphere { 0, A }\n",
+            "#version 3.7; // grün\n#declare A = 2;\nsphere { 0, A }\n",
+            "#version 3.7; // grön\n#declare A = 2; // live: 0..4\nsphere { 0, A }\n",
+            "#version 3.7; // gr\n#declare B = 2; // live: 0..4\n#declare A = B; sphere { 0, A }\n",
+            "#version 3.7; // gr\n#declare B = 2; // liv: 0..4\n#declare A = B; sphere { 0, A }\n",
+            "#version 3.7; // gr\n#declare B = 2; // live: 0..4\n#declare A = B; sphere { live_cursor_x, A }\n",
+            "#version 3.7; // gr\n#declare B = 2; // live: 0..4\n#declare A = B; sphere { live_curso_x, A }\n",
+            "#version 3.7; // gr\n",
+            "#version 3.7; // gr\n",
+        ];
+        let mut now = SceneText::new(1, Some(texts[0].into()));
+        for text in texts {
+            std::fs::write(&path, text).unwrap();
+            let change = now.change_to(&path);
+            if change.is_none() && cfg!(not(unix)) {
+                return;
+            }
+            let change = change.unwrap();
+            let is_same = now.text.as_deref() == Some(text);
+            assert_eq!(change.is_empty(), is_same);
+            if !is_same {
+                let number = now.number;
+                now = now.changed(&change);
+                assert_eq!(now.number, number + 1);
+            }
+            let read = SceneText::new(now.number, Some(text.into()));
+            assert_eq!(format!("{now:?}"), format!("{read:?}"));
+        }
+        for other in [
+            &b"\xef\xbb\xbf#version 3.7; // gr\n"[..],
+            b"#version 3.7; // g\xfc\n",
+            b"",
+        ] {
+            std::fs::write(&path, other).unwrap();
+            assert_eq!(now.change_to(&path), None, "{other:?}");
+        }
     }
 
     #[test]

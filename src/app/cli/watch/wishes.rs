@@ -3,7 +3,7 @@
 use super::WatchEvent;
 use super::scenes::{SceneFile, Scenes};
 use super::source::{self, CURSOR, Edit, Edits, SceneText};
-use crate::app::worker::CameraReport;
+use crate::app::worker::{CameraReport, Splice};
 use crate::base::file::{FileLimits, Named, read_limited};
 use crate::base::options::ReadOptions;
 use crate::base::sync::lock;
@@ -216,6 +216,22 @@ impl Wishes {
             state.wish.scene.edits.clear();
             state.source = Arc::new(new);
         }
+    }
+
+    /// Takes a change of the scene's file since the text of a number; false if that is not the current text any more.
+    pub(super) fn take_change(&self, number: u64, change: &Splice) -> bool {
+        let _written = lock(&self.writing);
+        let mut state = lock(&self.state);
+        if state.source.number != number {
+            return false;
+        }
+        if !change.is_empty() {
+            let source = std::mem::take(&mut state.source);
+            let source = Arc::try_unwrap(source).unwrap_or_else(|shared| (*shared).clone());
+            state.wish.scene.edits.clear();
+            state.source = Arc::new(source.changed(change));
+        }
+        true
     }
 
     /// Takes the camera of the scene that has been read, with these edits of a text of this number. A new camera replaces

@@ -1,16 +1,22 @@
 //! Pictures of a scene that stays compiled, and reports on their pixels.
 
 use super::Replies;
-use super::mosaic::{Mosaic, enlarged};
-use crate::app::worker::{CameraReport, Live, LiveTask, Picked, PickedSurface, Reply, Report};
+use super::mosaic::{Mosaic, Part, enlarged};
+use crate::app::worker::{
+    CameraReport, Live, LiveTask, LiveText, Patch, Picked, PickedSurface, PictureKey, Reply, Report,
+};
 use crate::base::encoding::EncodeOptions;
 use crate::base::film::Film;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
 };
+use crate::base::source::TextChange;
 use crate::scene::camera::{Camera, View};
-use crate::{CompiledScene, RenderSession, object_at};
-use std::path::PathBuf;
+use crate::{CompiledScene, RenderSession, object_at, output};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// The state of live scenes between their pictures.
@@ -18,14 +24,30 @@ use std::time::Instant;
 pub(super) struct LiveScenes {
     /// The last scene with its number.
     compiled: Option<(u64, CompiledScene)>,
+    /// The last text that was sent, and its change since the last compiled version.
+    text: Option<(Arc<String>, TextChange)>,
+    /// The file of the scene that the pictures are of.
+    path: PathBuf,
     /// The last coarse picture.
     coarse: Option<LiveFilm>,
     /// The last whole picture.
     whole: Option<LiveFilm>,
+    /// The last whole picture that the command has, and the part in which `whole` differs from it.
+    delivered: Option<(PictureKey, Option<Part>)>,
 }
 
-/// A picture, with the number and the camera of its scene.
-type LiveFilm = (u64, Option<String>, Film);
+/// A picture.
+#[derive(Debug)]
+struct LiveFilm {
+    /// `None` for the last picture with some tiles of later ones.
+    of: Option<PictureKey>,
+    film: Film,
+}
+
+/// The most bytes of a patch, in base64. Pages receive it with an event.
+const LONGEST_PATCH: usize = 1 << 17;
+/// A patch has this part of the pixels of its picture at most.
+const SHARE_OF_PATCH: u64 = 4;
 
 /// The product of a task.
 pub(super) enum LiveProduct {
@@ -37,8 +59,8 @@ pub(super) enum LiveProduct {
 
 /// The picture, if it is that of the scene.
 fn film_of<'a>(film: Option<&'a LiveFilm>, live: &Live) -> Option<&'a Film> {
-    let (number, camera, film) = film?;
-    ((*number, camera) == (live.number, &live.camera)).then_some(film)
+    let LiveFilm { of, film } = film?;
+    (of.as_ref() == Some(&live.picture())).then_some(film)
 }
 
 impl LiveScenes {
@@ -46,18 +68,26 @@ impl LiveScenes {
     pub(super) fn draw(
         &mut self,
         painter: &LiveScene<'_>,
-        live: &Live,
+        live: &mut Live,
         encode: Option<&EncodeOptions>,
         replies: &Replies,
     ) -> Result<LiveProduct, Failure> {
+        let input = self.input(painter.path, live);
         let report = |report| {
             replies.send(&Reply::Report(report));
         };
-        let scene = painter.compiled(live, &mut self.compiled, &report)?;
+        if self.path != painter.path {
+            painter.path.clone_into(&mut self.path);
+            (self.coarse, self.whole, self.delivered) = (None, None, None);
+        }
+        let scene = painter.compiled((live, &input), &mut self.compiled, &report)?;
+        if let Some((_, change)) = &mut self.text {
+            *change = TextChange::default();
+        }
         let start = Instant::now();
         match live.task {
             LiveTask::Pixel(column, row) => {
-                let picked = painter.picked(scene, (column, row))?;
+                let picked = painter.picked(scene, &input, (column, row))?;
                 report(Report::Picked(Box::new(picked)));
                 return Ok(LiveProduct::Files(Vec::new()));
             }
@@ -69,40 +99,59 @@ impl LiveScenes {
             }
             LiveTask::Coarse if scene.needs_no_preview(painter.render) => {
                 // The picture in progress appears over the last one.
-                let last = self.whole.take_if(|(.., film)| film.levels.is_none());
-                self.coarse = last.map(|(.., film)| (live.number, live.camera.clone(), film));
                 return Ok(LiveProduct::Files(vec![Vec::new()]));
             }
             LiveTask::Coarse | LiveTask::Whole => {}
         }
-        let picture = match (live.task, encode) {
+        let mut picture = match (live.task, encode) {
             (LiveTask::Whole, Some(encode)) => {
-                let last = self.coarse.take_if(|(.., film)| {
-                    let render = painter.render;
+                let render = painter.render;
+                let last = self.whole.take_if(|LiveFilm { film, .. }| {
                     [film.width, film.height] == [render.width, render.height]
                 });
-                let last = last.filter(|last| film_of(Some(last), live).is_some());
-                let under = match last {
-                    Some((.., film)) => film,
-                    None => enlarged(film_of(self.coarse.as_ref(), live), painter.render),
+                let (under, mut delivered) = match (film_of(self.coarse.as_ref(), live), last) {
+                    (None, Some(last)) => (last.film, self.delivered.take()),
+                    (coarse, _) => (enlarged(coarse, render), None),
                 };
                 let send = |file: &[u8]| replies.partial(file);
                 let encode = scene.encoding(encode);
-                let mosaic = Mosaic::over(under, encode, &send);
-                painter.draw(scene, &|event| match event {
-                    Event::Tile { .. } if painter.render.stop.is_cancelled() => {}
+                let mosaic = Mosaic::over(under, encode.clone(), &send);
+                let drawn = painter.draw(scene, &|event| match event {
+                    Event::Tile { .. } if render.stop.is_cancelled() => {}
                     Event::Tile {
                         columns,
                         rows,
                         pixels,
                     } => mosaic.add(columns, rows, pixels),
                     event => (painter.listen)(event),
-                })?
+                });
+                let (film, changed) = mosaic.end();
+                if let Some((_, part)) = &mut delivered {
+                    *part = Part::around(part.take(), changed);
+                }
+                let picture = match drawn {
+                    Ok(picture) => picture,
+                    Err(failure) => {
+                        // The next picture appears over this one.
+                        self.whole = Some(LiveFilm { of: None, film });
+                        self.delivered = delivered;
+                        return Err(failure);
+                    }
+                };
+                if let Some((over, part)) = delivered
+                    && let Some(patch) = patch(&picture.film, over, part, &encode)
+                {
+                    report(Report::Patch(Box::new(patch)));
+                }
+                picture
             }
             _ => painter.draw(scene, painter.listen)?,
         };
         report(Report::Traced(start.elapsed()));
-        if painter.render.statistics
+        if live.task == LiveTask::Whole {
+            picture.statistics.plan = scene.plan();
+        }
+        if live.task == LiveTask::Whole
             && let Ok(json) = serde_json::to_string(&picture.statistics)
         {
             report(Report::Statistics(json));
@@ -110,47 +159,102 @@ impl LiveScenes {
         Ok(LiveProduct::Picture(Box::new(picture)))
     }
 
+    /// The scene in a file, with the text of a request, which is taken.
+    fn input(&mut self, path: &Path, live: &mut Live) -> Input {
+        let path = path.to_owned();
+        self.text = match (
+            std::mem::replace(&mut live.text, LiveText::Sent),
+            self.text.take(),
+        ) {
+            (LiveText::File, _) => None,
+            (LiveText::Sent, last) => last,
+            (LiveText::Changed(splice), last) => last.and_then(|(mut text, change)| {
+                let is_whole = splice.apply(Arc::make_mut(&mut text));
+                is_whole.then(|| (text, change.then(&splice.change())))
+            }),
+            (LiveText::Whole(text), last) => {
+                let (old, change) = last.unwrap_or_default();
+                let between = TextChange::between(old.as_bytes(), text.as_bytes());
+                Some((Arc::new(text), change.then(&between)))
+            }
+        };
+        match &self.text {
+            None => Input::File(path),
+            Some((text, _)) if live.is_built_in => Input::Text {
+                name: path.display().to_string(),
+                text: text.as_bytes().to_vec(),
+            },
+            Some((text, change)) => Input::Edited {
+                path,
+                text: Arc::clone(text),
+                change: Some(change.clone()),
+            },
+        }
+    }
+
     /// Stores a picture that has been drawn.
     pub(super) fn store(&mut self, live: &Live, film: Film) {
-        let film = Some((live.number, live.camera.clone(), film));
+        // Some have levels instead of pixels.
+        let film = Some(film).filter(|film| film.levels.is_none());
+        let of = live.picture();
+        let film = film.map(|film| LiveFilm {
+            of: Some(of.clone()),
+            film,
+        });
         match live.task {
             LiveTask::Coarse => self.coarse = film,
-            _ => self.whole = film,
+            _ => {
+                self.delivered = film.is_some().then_some((of, None));
+                self.whole = film;
+            }
         }
     }
 }
 
+/// The part of a picture in which it differs from an earlier one, if it is small.
+fn patch(
+    film: &Film,
+    over: PictureKey,
+    part: Option<Part>,
+    encode: &EncodeOptions,
+) -> Option<Patch> {
+    // Dithering makes pixels depend on others.
+    let is_apart = film.levels.is_none() && encode.dither.is_none();
+    // A picture that is the same is a patch as well.
+    let part = part.unwrap_or(Part {
+        columns: 0..1,
+        rows: 0..1,
+    });
+    let pixels = part.columns.len() as u64 * part.rows.len() as u64;
+    let all = u64::from(film.width) * u64::from(film.height);
+    if !is_apart || SHARE_OF_PATCH * pixels > all {
+        return None;
+    }
+    let png = output::encode(&part.of(film), encode).ok()?;
+    let png = STANDARD.encode(png);
+    (png.len() <= LONGEST_PATCH).then_some(Patch {
+        over,
+        column: part.columns.start,
+        row: part.rows.start,
+        png,
+    })
+}
+
 /// A live scene, with the options of its next picture.
 pub(super) struct LiveScene<'a> {
-    pub(super) input: Input,
+    /// The file.
+    pub(super) path: &'a Path,
     pub(super) session: &'a RenderSession,
     pub(super) read: &'a ReadOptions,
     pub(super) render: &'a RenderOptions,
     pub(super) listen: &'a EventHandler<'a>,
 }
 
-impl Live {
-    /// The text of the scene in a file.
-    pub(super) fn input(&self, path: PathBuf) -> Input {
-        match &self.text {
-            None => Input::File(path),
-            Some(text) if self.is_built_in => Input::Text {
-                name: path.display().to_string(),
-                text: text.clone().into_bytes(),
-            },
-            Some(text) => Input::Edited {
-                path,
-                text: text.clone().into_bytes(),
-            },
-        }
-    }
-}
-
 impl LiveScene<'_> {
     /// The compiled scene with the camera of the next picture: that of the last picture, if it is of the same text.
     fn compiled<'c>(
         &self,
-        live: &Live,
+        (live, input): (&Live, &Input),
         compiled: &'c mut Option<(u64, CompiledScene)>,
         report: &dyn Fn(Report),
     ) -> Result<&'c CompiledScene, Failure> {
@@ -162,7 +266,7 @@ impl LiveScene<'_> {
                 .is_some_and(|scene| scene.set_camera(camera.as_ref(), self.render));
         let scene = match last.take_if(|_| is_same) {
             Some(scene) => Ok(scene),
-            None => self.compile(camera, &mut last, report),
+            None => self.compile((input, camera), &mut last, report),
         };
         // With errors the last scene that could be read stays, for the next one.
         *compiled = number.zip(last);
@@ -177,15 +281,15 @@ impl LiveScene<'_> {
     /// Compiles the scene for a camera or its own, and reports its own.
     fn compile(
         &self,
-        camera: Option<Camera>,
+        (input, camera): (&Input, Option<Camera>),
         last: &mut Option<CompiledScene>,
         report: &dyn Fn(Report),
     ) -> Result<CompiledScene, Failure> {
         let options = (self.read, self.render);
         let other = camera.clone();
-        let mut scene =
-            self.session
-                .compile_next(last, &self.input, options, other, self.listen)?;
+        let mut scene = self
+            .session
+            .compile_next(last, input, options, other, self.listen)?;
         let is_own = camera.is_none() || scene.set_camera(None, self.render);
         let (width, height) = (self.render.width, self.render.height);
         let centre = (f64::from(width - 1) / 2.0, f64::from(height - 1) / 2.0);
@@ -207,14 +311,19 @@ impl LiveScene<'_> {
     ///
     /// # Errors
     /// When the work is cancelled, or has not enough memory.
-    fn picked(&self, scene: &CompiledScene, (column, row): (u32, u32)) -> Result<Picked, Failure> {
+    fn picked(
+        &self,
+        scene: &CompiledScene,
+        input: &Input,
+        (column, row): (u32, u32),
+    ) -> Result<Picked, Failure> {
         let size = (self.render.width, self.render.height);
         let hit = scene.hit_at((f64::from(column), f64::from(row)), size);
         let surface = hit.map(|hit| PickedSurface {
             point: hit.point.into(),
             normal: hit.normal.into(),
             distance: hit.from.distance(hit.point),
-            object: object_at(&self.input, self.read, &hit).and_then(|message| message.location),
+            object: object_at(input, self.read, &hit).and_then(|message| message.location),
         });
         let pixel = RenderOptions {
             columns: column..column + 1,

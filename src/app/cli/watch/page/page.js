@@ -105,33 +105,61 @@ async function showView(now) {
 }
 $('view').addEventListener('change', () => change('overlay', { overlay: $('view').value || null }));
 $('divider').addEventListener('input', paint);
-let isLoading = false, loaded = -1, chosen = null;
+/** The number of the picture in `base`. */
+let loaded = -1;
+let isLoading = false, chosen = null;
+/** The patch of the current picture, if it belongs to the one that the page shows. */
+const patchToDraw = () => chosen === null && state.patch?.over === loaded ? state.patch : null;
+/** True if the page shows the current picture, from its file or as a patch. */
+const isCurrent = () => patchToDraw() === null && (loaded === state.picture || loaded === state.patch?.number);
 async function load() {
-  if (isLoading || !state || state.width === null || loaded === state.picture) return;
+  if (isLoading || !state || state.width === null || isCurrent()) return;
   isLoading = true;
-  const wanted = state;
-  loaded = wanted.picture;
+  const wanted = state, patch = patchToDraw();
   try {
-    const path = chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen;
-    const bitmap = await bitmapOf(path);
-    if (bitmap !== null) {
-      if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
-        canvas.width = wanted.width;
-        canvas.height = wanted.height;
-        canvas.style.setProperty('--ratio', wanted.width / wanted.height);
-      }
-      base?.close();
-      base = bitmap;
-      paint();
-      pictures++;
-      canvas.dataset.pictures = pictures;
-      canvas.dataset.final = chosen === null && !wanted.is_preview;
-    }
+    await (patch === null ? loadPicture(wanted) : loadPatch(patch));
   } catch {
+    wanted.patch = null;
     // The stream of events reports a server that has ended.
   }
   isLoading = false;
-  if (state && state.picture !== loaded) load();
+  if (state && !isCurrent()) load();
+}
+async function loadPicture(wanted) {
+  loaded = wanted.picture;
+  const reply = await fetch(chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen);
+  if (reply.status !== 200) return;
+  const bitmap = await createImageBitmap(await reply.blob());
+  // There may be a later one already.
+  loaded = Number(reply.headers.get('picture-number') ?? wanted.picture);
+  if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
+    canvas.width = wanted.width;
+    canvas.height = wanted.height;
+    canvas.style.setProperty('--ratio', wanted.width / wanted.height);
+  }
+  base ??= document.createElement('canvas');
+  base.width = bitmap.width;
+  base.height = bitmap.height;
+  base.getContext('2d').drawImage(bitmap, 0, 0);
+  bitmap.close();
+  showBase(chosen === null && !wanted.is_preview);
+}
+/** Draws a patch over the picture that it belongs to. */
+async function loadPatch({ number, column, row, png }) {
+  const bytes = Uint8Array.from(atob(png), character => character.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const to = base.getContext('2d');
+  to.clearRect(column, row, bitmap.width, bitmap.height);
+  to.drawImage(bitmap, column, row);
+  bitmap.close();
+  loaded = number;
+  showBase(true);
+}
+function showBase(isFinal) {
+  paint();
+  pictures++;
+  canvas.dataset.pictures = pictures;
+  canvas.dataset.final = isFinal;
 }
 
 function status(now) {
@@ -219,16 +247,21 @@ function showControls(now) {
 
 // Numbers in the source.
 const PARTS = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/g;
-/** The longest source that is shown. */
+/** The longest source that is shown, in bytes. */
 const LONGEST = 300000;
 async function loadSource() {
   const { text: number } = state;
-  const reply = await fetch('scene.pov?' + number);
   const box = $('source');
-  const text = reply.ok ? await reply.text() : '';
+  // A scene that has just been opened has none yet.
+  if (state.text_bytes === 0 || state.text_bytes > LONGEST) {
+    box.textContent = state.text_bytes === 0 ? 'There is no text in UTF-8.' : 'The scene is too long to be shown.';
+    return;
+  }
+  const reply = await fetch('scene.pov?' + number);
+  const text = await reply.text();
   if (state?.text !== number) return;
-  if (!reply.ok || text.length > LONGEST) {
-    box.textContent = reply.ok ? 'The scene is too long to be shown.' : await reply.text();
+  if (!reply.ok) {
+    box.textContent = text;
     return;
   }
   const encoder = new TextEncoder(), pieces = [];
