@@ -91,7 +91,7 @@ impl MappedBitmap {
     }
 
     /// True if rounding decides whether an index counts: that of an image without a palette is interpolated to a number
-    /// next to [`NO_INDEX`].
+    /// next to -1, the mark of no index.
     #[must_use]
     pub fn rounds_index(&self) -> bool {
         self.mapping.interpolation != Interpolation::None && self.bitmap.palette_len().is_none()
