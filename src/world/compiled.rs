@@ -109,11 +109,6 @@ pub struct World {
     /// POV-Ray's tree of its boxes, built for the first tie that needs it.
     pub(super) slab_tree: OnceLock<SlabTree>,
     pub(super) ties_by_box: bool,
-    /// Distance of hits that may be one point, relative to that from the ray's origin.
-    pub(super) tie: f64,
-    /// Distance along a ray within which rounding can make it hit the surface that it starts on, relative to the size
-    /// of the coordinates.
-    pub(super) blur: f64,
     /// Properties of the surfaces as a whole.
     pub(super) summary: SurfaceSummary,
     pub(super) least_distance: TMinRule,

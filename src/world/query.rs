@@ -10,7 +10,7 @@ pub(super) mod occlusion;
 pub(super) mod packet;
 mod projector;
 pub(super) mod ray_counts;
-pub(super) mod ties;
+mod ties;
 pub(super) mod transmission;
 
 use super::csg::sweep::{RawHit, Sweep};

@@ -96,5 +96,3 @@ pub enum Occlusion {
 /// Distance along a ray, relative to the size of the coordinates, within which rounding can make the ray hit the
 /// surface it starts on: 4096 roundings of a double.
 pub(in crate::world) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
-/// The same where sides of meshes, which are stored in single precision, are flush with other faces.
-pub(in crate::world) const BLUR_OF_MESHES: f64 = 1.0 / (1u64 << 16) as f64;

@@ -12,8 +12,6 @@ use crate::world::model::Model;
 use crate::world::photons::PhotonMapping;
 use crate::world::primitive::Leaf;
 use crate::world::query::closest::POV_RAY_T_MAX;
-use crate::world::query::ties::{TIE, TIE_OF_MESHES};
-use crate::world::ray::{BLUR, BLUR_OF_MESHES};
 use crate::world::surface::{Surface, SurfaceSummary};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
@@ -44,10 +42,6 @@ impl World {
         let povray_boxes = flat.parts.povray_boxes();
         let sends_rays = flat.surfaces.par_iter().any(Surface::sends_rays);
         let may_tie = sends_rays && flat.parts.has_flush_faces();
-        let (tie, blur) = match flat.parts.has_flush_meshes() {
-            true => (TIE_OF_MESHES, BLUR_OF_MESHES),
-            false => (TIE, BLUR),
-        };
         let parts = std::mem::take(&mut flat.parts);
         let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
         let transparent = Color {
@@ -110,8 +104,6 @@ impl World {
                 ridged_calls: Arc::clone(&scene.globals.ridged_calls),
             },
             ties_by_box: has_tree,
-            tie,
-            blur,
             least_distance: options.t_min_rule,
             t_max,
             summary,

@@ -4,6 +4,7 @@ use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
+use super::ties::{behind, tie_slack};
 use super::{ClosestHit, QueryScratch, Tie};
 use crate::base::accel::{MAX_STREAM_RAYS, NewEnds};
 use crate::base::math::Ray;
@@ -262,7 +263,7 @@ impl World {
         best: &mut Option<ClosestHit>,
         scratch: &mut QueryScratch,
     ) {
-        let far = best.map_or(query.t_max, |best| self.behind(best.hit.root.t, query));
+        let far = best.map_or(query.t_max, |best| behind(best.hit.root.t, query));
         self.bvh().tree.nearest_in(
             lanes,
             &query.ray,
@@ -330,7 +331,7 @@ impl World {
             tie: Tie::Pairs(0),
         };
         if let Some(known) = best {
-            let slack = self.tie_slack(hit.root.t, query);
+            let slack = tie_slack(hit.root.t, query);
             let ahead = known.hit.root.t - hit.root.t;
             if ahead < -slack {
                 return far;
@@ -342,7 +343,7 @@ impl World {
                 nearest = self.shown_of_tied(&nearest, known, query);
             }
         }
-        let end = self.behind(nearest.hit.root.t, query);
+        let end = behind(nearest.hit.root.t, query);
         *best = Some(nearest);
         if end < far { end } else { far }
     }
@@ -474,7 +475,7 @@ impl World {
         let of = leaves.get(leaf as usize).map(|leaf| &leaf.shape);
         let is_single = matches!(of, Some(Shape::Mesh(_))) && most.rounding.is_finite();
         let most = if is_single { &LOSS_OF_MESHES } else { most };
-        let error = hit.spawn_surface.blur * (BLUR / self.blur);
+        let error = hit.spawn_surface.blur;
         match self.rounded_hit(ray, &hit) {
             Some(RoundedHit { t, point, normal }) if is_search => Hit {
                 t,
@@ -509,7 +510,7 @@ impl World {
         } = hit.root;
         let point = ray.at(t);
         let (normal, shading_normal) = self.model.normals(hit.leaf, point, ray.dir, face);
-        let blur = self.blur * point.abs().max_element().max(t);
+        let blur = BLUR * point.abs().max_element().max(t);
         let departure = SpawnSurface {
             leaf: hit.leaf,
             face,

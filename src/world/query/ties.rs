@@ -6,18 +6,29 @@ use crate::base::math::simd::with_widest;
 use crate::world::compiled::World;
 use crate::world::index::index;
 use crate::world::model::{IndexedItem, ItemBvh, Model};
-use crate::world::ray::{Query, RayKind};
+use crate::world::ray::{BLUR, Query, RayKind};
 use crate::world::slabs::SlabTree;
 use smallvec::SmallVec;
 
 /// Hits this near to each other, relative to the distance, may be one point: some thousand roundings.
-pub(in crate::world) const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
-/// The same where sides of meshes are flush with other faces: a dozen roundings to single precision, in which POV-Ray
-/// stores them and computes where a ray enters the boxes of objects.
-pub(in crate::world) const TIE_OF_MESHES: f64 = 1.0 / (1_u64 << 20) as f64;
+const TIE: f64 = 1.0 / (1_u64 << 42) as f64;
 
 /// Comparisons of pairs of tied hits of one ray, each of some hundred box tests, after which all are sorted at once.
 const MOST_PAIRS: u8 = 8;
+
+/// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and of the
+/// ray's origin.
+#[inline(always)]
+pub(super) fn tie_slack(t: f64, query: &Query) -> f64 {
+    let blur = query.origin_surface.map_or(0.0, |origin| origin.blur);
+    TIE * t + TIE / BLUR * blur
+}
+
+/// A far limit that leaves in hits at the same point as one at this distance.
+#[inline(always)]
+pub(super) fn behind(t: f64, query: &Query) -> f64 {
+    t + tie_slack(t, query)
+}
 
 /// One of several tied hits.
 #[derive(Clone, Copy)]
@@ -44,20 +55,6 @@ impl TiedHit {
 }
 
 impl World {
-    /// The distance within which other hits may be one point with a hit: some thousand roundings of its parameter and
-    /// of the ray's origin.
-    #[inline(always)]
-    pub(super) fn tie_slack(&self, t: f64, query: &Query) -> f64 {
-        let blur = query.origin_surface.map_or(0.0, |origin| origin.blur);
-        self.tie * t + self.tie / self.blur * blur
-    }
-
-    /// A far limit that leaves in hits at the same point as one at this distance.
-    #[inline(always)]
-    pub(super) fn behind(&self, t: f64, query: &Query) -> f64 {
-        t + self.tie_slack(t, query)
-    }
-
     /// The hit that is shown of all within a tie of the nearest, among which these two are. POV-Ray comes to one item
     /// after the other, leaves out one whose box begins behind the nearest hit so far, and replaces that by a hit whose
     /// distance it rounds to a smaller number. Where no roundings are known, the least distance decides.
@@ -141,11 +138,10 @@ impl World {
             let search = self.search_for(query);
             let mut tied = SmallVec::<[ClosestHit; 4]>::new();
             // Items nearer than a tie replace these when the search comes to them; others at their distance are not looked for.
-            let from = least - self.tie_slack(least, query);
-            let mut far = self.behind(least, query);
+            let from = least - tie_slack(least, query);
+            let mut far = behind(least, query);
             let mut visit = |item: IndexedItem| {
-                let hit =
-                    self.intersect_item(item, query, &search, self.behind(least, query), scratch);
+                let hit = self.intersect_item(item, query, &search, behind(least, query), scratch);
                 if let Some(hit) = hit.filter(|hit| (from..query.t_max).contains(&hit.root.t)) {
                     least = least.min(hit.root.t);
                     let item = item.number;
@@ -155,7 +151,7 @@ impl World {
                         tie: Tie::Settled,
                     });
                 }
-                self.behind(least, query)
+                behind(least, query)
             };
             for &item in &self.bvh().unbounded {
                 far = visit(item);
@@ -166,7 +162,7 @@ impl World {
                     visit(bounded[number as usize])
                 });
             });
-            tied.retain(|of| of.hit.root.t <= self.behind(least, query));
+            tied.retain(|of| of.hit.root.t <= behind(least, query));
             tied
         })
     }
@@ -187,7 +183,7 @@ impl World {
         let t = of.hit.root.t;
         rounding
             .tied_distance(of.hit.leaf, leaves, &query.ray, &of.hit.root)
-            .filter(|rounded| (rounded - t).abs() <= self.tie_slack(t, query))
+            .filter(|rounded| (rounded - t).abs() <= tie_slack(t, query))
             .unwrap_or(t)
     }
 

@@ -123,27 +123,6 @@ impl ModelBuilder {
             })
     }
 
-    /// Returns true if a side of the box of a mesh lies in one plane with a face of another shape.
-    pub(in crate::world) fn has_flush_meshes(&self) -> bool {
-        let mut of_meshes = Faces::default();
-        for (number, leaf) in (0..).zip(&self.leaves) {
-            if let Shape::Mesh(_) = leaf.shape {
-                of_meshes.add(number, &box_in_world(leaf));
-            }
-        }
-        if of_meshes.across.iter().all(Vec::is_empty) {
-            return false;
-        }
-        of_meshes.sort();
-        of_meshes.meet_each_other()
-            || self.own_boxes.values().any(|at| of_meshes.meet(at))
-            || self
-                .leaves
-                .iter()
-                .filter_map(sides)
-                .any(|at| of_meshes.meet(&at))
-    }
-
     /// Sets the rounded form of a leaf, and POV-Ray's box of it if it decides ties.
     pub(in crate::world) fn round(&mut self, leaf: u32, rounded: Rounded, own_box: Option<Bounds>) {
         self.rounded.insert(leaf, rounded);

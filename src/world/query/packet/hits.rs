@@ -10,7 +10,7 @@ use crate::scene::shape::Crossing;
 use crate::world::compiled::World;
 use crate::world::csg::sweep::RawHit;
 use crate::world::query::ClosestHit;
-use crate::world::ray::{Hit, Occlusion, Query, RayKind, SpawnSurface};
+use crate::world::ray::{BLUR, Hit, Occlusion, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 
 /// Index that stands for no leaf.
@@ -280,8 +280,6 @@ struct HitsOnSpheres<'a> {
     origin: &'a [[f64; 4]; 3],
     hits: &'a mut HitPacket4,
     centre: [[f64; 4]; 3],
-    /// Relative to the size of the coordinates.
-    blur: f64,
 }
 
 impl SimdKernel for HitsOnSpheres<'_> {
@@ -304,7 +302,7 @@ impl SimdKernel for HitsOnSpheres<'_> {
         let normal = scale(normal, F::splat(1.0) / length_sq.sqrt());
         let (facing, turned) = facing(normal, dir);
         hits.point = to_arrays(point);
-        hits.blur = (F::splat(self.blur) * size).to_array();
+        hits.blur = (F::splat(BLUR) * size).to_array();
         hits.normal = to_arrays(normal);
         hits.facing = to_arrays(facing);
         hits.turned = turned;
@@ -373,7 +371,6 @@ impl World {
             origin,
             hits,
             centre,
-            blur: self.blur,
         };
         let sure = lanes.run(on_spheres);
         let mut remaining = hit_mask & !(spheres & sure[0] & sure[1]);
