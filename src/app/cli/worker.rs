@@ -270,6 +270,8 @@ impl Worker {
             files,
             ..
         } = draw;
+        // Before anything can fail: the next change of the text builds on it.
+        let input = live.as_mut().map(|live| self.live.input(&draw.scene, live));
         (read.stop, render.stop) = (control.stop.clone(), control.stop.clone());
         let stop = &control.stop;
         let replies = Arc::clone(&self.replies);
@@ -307,9 +309,9 @@ impl Worker {
                 &session.as_ref().expect("there is one now").1
             }
         };
-        let drawn = match &mut live {
+        let drawn = match live.as_mut().zip(input) {
             None => session.draw(&Input::File(draw.scene), &read, &render, &listen),
-            Some(live) => {
+            Some((live, input)) => {
                 let scene = LiveScene {
                     path: &draw.scene,
                     session,
@@ -318,7 +320,10 @@ impl Worker {
                     listen: &listen,
                 };
                 let encode = files.first();
-                match self.live.draw(&scene, live, encode, &self.replies) {
+                match self
+                    .live
+                    .draw(&scene, (live, &input), encode, &self.replies)
+                {
                     Ok(LiveProduct::Files(files)) => return Ok(files),
                     Ok(LiveProduct::Picture(picture)) => Ok(*picture),
                     Err(failure) => Err(failure),

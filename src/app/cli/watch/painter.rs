@@ -457,7 +457,7 @@ impl Painter {
     /// The passes: a preview first, unless the picture is small itself.
     fn passes(&self) -> Vec<Pass> {
         let render = RenderOptions {
-            // The worker takes them once the picture is sent.
+            // The worker takes them once the changed part of the picture is sent.
             statistics: false,
             ..self.settings.render.clone()
         };

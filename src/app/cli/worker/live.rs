@@ -64,15 +64,14 @@ fn film_of<'a>(film: Option<&'a LiveFilm>, live: &Live) -> Option<&'a Film> {
 }
 
 impl LiveScenes {
-    /// Carries a task out. The picture in progress is encoded by `encode`.
+    /// Carries a task out on the input of [`LiveScenes::input`]. The picture in progress is encoded by `encode`.
     pub(super) fn draw(
         &mut self,
         painter: &LiveScene<'_>,
-        live: &mut Live,
+        (live, input): (&mut Live, &Input),
         encode: Option<&EncodeOptions>,
         replies: &Replies,
     ) -> Result<LiveProduct, Failure> {
-        let input = self.input(painter.path, live);
         let report = |report| {
             replies.send(&Reply::Report(report));
         };
@@ -80,14 +79,14 @@ impl LiveScenes {
             painter.path.clone_into(&mut self.path);
             (self.coarse, self.whole, self.delivered) = (None, None, None);
         }
-        let scene = painter.compiled((live, &input), &mut self.compiled, &report)?;
+        let scene = painter.compiled((live, input), &mut self.compiled, &report)?;
         if let Some((_, change)) = &mut self.text {
             *change = TextChange::default();
         }
         let start = Instant::now();
         match live.task {
             LiveTask::Pixel(column, row) => {
-                let picked = painter.picked(scene, &input, (column, row))?;
+                let picked = painter.picked(scene, input, (column, row))?;
                 report(Report::Picked(Box::new(picked)));
                 return Ok(LiveProduct::Files(Vec::new()));
             }
@@ -160,7 +159,7 @@ impl LiveScenes {
     }
 
     /// The scene in a file, with the text of a request, which is taken.
-    fn input(&mut self, path: &Path, live: &mut Live) -> Input {
+    pub(super) fn input(&mut self, path: &Path, live: &mut Live) -> Input {
         let path = path.to_owned();
         self.text = match (
             std::mem::replace(&mut live.text, LiveText::Sent),

@@ -105,31 +105,35 @@ async function showView(now) {
 }
 $('view').addEventListener('change', () => change('overlay', { overlay: $('view').value || null }));
 $('divider').addEventListener('input', paint);
-/** The number of the picture in `base`. */
-let loaded = -1;
+/** The number of the picture in `base`, and of the one for which it was fetched last, with or without success. */
+let loaded = -1, fetched = -1;
 let isLoading = false, chosen = null;
 /** The patch of the current picture, if it belongs to the one that the page shows. */
 const patchToDraw = () => chosen === null && state.patch?.over === loaded ? state.patch : null;
 /** True if the page shows the current picture, from its file or as a patch. */
-const isCurrent = () => patchToDraw() === null && (loaded === state.picture || loaded === state.patch?.number);
+const isCurrent = () =>
+  patchToDraw() === null && (fetched === state.picture || loaded === state.picture || loaded === state.patch?.number);
 async function load() {
   if (isLoading || !state || state.width === null || isCurrent()) return;
   isLoading = true;
-  const wanted = state, patch = patchToDraw();
+  const wanted = state, patch = patchToDraw(), of = chosen;
   try {
-    await (patch === null ? loadPicture(wanted) : loadPatch(patch));
+    await (patch === null ? loadPicture(wanted, of) : loadPatch(patch));
   } catch {
+    // The stream of events reports a server that has ended. A patch that cannot be drawn is not tried again.
     wanted.patch = null;
-    // The stream of events reports a server that has ended.
   }
+  if (patch === null && chosen === of) fetched = wanted.picture;
   isLoading = false;
   if (state && !isCurrent()) load();
 }
-async function loadPicture(wanted) {
-  loaded = wanted.picture;
-  const reply = await fetch(chosen === null ? 'picture.png?' + wanted.picture : 'history.png?' + chosen);
+/** Loads the current picture, or this one of the history. */
+async function loadPicture(wanted, of) {
+  const reply = await fetch(of === null ? 'picture.png?' + wanted.picture : 'history.png?' + of);
   if (reply.status !== 200) return;
   const bitmap = await createImageBitmap(await reply.blob());
+  // Another picture may be chosen by now.
+  if (chosen !== of) return bitmap.close();
   // There may be a later one already.
   loaded = Number(reply.headers.get('picture-number') ?? wanted.picture);
   if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
@@ -142,12 +146,13 @@ async function loadPicture(wanted) {
   base.height = bitmap.height;
   base.getContext('2d').drawImage(bitmap, 0, 0);
   bitmap.close();
-  showBase(chosen === null && !wanted.is_preview);
+  showBase(of === null && !wanted.is_preview);
 }
 /** Draws a patch over the picture that it belongs to. */
-async function loadPatch({ number, column, row, png }) {
+async function loadPatch({ number, over, column, row, png }) {
   const bytes = Uint8Array.from(atob(png), character => character.charCodeAt(0));
   const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  if (chosen !== null || loaded !== over) return bitmap.close();
   const to = base.getContext('2d');
   to.clearRect(column, row, bitmap.width, bitmap.height);
   to.drawImage(bitmap, column, row);
@@ -443,7 +448,7 @@ function showHistory(now) {
 }
 function choose(number) {
   chosen = number;
-  loaded = -1;
+  loaded = fetched = -1;
   if (state) showHistory(state);
   load();
 }
@@ -578,7 +583,7 @@ function listen() {
   // A server that has been started again counts from the beginning.
   events.onopen = () => {
     state = chosen = null;
-    loaded = -1;
+    loaded = fetched = -1;
     document.body.classList.remove('ended');
   };
   events.onmessage = event => {
