@@ -259,7 +259,8 @@ impl Objects {
         let before_last = self.chunks.len().saturating_sub(1);
         let mut others = self.chunks.iter().take(before_last);
         let is_regular = others.all(|chunk| matches!(chunk, Chunk::Own(own) if own.len() == CHUNK));
-        if is_regular {
+        let last = self.chunks.last().map_or(0, |chunk| chunk.iter().len());
+        if is_regular && last <= CHUNK {
             let chunks = self.chunks.into_iter().map(Chunk::into_entries);
             return (chunks.collect(), CHUNK);
         }
@@ -310,7 +311,8 @@ impl Objects {
         self.chunks.iter().flat_map(|chunk| chunk.iter())
     }
 
-    /// Pairs of the entries of two lists of the same length, with their indices, without those that the lists share.
+    /// Visits the pairs of the entries of two lists of the same length, with their indices, without those that the lists
+    /// share, until `visit` returns false. Returns true if it never does.
     pub(super) fn unshared_pairs<'a>(
         &'a self,
         other: &'a Objects,

@@ -21,6 +21,8 @@ type Shown = SmallVec<[bool; 4]>;
 /// Rays whose points decide which surfaces show, and the most of them that may be against the others: where more are,
 /// POV-Ray leaves speckles.
 const VOTES: u32 = 24;
+/// The most surfaces at one point that are decided so: each is tested against all for each ray.
+const MOST_VOTED: usize = 4;
 const MOST_AGAINST: usize = 3;
 /// Largest angle between them: much less than a pixel, much more than a rounding.
 const BESIDE: f64 = 1.0 / (1_u64 << 18) as f64;
@@ -247,7 +249,7 @@ impl CsgProgram {
         context: SweepContext,
         state: &mut InsideState,
     ) -> Option<Shown> {
-        let first = events.first()?;
+        let first = events.first().filter(|_| events.len() <= MOST_VOTED)?;
         let leaf = &context.leaves[(self.first + first.leaf) as usize];
         let Root { t, face, .. } = first.root;
         let ray = *context.ray;

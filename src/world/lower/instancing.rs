@@ -10,6 +10,7 @@ use super::lowering::Lowering;
 use super::parts::inherited::{Inherited, joined};
 use super::parts::model::PendingItem;
 use super::parts::slots::{CopyMaterial, MaterialSlot, SharedModel, SlotTable, hull};
+use crate::base::math::conditioning::Normalization;
 use crate::base::math::{Bounds, Step, Transform};
 use crate::scene::{Children, Object};
 use crate::world::index::index;
@@ -89,7 +90,8 @@ impl Lowering {
         let slots = std::mem::replace(&mut self.slots, slots_around);
         let slots = slots.map_or_else(Vec::new, |slots| slots.list);
         let hull = hull(&parts);
-        let model = Model::new(parts, &mut Vec::new(), std::iter::empty());
+        let mut model = Model::new(parts, &mut Vec::new(), std::iter::empty());
+        model.rounding.normalization = Normalization::of_version(self.settings.is_3_8);
         SharedModel {
             _children: Arc::clone(children),
             model: Arc::new(model),

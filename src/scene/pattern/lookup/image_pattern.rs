@@ -1,4 +1,5 @@
-//! `image_pattern`: the grey value of an image, or with `use_alpha` its transparency.
+//! `image_pattern`: the grey value of an image, or with `use_alpha` its transparency, or its red where it has
+//! none.
 
 use crate::base::args::{Args, Parse};
 use crate::base::bitmap::{self, Alpha, MappedBitmap, Purpose};

@@ -75,7 +75,8 @@ impl Triangle {
         let [a, b, c] = self.corners;
         let size = power_of_two((a - b).abs().max((c - b).abs()).max_element());
         let across = ((a - b) / size).cross((c - b) / size);
-        let is_turned = turns_over(&self.corners, Normalization::default().unit(across));
+        let small = self.corners.map(|corner| corner / size);
+        let is_turned = turns_over(&small, Normalization::default().unit(across));
         if is_turned {
             self.corners.swap(0, 1);
         }
