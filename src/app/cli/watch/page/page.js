@@ -107,12 +107,15 @@ $('view').addEventListener('change', () => change('overlay', { overlay: $('view'
 $('divider').addEventListener('input', paint);
 /** The number of the picture in `base`, and of the one for which it was fetched last, with or without success. */
 let loaded = -1, fetched = -1;
+/** True if the picture in `base` is shown as what it is: a later one than asked for may be taken for a preview. */
+let isKnown = false;
 let isLoading = false, chosen = null;
 /** The patch of the current picture, if it belongs to the one that the page shows. */
 const patchToDraw = () => chosen === null && state.patch?.over === loaded ? state.patch : null;
 /** True if the page shows the current picture, from its file or as a patch. */
 const isCurrent = () =>
-  patchToDraw() === null && (fetched === state.picture || loaded === state.picture || loaded === state.patch?.number);
+  patchToDraw() === null &&
+  (fetched === state.picture || isKnown && loaded === state.picture || loaded === state.patch?.number);
 async function load() {
   if (isLoading || !state || state.width === null || isCurrent()) return;
   isLoading = true;
@@ -136,6 +139,7 @@ async function loadPicture(wanted, of) {
   if (chosen !== of) return bitmap.close();
   // There may be a later one already.
   loaded = Number(reply.headers.get('picture-number') ?? wanted.picture);
+  isKnown = loaded === wanted.picture;
   if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
     canvas.width = wanted.width;
     canvas.height = wanted.height;
@@ -158,6 +162,7 @@ async function loadPatch({ number, over, column, row, png }) {
   to.drawImage(bitmap, column, row);
   bitmap.close();
   loaded = number;
+  isKnown = true;
   showBase(true);
 }
 function showBase(isFinal) {
