@@ -34,6 +34,10 @@ const UMBRA_END: f64 = 0.99;
 const UMBRA_EVENNESS: f64 = 0.5;
 const UMBRA_NEAR: f64 = 0.01;
 
+/// Margins of a distance from the axis of a cylinder that shadow rays pass: shares of its radius, of the distance of the
+/// axis, and of the product of the vectors whose triple product gives it.
+const AXIS_MARGINS: [f64; 3] = [1e-6, 1e-9, 1e-14];
+
 /// A parallelogram that holds all lights of an area light.
 #[derive(Clone, Copy, Debug)]
 pub struct LightArea {
@@ -128,7 +132,9 @@ impl World {
             #[inline(always)]
             |lanes| {
                 let around = &Bounds::new(point.point, point.point);
-                self.items_before(lanes, around, light, is_left_out)
+                self.items_before(lanes, around, light, |item| {
+                    is_left_out(item) || self.is_past_cylinder(item.item, &point)
+                })
             },
         )?;
         Some(AreaBlockers {
@@ -164,13 +170,15 @@ impl World {
             let is_left_out = |item: IndexedItem| {
                 same[0].is_on(item.item) || self.is_hidden(item.item, RayKind::Shadow)
             };
-            let before = self.items_before(lanes, &around, light, is_left_out);
-            if before.is_none_or(|before| !before.is_empty()) {
+            let Some(before) = self.items_before(lanes, &around, light, is_left_out) else {
                 continue;
-            }
+            };
             for point in same {
+                let mut bounded = before.iter().map(|&at| self.bvh().bounded[at as usize]);
                 let mut unbounded = self.bvh().unbounded.iter();
-                if unbounded.all(|&item| is_left_out(item) || self.is_beside(item, point, scratch))
+                if bounded.all(|item| self.is_past_cylinder(item.item, point))
+                    && unbounded
+                        .all(|&item| is_left_out(item) || self.is_beside(item, point, scratch))
                 {
                     clear |= 1 << point.number;
                 }
@@ -288,6 +296,34 @@ impl World {
                 corners.all(|&to_corner| leaf.is_exiting(&Ray::new(point.point, to_corner)))
             }
         }
+    }
+
+    /// True if an item is in an infinite cylinder that no segment from a point to the light hits: a long thin cylinder
+    /// fills little of its box.
+    ///
+    /// Seen along its axis, the segments to the corners lie on one side of the cylinder, and so do those between them.
+    fn is_past_cylinder(&self, item: Item, point: &LitPoint) -> bool {
+        let Item::Leaf(leaf) = item else {
+            return false;
+        };
+        let cylinder = self.model.leaves[leaf as usize].bounding_cylinder();
+        let Some((base, axis, radius)) = cylinder else {
+            return false;
+        };
+        let [of_radius, of_distance, of_product] = AXIS_MARGINS;
+        let (to_base, axis) = (base - point.point, axis.normalize_or_zero());
+        let distance = to_base.length();
+        let size = base.abs().max(point.point.abs()).max_element();
+        let reach = radius * (1.0 + of_radius) + of_distance * distance + of_product * size;
+        let (mut are_above, mut are_below) = (true, true);
+        for &to_corner in &point.to_corners {
+            let off = axis.dot(to_corner.cross(to_base));
+            let error = of_product * to_corner.length() * distance;
+            let width = reach * axis.cross(to_corner).length() + error;
+            are_above &= off > width;
+            are_below &= off < -width;
+        }
+        are_above || are_below
     }
 
     /// True if an item is a half-space that does not reach between a point and the light.
