@@ -74,13 +74,15 @@ impl Tracer<'_> {
             let inside = |ray: &Ray| self.world.interiors_at(ray.origin);
             interior_stacks.extend(rays.iter().map(inside));
         }
-        self.light_all(rays.len(), !has_memory, all, scratch);
+        let count = rays.len();
+        self.light_all(count, !has_memory, all, scratch);
         with_widest(
             #[inline(always)]
             |_| {
                 let mut seen = RadiancePacket4::NOTHING;
-                for (packet, (rays, samples)) in
-                    rays.chunks(4).zip(samples.chunks_mut(4)).enumerate()
+                let packets = rays.chunks(4).zip(positions.chunks(4));
+                for (packet, ((rays, positions), samples)) in
+                    packets.zip(samples.chunks_mut(4)).enumerate()
                 {
                     let buffers = ShadeBuffers {
                         scratch: &mut *scratch,
@@ -88,10 +90,10 @@ impl Tracer<'_> {
                     };
                     let rays = CameraRays {
                         tracer: self,
+                        positions,
                         rays,
                         interior_stacks: interior_stacks.get(4 * packet..).unwrap_or_default(),
                     };
-                    let count = positions.len();
                     self.shade_packet4(&rays, packet, count, all, buffers, &mut seen);
                     for (lane, sample) in samples.iter_mut().enumerate() {
                         *sample = seen.sample(lane);
@@ -144,15 +146,15 @@ impl Tracer<'_> {
         let Some(&ray) = ahead.rays.get(number) else {
             return self.pixel(x, y, width, height, scratch);
         };
-        begin_sample(x, y, scratch);
         let (hits, lane) = (&ahead.all.hits[number / 4], number % 4);
         let known = LightSamples::at(&ahead.all, number);
         if let Some(sample) = ahead.samples[number] {
-            if hits.is_hit(lane) {
+            if scratch.random.continues && hits.is_hit(lane) {
                 self.skip_area_lights(hits.surface[lane], known, scratch);
             }
             return sample;
         }
+        begin_sample(x, y, scratch);
         self.trace(
             self.camera_path(ray, ahead.interior_stacks.get(number)),
             Some((hits.hit(lane), known)),

@@ -10,6 +10,7 @@ use super::shading_point::LightSamples;
 use super::wavefront::{MANY_LIGHTS, PixelSamples, SMALL_BATCH, Wavefront};
 use super::{InteriorStack, Path, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
+use crate::base::math::sampling::mersenne::Stream;
 use crate::base::math::simd::with_widest;
 use crate::world::{HitPacket4, InteriorId, RayCounts, RayKind};
 use glam::DVec3;
@@ -52,6 +53,8 @@ pub struct BlockScratch {
 /// Up to four camera rays.
 pub(super) struct CameraRays<'a, 'w> {
     pub(super) tracer: &'a Tracer<'w>,
+    /// Their positions in the picture.
+    pub(super) positions: &'a [(f64, f64)],
     /// The rays; none if they start at the location of the camera.
     pub(super) rays: &'a [Ray],
     /// The interiors around their starts, where these differ.
@@ -72,6 +75,11 @@ impl RaySource for CameraRays<'_, '_> {
     fn inside(&self, lane: usize) -> &[InteriorId] {
         let around_camera = &self.tracer.around_camera;
         self.interior_stacks.get(lane).unwrap_or(around_camera)
+    }
+
+    fn stream(&self, lane: usize) -> Option<Stream> {
+        let position = self.positions.get(lane);
+        position.map(|&(x, y)| Stream::of_sample(x, y))
     }
 
     fn path(&self, lane: usize, dir: DVec3) -> Path {
@@ -325,11 +333,6 @@ impl Tracer<'_> {
         }
         let count = positions.len();
         self.light_all(count, true, &mut scratch.all, &mut scratch.single);
-        let rays = CameraRays {
-            tracer: self,
-            rays: &[],
-            interior_stacks: &[],
-        };
         with_widest(
             #[inline(always)]
             |_| {
@@ -344,6 +347,12 @@ impl Tracer<'_> {
                     let buffers = ShadeBuffers {
                         scratch: single,
                         cache: shade_cache,
+                    };
+                    let rays = CameraRays {
+                        tracer: self,
+                        positions,
+                        rays: &[],
+                        interior_stacks: &[],
                     };
                     self.shade_packet4(&rays, packet, count, all, buffers, &mut seen);
                     if seen.is_known(positions.len()) {

@@ -14,6 +14,7 @@ use super::transmission::interior_stack::{Refraction, bend};
 use super::{InteriorStack, MAX_STRAIGHT, Path, Sample, Scratch, Tracer};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
+use crate::base::math::sampling::mersenne::Stream;
 use crate::base::math::simd::with_widest;
 use crate::scene::texture::{Irid, WeightedTexture};
 use crate::world::{Hit, HitPacket4, InteriorId, Query, RayKind, SpawnSurface};
@@ -192,6 +193,10 @@ impl RaySource for RaySlice<'_> {
 
     fn inside(&self, lane: usize) -> &[InteriorId] {
         &self.interior_stacks[self.rays[lane].inside]
+    }
+
+    fn stream(&self, _lane: usize) -> Option<Stream> {
+        None
     }
 
     fn path(&self, lane: usize, _dir: DVec3) -> Path {

@@ -1,5 +1,6 @@
 //! Hits of a block with their rays and light samples.
 
+use crate::base::math::sampling::mersenne::Stream;
 use crate::render::shade::Path;
 use crate::world::{HitPacket4, InteriorId, Occlusion, RayKind, ShadowPacket4};
 use glam::DVec3;
@@ -41,6 +42,8 @@ pub(in crate::render::shade) trait RaySource {
     fn common_kind(&self) -> Option<RayKind>;
     /// The interiors around the ray in this lane.
     fn inside(&self, lane: usize) -> &[InteriorId];
+    /// The random numbers of the sample of this lane, if this is its first ray and has numbers of its own.
+    fn stream(&self, lane: usize) -> Option<Stream>;
     /// The path of the ray in this lane, in this direction.
     fn path(&self, lane: usize, dir: DVec3) -> Path;
 }

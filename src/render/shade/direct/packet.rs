@@ -173,8 +173,9 @@ impl<'w> Tracer<'w> {
                 });
             }
             let light = self.world.lights.get(number);
-            if self.depends_on_order(light, scratch) {
-                lit &= !(arrives & shadow_rays.filtered);
+            let draws = light.area.as_ref().is_some_and(|area| area.has_jitter);
+            if arrives & shadow_rays.filtered != 0 && (draws || in_order) {
+                lit &= !(arrives & shadow_rays.filtered) | self.own_draws(rays, materials, in_order);
             }
             let filtered = arrives & shadow_rays.filtered & lit;
             let free = arrives & !shadow_rays.filtered & lit;
@@ -184,6 +185,9 @@ impl<'w> Tracer<'w> {
             arriving.set_unoccluded(light, shadow_rays, free);
             each_lane(filtered, |lane| {
                 let index = 4 * packet + lane;
+                if draws && let Some(stream) = rays.stream(lane) {
+                    scratch.random.lights = stream;
+                }
                 let path = || rays.path(lane, hits.dir(lane));
                 let left = match &light.area {
                     Some(area) => self.sampled_light(number, area, all, index, path, scratch),
@@ -259,10 +263,25 @@ impl<'w> Tracer<'w> {
         self.atmosphere(&path(), end, scratch)
     }
 
-    /// True if the shadows of a light change those of later rays, or the random numbers that they draw.
-    fn depends_on_order(&self, light: &Light, scratch: &Scratch) -> bool {
-        let draws = |area: &Area| area.has_jitter;
-        scratch.random.continues || light.area.as_deref().is_some_and(draws)
+    /// Mask of the lanes whose light may draw random numbers: they begin a sample with numbers of its own, only one light
+    /// draws any, and no secondary ray draws more.
+    #[inline(never)]
+    fn own_draws(
+        &self,
+        rays: &(impl RaySource + ?Sized),
+        materials: &MaterialPacket4<'w>,
+        in_order: bool,
+    ) -> u32 {
+        let lights = &self.world.lights;
+        let draws = |&&number: &&u32| {
+            let area = lights.get(number).area.as_ref();
+            area.is_some_and(|area| area.has_jitter)
+        };
+        let is_one = lights.of(materials.lights).iter().filter(draws).count() == 1;
+        match is_one && !in_order && rays.stream(0).is_some() {
+            true => !materials.secondary,
+            false => 0,
+        }
     }
 
     /// The light from this area light that arrives at a hit.
