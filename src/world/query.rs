@@ -21,7 +21,7 @@ use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;
 use super::query::ray_counts::RayCounts;
 use super::query::transmission::ItemSet;
-use crate::base::accel::Bundle;
+use crate::base::accel::{Bundle, ParallelBundle};
 use crate::scene::shape::Root;
 use smallvec::SmallVec;
 use std::cell::Cell;
@@ -38,6 +38,7 @@ pub struct QueryScratch {
     /// POV-Ray's memory of blockers, if shadow rays are traced in its order.
     pub memory: Option<Box<BlockerMemory>>,
     pub(super) bundle: Bundle,
+    pub(super) parallel_bundle: ParallelBundle,
     pub(super) bests: Vec<Option<ClosestHit>>,
     pub(super) ray_stream: RayStream,
     pub(super) mesh: MeshScratch,

@@ -47,6 +47,12 @@ impl BoundingSphere {
         }
     }
 
+    /// Its centre and radius.
+    #[inline(always)]
+    pub(super) fn centre_and_radius(&self) -> (DVec3, f32) {
+        (DVec3::from(self.centre.map(f64::from)), self.radius)
+    }
+
     /// The box around it.
     pub(super) fn aabb(&self) -> Aabb32 {
         let radius = f64::from(self.radius);

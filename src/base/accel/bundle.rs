@@ -53,6 +53,47 @@ pub struct Bundle {
     scale: f64,
 }
 
+/// Rays that are traversed together.
+pub(super) trait RayBundle {
+    /// The planes around all rays.
+    fn frustum(&self) -> &Frustum;
+
+    /// The number of rays.
+    fn count(&self) -> usize;
+
+    /// The farthest end of a ray; negative when all rays are done.
+    fn farthest(&self) -> f32;
+
+    /// Tests an item against all rays; `visit` gets packets of eight rays with a mask of those that may hit it. Returns
+    /// whether a ray was shortened.
+    fn test_item(
+        &mut self,
+        lanes: SimdLevel,
+        sphere: &BoundingSphere,
+        aabb: Option<&Aabb32>,
+        visit: impl FnMut(usize, u32, &mut NewEnds),
+    ) -> bool;
+
+    /// Tests some items of a node, one bit each, against all rays, as [`RayBundle::test_item`] does. `around` is the box
+    /// of the node, if known.
+    fn test_items(
+        &mut self,
+        lanes: SimdLevel,
+        node: &Node,
+        around: Option<&Aabb32>,
+        items: u32,
+        sphere: impl Fn(u32) -> Option<BoundingSphere>,
+        visit: impl FnMut(u32, usize, u32, &mut NewEnds),
+    ) -> bool;
+}
+
+/// Mask of the lanes of a packet that hold rays, of `count` rays. Infinite spheres and boxes are hit by the unused lanes
+/// behind the last ray as well.
+#[inline(always)]
+pub(super) fn lanes_of_packet(count: usize, packet: usize) -> u32 {
+    0xff >> (LANES - (count - packet * LANES).min(LANES))
+}
+
 impl Bundle {
     /// Loads `count` rays for a traversal of `tree`: unit directions and ends, four by four; lanes behind the last ray
     /// repeat some ray. Returns false if the rays cannot be traversed together.
@@ -187,7 +228,28 @@ impl Bundle {
         self.packets[ray / LANES].end[ray % LANES] = frame_end(end, self.scale);
     }
 
-    /// The farthest end of a ray; negative when all rays are done.
+    /// Shortens rays of a packet.
+    #[inline(always)]
+    fn end(&mut self, packet: usize, mut new_ends: NewEnds) {
+        while new_ends.lanes != 0 {
+            let lane = new_ends.lanes.trailing_zeros() as usize % LANES;
+            new_ends.lanes &= new_ends.lanes - 1;
+            self.packets[packet].end[lane] = frame_end(new_ends.ends[lane], self.scale);
+        }
+    }
+}
+
+impl RayBundle for Bundle {
+    #[inline(always)]
+    fn frustum(&self) -> &Frustum {
+        &self.frustum
+    }
+
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.count
+    }
+
     #[inline(always)]
     fn farthest(&self) -> f32 {
         let mut farthest = [f32::NEG_INFINITY; LANES];
@@ -199,8 +261,6 @@ impl Bundle {
         farthest.into_iter().fold(f32::NEG_INFINITY, max_f32)
     }
 
-    /// Tests an item against all rays; `visit` gets packets of eight rays with a mask of those that may hit it. Returns
-    /// whether a ray was shortened.
     #[inline(always)]
     fn test_item(
         &mut self,
@@ -241,7 +301,7 @@ impl Bundle {
                 {
                     rays &= lanes.run(PacketAndBox { packet, view_box });
                 }
-                rays &= self.active_lanes(packet_index);
+                rays &= lanes_of_packet(self.count, packet_index);
                 if rays == 0 {
                     continue;
                 }
@@ -254,8 +314,6 @@ impl Bundle {
         is_shortened
     }
 
-    /// Tests some items of a node, one bit each, against all rays, as [`Bundle::test_item`] does. `around` is the box
-    /// of the node, if known.
     #[inline(always)]
     fn test_items(
         &mut self,
@@ -330,7 +388,7 @@ impl Bundle {
                         };
                         rays &= lanes.run(kernel);
                     }
-                    rays &= self.active_lanes(packet_index);
+                    rays &= lanes_of_packet(self.count, packet_index);
                     if rays != 0 {
                         let mut new_ends = NewEnds::default();
                         visit(item, packet_index * LANES, rays, &mut new_ends);
@@ -341,23 +399,6 @@ impl Bundle {
             }
         }
         is_shortened
-    }
-
-    /// Mask of the lanes of a packet that hold rays. Infinite spheres and boxes are hit by the unused lanes behind the
-    /// last ray as well.
-    #[inline(always)]
-    fn active_lanes(&self, packet: usize) -> u32 {
-        0xff >> (LANES - (self.count - packet * LANES).min(LANES))
-    }
-
-    /// Shortens rays of a packet.
-    #[inline(always)]
-    fn end(&mut self, packet: usize, mut new_ends: NewEnds) {
-        while new_ends.lanes != 0 {
-            let lane = new_ends.lanes.trailing_zeros() as usize % LANES;
-            new_ends.lanes &= new_ends.lanes - 1;
-            self.packets[packet].end[lane] = frame_end(new_ends.ends[lane], self.scale);
-        }
     }
 }
 
@@ -396,9 +437,20 @@ impl Bvh {
         &self,
         lanes: SimdLevel,
         bundle: &mut Bundle,
+        visit: impl FnMut(u32, usize, u32, &mut NewEnds),
+    ) -> bool {
+        self.traverse_rays(lanes, bundle, visit)
+    }
+
+    /// [`Bvh::traverse_bundle`] for any rays.
+    #[inline(always)]
+    pub(super) fn traverse_rays(
+        &self,
+        lanes: SimdLevel,
+        bundle: &mut impl RayBundle,
         mut visit: impl FnMut(u32, usize, u32, &mut NewEnds),
     ) -> bool {
-        let mut visits_left = MIN_VISITS + VISITS_PER_RAY * bundle.count;
+        let mut visits_left = MIN_VISITS + VISITS_PER_RAY * bundle.count();
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
         // A child with the index of its box among the boxes of all nodes; the root's box is in none.
@@ -414,7 +466,7 @@ impl Bvh {
                 ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
                     let kernel = FrustumAndNode {
-                        frustum: &bundle.frustum,
+                        frustum: bundle.frustum(),
                         node,
                         end,
                     };
@@ -451,7 +503,7 @@ impl Bvh {
                 ChildKind::Leaf(number) => {
                     let leaf = &self.sphere_leaves[number as usize];
                     let kernel = FrustumAndSphereLeaf {
-                        frustum: &bundle.frustum,
+                        frustum: bundle.frustum(),
                         leaf,
                         end,
                     };

@@ -18,6 +18,7 @@ mod light_buffer;
 mod node;
 mod packet;
 mod packet_interval;
+mod parallel_bundle;
 mod sphere_leaf;
 mod stream;
 mod treelets;
@@ -27,6 +28,7 @@ pub use bundle::{Bundle, NewEnds};
 
 pub use bounding_cylinder::BoundingCylinder;
 pub use light_buffer::LightBuffer;
+pub use parallel_bundle::ParallelBundle;
 pub(crate) use stream::MAX_STREAM_RAYS;
 
 use crate::base::math::simd::{SimdLevel, with_widest};

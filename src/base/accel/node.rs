@@ -5,7 +5,8 @@
 
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
-use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel, with_widest};
+use crate::base::math::simd::vec3::{Vec3Lanes, scale, splat, sub};
+use crate::base::math::simd::{F32x8, F64Lanes, F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -176,6 +177,12 @@ impl Frame {
     /// Transforms a point into this frame.
     pub(super) fn in_frame(&self, point: DVec3) -> DVec3 {
         (point - self.centre) * self.scale
+    }
+
+    /// Transforms four points into this frame.
+    #[inline(always)]
+    pub(super) fn in_frame_lanes<F: F64Lanes>(&self, points: Vec3Lanes<F>) -> Vec3Lanes<F> {
+        scale(sub(points, splat(self.centre)), F::splat(self.scale))
     }
 
     /// Length in this frame of a world-space unit.

@@ -1,6 +1,6 @@
 //! Trees compared with a linear search through all boxes.
 
-use super::{Bundle, Bvh, LightBuffer};
+use super::{Bundle, Bvh, LightBuffer, ParallelBundle};
 use crate::base::math::conditioning::RescaledRay;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::sampling::random::Random;
@@ -368,6 +368,85 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
                             let Some(t) =
                                 spheres[order[position as usize] as usize].hit(&rays[ray])
                             else {
+                                continue;
+                            };
+                            let slot: &mut Option<f64> = &mut best[ray];
+                            if t < far(ray) && slot.is_none_or(|least| t < least) {
+                                new_ends.set(lane, *slot.insert(t));
+                            }
+                        }
+                    },
+                );
+                if !is_done {
+                    continue;
+                }
+                traversed += 1;
+                for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
+                    let alone = nearest_of_all(&spheres, ray)
+                        .map(|(_, t)| t)
+                        .filter(|&t| t < far(i));
+                    assert_eq!(best, alone);
+                    hits += u32::from(best.is_some());
+                }
+            }
+            assert!(traversed > 20 && hits > 500, "{traversed} {hits}");
+        }
+    }
+}
+
+#[test]
+fn a_bundle_of_parallel_rays_has_the_hits_of_its_single_rays() {
+    for (size, at) in [
+        (1.0, DVec3::ZERO),
+        (1e-20, DVec3::splat(1e-19)),
+        (1e12, DVec3::X * 3e12),
+    ] {
+        let spheres = spheres(350, size, at);
+        for (mut tree, order) in trees(&spheres, at) {
+            tree.set_bounding_spheres(order.len(), |position| {
+                let item = order[position];
+                let sphere = &spheres[item as usize];
+                (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
+            });
+            let mut rng = Random::new(29);
+            let (mut bundle, mut traversed, mut hits) = (ParallelBundle::default(), 0, 0);
+            for round in 0..60 {
+                let mut dir = rng.vector(1.0).normalize();
+                if round % 3 == 0 {
+                    // Along an axis, as most cameras of diagrams.
+                    dir = [DVec3::X, -DVec3::Y, DVec3::Z][round / 3 % 3];
+                }
+                let far_away = [1.0, 40.0, 0.0, 1e4][round % 4];
+                let middle = at + (rng.vector(1.0) - far_away * dir) * size;
+                let width = [0.02, 0.2, 1.0][round % 3] * size;
+                let rays: Vec<Ray> = (0..1 + round * 4)
+                    .map(|_| Ray::new(middle + rng.vector(width), dir))
+                    .collect();
+                let far = |i: usize| match i % 5 {
+                    4 => (far_away + 0.5) * size,
+                    _ => f64::INFINITY,
+                };
+                let packets: Vec<_> = (0..rays.len().div_ceil(4))
+                    .map(|packet| {
+                        let index = |lane: usize| (4 * packet + lane).min(rays.len() - 1);
+                        let axis =
+                            |axis: usize| [0, 1, 2, 3].map(|lane| rays[index(lane)].origin[axis]);
+                        let origins = [axis(0), axis(1), axis(2)];
+                        (origins, [0, 1, 2, 3].map(|lane| far(index(lane))))
+                    })
+                    .collect();
+                let lanes = [SimdLevel::widest(), SimdLevel::NARROW][round % 2];
+                let packet4 = |packet: usize| (&packets[packet].0, packets[packet].1);
+                assert!(bundle.fill(lanes, &tree, (rays.len(), dir), packet4));
+                let mut best = vec![None; rays.len()];
+                let is_done = tree.traverse_parallel_bundle(
+                    lanes,
+                    &mut bundle,
+                    |position, first, rays_hit, new_ends| {
+                        for lane in (0..8).filter(|lane| rays_hit >> lane & 1 == 1) {
+                            let ray = first + lane;
+                            let sphere = &spheres[order[position as usize] as usize];
+                            let Some(t) = sphere.hit(&rays[ray]) else {
                                 continue;
                             };
                             let slot: &mut Option<f64> = &mut best[ray];

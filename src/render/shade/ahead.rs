@@ -10,11 +10,11 @@ use super::wavefront::MANY_LIGHTS;
 use super::{InteriorStack, Sample, Scratch, Tracer, begin_sample};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
-use crate::world::{HitPacket4, Occlusion, Query, RayKind};
+use crate::world::{HitPacket4, Occlusion, Query, QueryScratch, RayKind};
 use arrayvec::ArrayVec;
 
 /// The number of camera rays that are traced as one bundle.
-const BUNDLE: usize = 256;
+pub(super) const BUNDLE: usize = 256;
 /// The number of camera rays without a common origin that are traced together.
 const STREAM: usize = 8;
 
@@ -121,6 +121,16 @@ impl Tracer<'_> {
             }
             return;
         }
+        for (rays, hits) in rays.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE / 4)) {
+            let world = self.world;
+            if !world.closest_hits_parallel(rays.len(), |ray| rays[ray], hits, query) {
+                self.find_scattered_hits(rays, hits, query);
+            }
+        }
+    }
+
+    /// Finds the first hits of camera rays that have neither their origin nor their direction in common.
+    fn find_scattered_hits(&self, rays: &[Ray], hits: &mut [HitPacket4], query: &mut QueryScratch) {
         for (rays, hits) in rays.chunks(STREAM).zip(hits.chunks_mut(STREAM / 4)) {
             let queries = rays.iter().map(|&ray| Query {
                 ray,

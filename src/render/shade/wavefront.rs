@@ -3,6 +3,7 @@
 //! surfaces with several textures or reflections, and scenes with sequential random numbers are left to the scalar
 //! path.
 
+use super::ahead::BUNDLE;
 use super::atmosphere::{AtmosphereTint, End, SegmentEnd};
 use super::bsdf::{ViewPoint, facing_normal};
 use super::direct::block_hits::{BlockHits, RaySource};
@@ -213,6 +214,11 @@ impl SecondaryRay {
             t_max: f64::INFINITY,
             kind: ray_kind,
         }
+    }
+
+    /// True if no surface was hit before it.
+    fn is_camera_ray(&self) -> bool {
+        self.query.kind == RayKind::Camera && self.query.origin_surface.is_none()
     }
 
     fn path(&self, interior_stacks: &[InteriorStack]) -> Path {
@@ -492,10 +498,17 @@ impl Tracer<'_> {
         let ShadeBuffers { scratch, cache } = buffers;
         let mut all = std::mem::take(&mut wavefront.all);
         all.hits.resize(rays.len().div_ceil(4), HitPacket4::NOTHING);
-        for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
-            let query = |ray: usize| &rays[ray].query;
-            self.world
-                .nearest_of_stream(rays.len(), query, hits, &mut scratch.query);
+        for (rays, hits) in rays.chunks(BUNDLE).zip(all.hits.chunks_mut(BUNDLE / 4)) {
+            let (world, scratch) = (self.world, &mut scratch.query);
+            let are_first = rays.iter().all(SecondaryRay::is_camera_ray);
+            let ray = |ray: usize| rays[ray].query.ray;
+            if are_first && world.closest_hits_parallel(rays.len(), ray, hits, scratch) {
+                continue;
+            }
+            for (rays, hits) in rays.chunks(8).zip(hits.chunks_mut(2)) {
+                let query = |ray: usize| &rays[ray].query;
+                world.nearest_of_stream(rays.len(), query, hits, scratch);
+            }
         }
         // Otherwise each shadow ray is traced on its own.
         let traces = self.fast_paths.shadow_packets;

@@ -175,7 +175,8 @@ impl<'w> Tracer<'w> {
             let light = self.world.lights.get(number);
             let draws = light.area.as_ref().is_some_and(|area| area.has_jitter);
             if arrives & shadow_rays.filtered != 0 && (draws || in_order) {
-                lit &= !(arrives & shadow_rays.filtered) | self.own_draws(rays, materials, in_order);
+                lit &=
+                    !(arrives & shadow_rays.filtered) | self.own_draws(rays, materials, in_order);
             }
             let filtered = arrives & shadow_rays.filtered & lit;
             let free = arrives & !shadow_rays.filtered & lit;

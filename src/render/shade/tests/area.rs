@@ -18,6 +18,11 @@ const SOLIDS: &str = "plane { y, -1.5 pigment { checker rgb 1 rgb 0.4 } }
       cylinder { Q, Q + <rand(R), rand(R), rand(R)>, 0.3 #if (mod(I, 3) = 0) open #end pigment { rgb 0.7 } }
       box { P, P + 0.7 #if (mod(I, 2)) rotate 70 * rand(R) #end pigment { rgbt <0.2, 1, 0.5, 0.5 * mod(I, 2)> } }
     #end
+    #for (I, 1, 8)
+      #local P = <rand(R), rand(R), rand(R)> * 12 - 6;
+      #local Q = <rand(R), rand(R), rand(R)> * 12 - 6;
+      cylinder { P, Q, 0.04 pigment { rgb 0.3 } #if (mod(I, 2)) rotate 30 * x scale 1.1 #end }
+    #end
     difference { sphere { <2, 0, 2>, 1 } box { <1, 0, 0>, 3 } pigment { rgb 1 } normal { bumps 0.5 scale 0.2 } }
     torus { 0.8, 0.2 translate <-1, 1, -2> pigment { rgb 1 } finish { reflection 0.3 } }";
 const PERSPECTIVE: &str = "camera { location <0, 4, -9> look_at 0 angle 50 }";

@@ -9,5 +9,6 @@ pub(in crate::world) mod hits;
 pub(in crate::world) mod instance;
 pub(in crate::world) mod light_buffer;
 pub(in crate::world) mod mesh;
+pub(in crate::world) mod parallel;
 pub(in crate::world) mod primitive;
 pub(in crate::world) mod rays;

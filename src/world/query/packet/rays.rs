@@ -49,6 +49,30 @@ impl RayStream {
         }
     }
 
+    /// Loads `count` camera rays, which share the near limit `t_min`.
+    #[inline(always)]
+    pub(in crate::world) fn load_parallel_rays(
+        &mut self,
+        count: usize,
+        t_min: f64,
+        ray: impl Fn(usize) -> Ray,
+    ) {
+        self.packets.resize(count.div_ceil(4), RayPacket4::NONE);
+        for (number, packet) in self.packets.iter_mut().enumerate() {
+            for lane in 0..4 {
+                let Ray { origin, dir } = ray((4 * number + lane).min(count - 1));
+                for axis in 0..3 {
+                    packet.origin[axis][lane] = origin[axis];
+                    packet.dir[axis][lane] = dir[axis];
+                }
+            }
+            packet.t_min = [t_min; 4];
+            packet.t_max = [f64::INFINITY; 4];
+            packet.origin_leaf = [NO_LEAF; 4];
+            packet.goes_out = 0;
+        }
+    }
+
     /// Loads up to eight rays with any origins; `t_min_of` gives the near limit of each.
     #[inline(always)]
     pub(in crate::world) fn load_rays(
@@ -167,6 +191,12 @@ impl RayStream {
             packet.t_min = [t_min; 4];
             packet.t_max = packet.t_max.map(|t_max| t_max + farther);
         }
+    }
+
+    /// Origins of one packet.
+    #[inline(always)]
+    pub(super) fn origins(&self, packet: usize) -> &[[f64; 4]; 3] {
+        &self.packets[packet].origin
     }
 
     /// Directions of one packet.
