@@ -36,7 +36,7 @@ impl Tracer<'_> {
     pub fn look_ahead(
         &self,
         positions: &[(f64, f64)],
-        (width, height): (u32, u32),
+        size: (u32, u32),
         ahead: &mut Ahead,
         scratch: &mut BlockScratch,
     ) {
@@ -55,9 +55,7 @@ impl Tracer<'_> {
         if self.has_many_rays() || self.radiosity.is_some() || has_many_lights {
             return;
         }
-        let camera = &self.world.camera;
-        let ray_at = |&(x, y): &(f64, f64)| camera.primary_ray(x, y, width, height);
-        rays.extend(positions.iter().map_while(ray_at));
+        self.world.camera.add_primary_rays(positions, size, rays);
         if rays.len() < positions.len() {
             rays.clear();
             return;

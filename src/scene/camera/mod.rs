@@ -179,6 +179,28 @@ impl Camera {
         })
     }
 
+    /// Appends the rays of [`Camera::primary_ray`] through some points, up to the first that has none.
+    pub fn add_primary_rays(
+        &self,
+        points: &[(f64, f64)],
+        (width, height): (u32, u32),
+        rays: &mut Vec<Ray>,
+    ) {
+        if self.projection == Projection::Orthographic
+            && self.bumps.is_none()
+            && let Some(Ray { dir, .. }) =
+                ray(DVec3::ZERO, self.frame.direction, self.normalization)
+        {
+            rays.extend(points.iter().map(|&(x, y)| {
+                let screen = Screen::new(x, y, [width, height], self.normalization);
+                Ray::new(orthographic::start(&self.frame, screen).0, dir)
+            }));
+            return;
+        }
+        let ray_at = |&(x, y): &(f64, f64)| self.primary_ray(x, y, width, height);
+        rays.extend(points.iter().map_while(ray_at));
+    }
+
     /// True for a `mesh_camera`, whose rays start on surfaces.
     #[must_use]
     pub fn is_mesh(&self) -> bool {

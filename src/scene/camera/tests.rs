@@ -128,6 +128,28 @@ fn a_camera_without_direction_sees_nothing() {
 }
 
 #[test]
+fn rays_of_many_points_are_those_of_each() {
+    let points: Vec<(f64, f64)> = (0..50)
+        .map(|at| (f64::from(at % 7) + 0.25, f64::from(at / 7) - 0.3))
+        .collect();
+    for text in [
+        "{ orthographic location <1, 2, -5> look_at <0.5, 0, 1> angle 40 }",
+        "{ orthographic location <0, 0, -5> look_at 0 normal { bumps 0.3 } }",
+        "{ location <1, 2, -5> look_at <0.5, 0, 1> }",
+        "{ fisheye location <1, 2, -5> angle 60 }",
+        "{ orthographic direction 0 }",
+    ] {
+        let camera = camera(text, 3.7);
+        let mut rays = Vec::new();
+        camera.add_primary_rays(&points, (9, 8), &mut rays);
+        let each = points
+            .iter()
+            .map_while(|&(x, y)| camera.primary_ray(x, y, 9, 8));
+        assert_eq!(rays, each.collect::<Vec<_>>(), "{text}");
+    }
+}
+
+#[test]
 fn faults_are_reported() {
     assert_eq!(
         error("{ angle 180 }"),
