@@ -331,29 +331,35 @@ impl Tracer<'_> {
         );
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
-            let (light, query) = (area_light.light_index, shadow_rays.query(hits, lane));
+            let (light, distance) = (area_light.light_index, shadow_rays.distance[lane]);
             let known = shadow_rays.occlusion(lane).map(|result| {
                 let scratch = &mut scratch.query;
                 // The blocker of this ray may be remembered for the next ones.
                 depends_on_memory |= result == Occlusion::Opaque;
-                if !depends_on_memory {
+                if !depends_on_memory || scratch.memory.is_none() {
                     return result;
                 }
+                let query = shadow_rays.query(hits, lane);
                 self.world
                     .occlusion_after_memory(result, &query, light, scratch)
             });
-            let shadow_path = ShadowPath {
-                light,
-                query,
-                distance: shadow_rays.distance[lane],
-                known,
-                inside: &area_light.lit.path.inside,
-                collects: area_light.lit.collects,
-                is_to_grid: true,
-            };
             scratch.area.last_segment = None;
-            let light = self.transmittance(area_light.arriving, &shadow_path, scratch);
-            let distance = shadow_path.distance;
+            let light = match known {
+                Some(Occlusion::Clear) => area_light.arriving,
+                Some(Occlusion::Opaque) => Rgb::BLACK,
+                Some(Occlusion::Transmissive) | None => {
+                    let shadow_path = ShadowPath {
+                        light,
+                        query: shadow_rays.query(hits, lane),
+                        distance,
+                        known,
+                        inside: &area_light.lit.path.inside,
+                        collects: area_light.lit.collects,
+                        is_to_grid: true,
+                    };
+                    self.transmittance(area_light.arriving, &shadow_path, scratch)
+                }
+            };
             keep_sample(area_light.index(grid_index), light, distance, scratch);
         }
         scratch.area.shadow_rays = shadow_rays;
