@@ -151,13 +151,19 @@ impl Tracer<'_> {
         (width, height): (u32, u32),
         scratch: &mut Scratch,
     ) -> Sample {
+        let known_sample = ahead.samples.get(number).copied().flatten();
+        if let Some(sample) = known_sample
+            && !scratch.random.continues
+        {
+            return sample;
+        }
         let Some(&ray) = ahead.rays.get(number) else {
             return self.pixel(x, y, width, height, scratch);
         };
         let (hits, lane) = (&ahead.all.hits[number / 4], number % 4);
         let known = LightSamples::at(&ahead.all, number);
-        if let Some(sample) = ahead.samples[number] {
-            if scratch.random.continues && hits.is_hit(lane) {
+        if let Some(sample) = known_sample {
+            if hits.is_hit(lane) {
                 self.skip_area_lights(hits.surface[lane], known, scratch);
             }
             return sample;
