@@ -54,19 +54,30 @@ fn many_small_things_under_two_lights() {
 }
 
 #[test]
-fn solids_under_an_area_light_and_a_point_light() {
-    assert_same(
-        "camera { location <0, 3, -9> look_at 0 angle 50 }
-        light_source { <4, 9, -5>, 1 area_light <1.5, 0, 0>, <0, 0, 1.5>, 4, 4 adaptive 1 }
-        light_source { <-8, 5, -9>, 0.4 }
-        plane { y, -1.5 pigment { checker rgb 1 rgb 0.2 } }
-        #local R = seed(4);
-        #for (I, 1, 40)
-          #local P = <rand(R), rand(R), rand(R)> * 5 - 2.5;
-          sphere { P, 0.1 + 0.5 * rand(R) pigment { rgb 1 } finish { phong 1 reflection 0.2 * mod(I, 2) } }
-          cylinder { P, P + 1, 0.2 pigment { rgbt <1, 0.5, 0.5, 0.3> } normal { bumps 0.5 } }
-        #end",
-    );
+fn solids_under_area_lights_and_a_point_light() {
+    let perspective = "location <0, 3, -9> look_at 0 angle 50";
+    let orthographic = "orthographic location <0, 3, -9> right <8, 0, 0> up <0, 6, 0> look_at 0";
+    let second = "light_source { <4, 2, -9>, 0.5 area_light <1, 0, 0>, <0, 1, 0>, 2, 3 jitter }";
+    for (camera, settings, more) in [
+        (perspective, "", ""),
+        (orthographic, "", ""),
+        (perspective, "jitter", ""),
+        (orthographic, "jitter", ""),
+        (perspective, "jitter", second),
+    ] {
+        assert_same(&format!(
+            "camera {{ {camera} }}
+            light_source {{ <4, 9, -5>, 1 area_light <1.5, 0, 0>, <0, 0, 1.5>, 4, 4 adaptive 1 {settings} }}
+            light_source {{ <-8, 5, -9>, 0.4 }} {more}
+            plane {{ y, -1.5 pigment {{ checker rgb 1 rgb 0.2 }} }}
+            #local R = seed(4);
+            #for (I, 1, 40)
+              #local P = <rand(R), rand(R), rand(R)> * 5 - 2.5;
+              sphere {{ P, 0.1 + 0.5 * rand(R) pigment {{ rgb 1 }} finish {{ phong 1 reflection 0.2 * mod(I, 2) }} }}
+              cylinder {{ P, P + 1, 0.2 pigment {{ rgbt <1, 0.5, 0.5, 0.3> }} normal {{ bumps 0.5 }} }}
+            #end",
+        ));
+    }
 }
 
 #[test]
