@@ -3,7 +3,8 @@
 use super::Replies;
 use super::mosaic::{Mosaic, Part, enlarged};
 use crate::app::worker::{
-    CameraReport, Live, LiveTask, LiveText, Patch, Picked, PickedSurface, PictureKey, Reply, Report,
+    CameraReport, Live, LiveTask, LiveText, Patch, Picked, PickedSurface, PictureKey, Reply,
+    Report, Splice,
 };
 use crate::base::encoding::EncodeOptions;
 use crate::base::film::Film;
@@ -24,8 +25,8 @@ use std::time::Instant;
 pub(super) struct LiveScenes {
     /// The last scene with its number.
     compiled: Option<(u64, CompiledScene)>,
-    /// The last text that was sent, and its change since the last compiled version.
-    text: Option<(Arc<String>, TextChange)>,
+    /// The last text that was sent.
+    text: Option<SentText>,
     /// The file of the scene that the pictures are of.
     path: PathBuf,
     /// The last coarse picture.
@@ -42,6 +43,33 @@ struct LiveFilm {
     /// `None` for the last picture with some tiles of later ones.
     of: Option<PictureKey>,
     film: Film,
+}
+
+/// A text that was sent.
+#[derive(Debug, Default)]
+struct SentText {
+    text: Arc<String>,
+    /// Its change since the last compiled version.
+    change: TextChange,
+    /// The text before the last change, and that change. The next text is made in its memory, as the compiled scene still
+    /// uses `text`.
+    before: Option<(Arc<String>, Splice)>,
+}
+
+impl SentText {
+    /// The text with another part; `None` if it has no such part.
+    fn changed(self, splice: Splice) -> Option<SentText> {
+        let unshared = self.before.and_then(|(mut before, last)| {
+            let is_same = last.apply(Arc::get_mut(&mut before)?);
+            is_same.then_some(before)
+        });
+        let mut text = unshared.unwrap_or_else(|| Arc::clone(&self.text));
+        splice.apply(Arc::make_mut(&mut text)).then(|| SentText {
+            text,
+            change: self.change.then(&splice.change()),
+            before: Some((self.text, splice)),
+        })
+    }
 }
 
 /// The most bytes of a patch, in base64. Pages receive it with an event.
@@ -80,7 +108,7 @@ impl LiveScenes {
             (self.coarse, self.whole, self.delivered) = (None, None, None);
         }
         let scene = painter.compiled((live, input), &mut self.compiled, &report)?;
-        if let Some((_, change)) = &mut self.text {
+        if let Some(SentText { change, .. }) = &mut self.text {
             *change = TextChange::default();
         }
         let start = Instant::now();
@@ -167,23 +195,26 @@ impl LiveScenes {
         ) {
             (LiveText::File, _) => None,
             (LiveText::Sent, last) => last,
-            (LiveText::Changed(splice), last) => last.and_then(|(mut text, change)| {
-                let is_whole = splice.apply(Arc::make_mut(&mut text));
-                is_whole.then(|| (text, change.then(&splice.change())))
-            }),
+            (LiveText::Changed(splice), last) => last.and_then(|last| last.changed(splice)),
             (LiveText::Whole(text), last) => {
-                let (old, change) = last.unwrap_or_default();
+                let SentText {
+                    text: old, change, ..
+                } = last.unwrap_or_default();
                 let between = TextChange::between(old.as_bytes(), text.as_bytes());
-                Some((Arc::new(text), change.then(&between)))
+                Some(SentText {
+                    text: Arc::new(text),
+                    change: change.then(&between),
+                    before: None,
+                })
             }
         };
         match &self.text {
             None => Input::File(path),
-            Some((text, _)) if live.is_built_in => Input::Text {
+            Some(SentText { text, .. }) if live.is_built_in => Input::Text {
                 name: path.display().to_string(),
                 text: text.as_bytes().to_vec(),
             },
-            Some((text, change)) => Input::Edited {
+            Some(SentText { text, change, .. }) => Input::Edited {
                 path,
                 text: Arc::clone(text),
                 change: Some(change.clone()),
@@ -350,4 +381,39 @@ fn camera_of(statement: &str) -> Result<Camera, Failure> {
         text: format!("#version 3.7;\n{statement}\n").into_bytes(),
     };
     crate::read(&input, &ReadOptions::default(), &|_| {}).map(|scene| scene.camera)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_memory_of_the_last_text_is_used_again() {
+        let replace = |range, with: &str| Splice {
+            range,
+            with: with.to_owned(),
+        };
+        let mut sent = SentText {
+            text: Arc::new("sphere { 0, 1 }".to_owned()),
+            ..SentText::default()
+        };
+        let mut addresses = Vec::new();
+        let changes = [
+            (replace(9..10, "y"), "sphere { y, 1 }"),
+            (replace(12..13, "25"), "sphere { y, 25 }"),
+            (replace(0..6, "box"), "box { y, 25 }"),
+            (replace(9..11, "z"), "box { y, z }"),
+        ];
+        for (splice, text) in changes {
+            let compiled = Arc::clone(&sent.text);
+            sent = sent.changed(splice).expect("the range is there");
+            assert_eq!(*sent.text, text);
+            assert_ne!(*compiled, text);
+            addresses.push(Arc::as_ptr(&sent.text));
+        }
+        assert_eq!(sent.change.old, 0..13);
+        assert_eq!(addresses[0], addresses[2]);
+        assert_eq!(addresses[1], addresses[3]);
+        assert!(sent.changed(replace(40..41, "x")).is_none());
+    }
 }

@@ -183,6 +183,8 @@ function show(now) {
   const before = state;
   state = now;
   if (chosen !== null && !now.history.includes(chosen)) chosen = null;
+  // The picture is decoded while the rest is shown.
+  if (now.scene !== null) load();
   $('errors').textContent = now.errors;
   $('warnings').textContent = now.errors ? '' : now.warnings;
   document.body.classList.toggle('wrong', now.errors !== '');
@@ -211,7 +213,6 @@ function show(now) {
   if (now.scene === null) return;
   if (before === null || before.text !== now.text) loadSource();
   else markNumbers();
-  load();
 }
 
 // Sliders.
