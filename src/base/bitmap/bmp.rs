@@ -5,9 +5,9 @@
 //! skipped by run-length data get the last palette entry, and so do all pixels of 1-bit images. Bit fields and 16-bit
 //! pixels, which POV-Ray rejects, are decoded by the `image` crate.
 
-use super::Bitmap;
 use super::format::Format;
-use super::handling::{Content, Fault, Handling, bitmap_from_content, decode_by_crate};
+use super::handling::{Content, Fault, decode_by_crate};
+use super::png::words;
 use image::{DynamicImage, RgbImage, RgbaImage};
 
 /// The file header and the info header.
@@ -27,11 +27,6 @@ struct Header {
     pixels: usize,
 }
 
-pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault> {
-    let transfer = handling.transfer(Format::Bmp, None);
-    bitmap_from_content(content(bytes)?, transfer, handling)
-}
-
 /// Width and height of the image, and the bytes that decoding needs; `None` for formats left to the `image` crate.
 pub(super) fn size(bytes: &[u8]) -> Result<Option<([u64; 2], u64)>, Fault> {
     let Some(header) = Header::read(bytes) else {
@@ -47,7 +42,7 @@ pub(super) fn size(bytes: &[u8]) -> Result<Option<([u64; 2], u64)>, Fault> {
 }
 
 /// Decodes the pixels of a file.
-pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
+pub(super) fn content(bytes: &[u8]) -> Result<Content, Fault> {
     let header = Header::read(bytes).ok_or("it is not a BMP file")?;
     match (header.bits, header.compression) {
         (1 | 4 | 8, 0) | (8, 1) | (4, 2) => header.indexed(bytes),
@@ -113,7 +108,7 @@ impl Header {
         let length = self.colors * self.bytes_per_color;
         let (palette, pixels) = rest.split_at_checked(length).ok_or_else(ends_early)?;
         let colors = palette.chunks_exact(self.bytes_per_color);
-        let palette = colors.map(|color| [color[2], color[1], color[0], u8::MAX]);
+        let palette = colors.map(|color| words([color[2], color[1], color[0], u8::MAX]));
         let last = u8::try_from(self.colors.saturating_sub(1)).unwrap_or(u8::MAX);
         let mut indices = if self.compression == 0 {
             self.uncompressed(pixels).ok_or_else(ends_early)?

@@ -1,70 +1,44 @@
 //! Decoding image files into [`Bitmap`]s.
 
 use super::format::Format;
-use super::handling::{Fault, Handling, bitmap_from_image, decode_by_crate};
-use super::{Bitmap, bmp, gif, hdr, jpeg, png, tga, tiff};
-use image::DynamicImage;
+use super::handling::{Content, Fault, Handling, bitmap_from_content, decode_by_crate};
+use super::{Bitmap, bmp, gif, hdr, jpeg, png, pnm, tga, tiff};
 
 /// Decodes a file of the given format.
 pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
-    match format {
-        Format::Bmp => bmp::decode(bytes, handling),
+    let mut bitmap = match format {
         Format::Png => png::decode(bytes, handling),
         Format::Gif => gif::decode(bytes, handling),
-        Format::Tga => tga::decode(bytes, handling),
-        Format::Tiff => tiff::decode(bytes, handling),
-        Format::Pgm | Format::Ppm => pnm(bytes, format, handling),
-        _ => bitmap_from_image(
-            decode_samples(bytes, format)?,
-            handling.transfer(format, None),
-            handling,
-        ),
-    }
+        _ => {
+            let by_format = (format == Format::Tiff).then_some(true);
+            let handling = Handling {
+                is_premultiplied: handling.is_premultiplied.or(by_format),
+                ..*handling
+            };
+            let transfer = handling.transfer(format, None);
+            bitmap_from_content(content(bytes, format)?, transfer, &handling)
+        }
+    }?;
+    let has_palette = bitmap.palette_len().is_some();
+    bitmap.stores_alpha = bitmap.has_alpha
+        || match format {
+            Format::Tiff => !has_palette,
+            Format::Hdr => true,
+            Format::Bmp => false,
+            _ => has_palette,
+        };
+    Ok(bitmap)
 }
 
-/// Decodes a file to its stored samples, with palettes expanded and without gamma handling.
-pub(crate) fn decode_samples(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
+/// Decodes a file to its stored samples, without gamma handling; a palette only stays in formats other than PNG and GIF.
+pub(crate) fn content(bytes: &[u8], format: Format) -> Result<Content, Fault> {
     match format {
-        Format::Hdr => hdr::decode(bytes),
-        Format::Jpeg => jpeg::decode(bytes),
-        Format::Tiff => tiff::samples(bytes),
-        _ => decode_by_crate(bytes, format),
+        Format::Bmp => bmp::content(bytes),
+        Format::Tga => tga::content(bytes),
+        Format::Tiff => tiff::content(bytes),
+        Format::Hdr => hdr::decode(bytes).map(Content::Colors),
+        Format::Jpeg => jpeg::decode(bytes).map(Content::Colors),
+        Format::Pgm | Format::Ppm => pnm::samples(bytes).map(Content::Colors),
+        _ => decode_by_crate(bytes, format).map(Content::Colors),
     }
-}
-
-/// Decodes a PGM or PPM file. Samples whose maximum is below 255 are divided by it, and not rounded to bytes.
-fn pnm(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
-    let image = decode_samples(bytes, format)?;
-    let image = match pnm_maximum(bytes) {
-        Some(most) if most < 255 => {
-            let most = f32::from(most);
-            let mut image = image.into_rgb32f();
-            let samples = image.iter_mut();
-            samples.for_each(|sample| *sample = (*sample * most).round() / most);
-            DynamicImage::ImageRgb32F(image)
-        }
-        _ => image,
-    };
-    bitmap_from_image(image, handling.transfer(format, None), handling)
-}
-
-/// The maximum that the header of a PGM or PPM file states for samples, if it is below 256.
-fn pnm_maximum(bytes: &[u8]) -> Option<u8> {
-    matches!(bytes.get(1)?, b'2' | b'3' | b'5' | b'6').then_some(())?;
-    let mut last = None;
-    let mut rest = bytes.get(2..)?;
-    // Width, height and the maximum.
-    for _ in 0..3 {
-        loop {
-            rest = rest.trim_ascii_start();
-            match rest.first()? {
-                b'#' => rest = &rest[rest.iter().position(|&byte| byte == b'\n')?..],
-                _ => break,
-            }
-        }
-        let (digits, behind) = rest.split_at(rest.iter().position(u8::is_ascii_whitespace)?);
-        last = std::str::from_utf8(digits).ok();
-        rest = behind;
-    }
-    last?.parse().ok().filter(|&most| most > 0)
 }

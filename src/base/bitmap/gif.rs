@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::handling::{Fault, Handling};
-use super::png::palette_color;
+use super::png::{palette_color, words};
 use super::{Bitmap, Samples};
 use crate::base::color::Color;
 use std::io::Cursor;
@@ -23,7 +23,7 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     let rgb_entries = frame.palette.or(global).unwrap_or_default();
     let mut palette: Vec<Color> = rgb_entries
         .chunks_exact(3)
-        .map(|rgb| palette_color(rgb, None, transfer))
+        .map(|rgb| palette_color(words([rgb[0], rgb[1], rgb[2], u8::MAX]), transfer))
         .collect();
     if let Some(transparent_index) = frame.transparent
         && let Some(color) = palette.get_mut(usize::from(transparent_index))
@@ -47,7 +47,8 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
         height,
         samples: Samples::Indexed(indices, palette),
         has_alpha: frame.transparent.is_some(),
-        is_premultiplied: false,
+        stores_alpha: false,
+        is_premultiplied: handling.is_premultiplied.unwrap_or(false),
     })
 }
 

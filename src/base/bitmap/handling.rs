@@ -48,12 +48,12 @@ impl Handling {
 
 /// Decoded pixels, before any colour conversion.
 pub(crate) enum Content {
-    /// Indices into an RGBA palette.
+    /// Indices into an RGBA palette of 16 bits.
     Indexed {
         width: usize,
         height: usize,
         indices: Vec<u8>,
-        palette: Vec<[u8; 4]>,
+        palette: Vec<[u16; 4]>,
     },
     /// Samples of grey or colours.
     Colors(DynamicImage),
@@ -108,15 +108,17 @@ pub(crate) fn bitmap_from_content(
             indices,
             palette,
         } => {
-            let has_alpha = palette.iter().any(|color| color[3] != u8::MAX);
-            let colors = palette.iter();
-            let palette = colors.map(|rgba| palette_color(rgba, Some(rgba[3]), transfer));
+            let has_alpha = palette.iter().any(|color| color[3] != u16::MAX);
+            let palette = palette
+                .into_iter()
+                .map(|rgba| palette_color(rgba, transfer));
             Ok(Bitmap {
                 width,
                 height,
                 samples: Samples::Indexed(indices, palette.collect()),
                 has_alpha,
-                is_premultiplied: false,
+                stores_alpha: false,
+                is_premultiplied: handling.is_premultiplied.unwrap_or(false),
             })
         }
     }
@@ -161,6 +163,7 @@ pub(crate) fn bitmap_from_image(
         height,
         samples,
         has_alpha,
+        stores_alpha: false,
         is_premultiplied: handling.is_premultiplied.unwrap_or(false),
     })
 }

@@ -12,20 +12,20 @@ mod hdr;
 mod jpeg;
 mod mapping;
 mod png;
+mod pnm;
 mod read;
 mod size;
 mod tga;
 mod tiff;
 
-pub(crate) use bmp::content as bmp_content;
-pub(crate) use decode::decode_samples;
+pub(crate) use decode::content;
 pub(crate) use format::Format;
 pub(crate) use handling::Content;
 pub use mapping::Purpose;
 pub use mapping::{Interpolation, MapType, Mapping};
+pub(crate) use pnm::maximum as pnm_maximum;
 pub use read::{AddedTransparency, Alpha, MappedBitmap, read, read_gamma};
 pub(crate) use size::bytes_to_decode;
-pub(crate) use tga::content as tga_content;
 
 use crate::base::color::{Color, Gamma, Rgb};
 
@@ -36,6 +36,8 @@ pub struct Bitmap {
     height: usize,
     samples: Samples,
     has_alpha: bool,
+    /// True if POV-Ray stores the alpha of all pixels, as it does in files of some formats without any.
+    stores_alpha: bool,
     /// True if colours are stored premultiplied with alpha.
     is_premultiplied: bool,
 }
@@ -126,6 +128,12 @@ impl Bitmap {
     #[must_use]
     pub fn has_alpha(&self) -> bool {
         self.has_alpha
+    }
+
+    /// True if pixels have an alpha for `use_alpha`.
+    #[must_use]
+    pub fn stores_alpha(&self) -> bool {
+        self.stores_alpha
     }
 
     /// The number of palette entries, if there is a palette.

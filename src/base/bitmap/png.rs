@@ -109,7 +109,10 @@ fn indexed(decoder: Decoder<Cursor<&[u8]>>, handling: &Handling) -> Result<Bitma
     let palette: Vec<Color> = rgb_entries
         .chunks_exact(3)
         .enumerate()
-        .map(|(i, rgb)| palette_color(rgb, alpha_entries.get(i).copied(), transfer))
+        .map(|(i, rgb)| {
+            let alpha = alpha_entries.get(i).copied().unwrap_or(u8::MAX);
+            palette_color(words([rgb[0], rgb[1], rgb[2], alpha]), transfer)
+        })
         .collect();
     let has_alpha = !alpha_entries.is_empty();
     let mut packed = vec![0; reader.output_buffer_size().ok_or("it is too large")?];
@@ -133,16 +136,23 @@ fn indexed(decoder: Decoder<Cursor<&[u8]>>, handling: &Handling) -> Result<Bitma
         height,
         samples: Samples::Indexed(indices, palette),
         has_alpha,
-        is_premultiplied: false,
+        stores_alpha: false,
+        is_premultiplied: handling.is_premultiplied.unwrap_or(false),
     })
 }
 
-/// A palette entry as a scene colour; a missing `alpha` is opaque.
-pub(super) fn palette_color(rgb: &[u8], alpha: Option<u8>, transfer: Transfer) -> Color {
-    let value = |i: usize| transfer.apply(f32::from(rgb[i]) / 255.0);
+/// Samples of 8 bits in 16 bits.
+pub(super) fn words(rgba: [u8; 4]) -> [u16; 4] {
+    rgba.map(|sample| u16::from(sample) * 257)
+}
+
+/// A palette entry, of 16 bits each, as a scene colour.
+pub(super) fn palette_color(rgba: [u16; 4], transfer: Transfer) -> Color {
+    let [r, g, b, alpha] = rgba.map(|sample| f32::from(sample) / 65535.0);
+    let [r, g, b] = [r, g, b].map(|stored| transfer.apply(stored));
     Color {
-        rgb: Rgb::new(value(0), value(1), value(2)),
+        rgb: Rgb::new(r, g, b),
         filter: 0.0,
-        transmit: 1.0 - f32::from(alpha.unwrap_or(u8::MAX)) / 255.0,
+        transmit: 1.0 - alpha,
     }
 }

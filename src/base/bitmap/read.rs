@@ -219,6 +219,8 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<MappedBitmap> {
         }
     }
     let mut bitmap = content.into_bitmap(&handling, args)?;
+    // Values are not divided by alpha (measured).
+    bitmap.is_premultiplied &= purpose == Purpose::Colors;
     for entry in &entries {
         entry.apply(&mut bitmap, &mut added)?;
     }
@@ -266,6 +268,7 @@ impl Content {
                 height: sampled.height,
                 samples: Samples::Colors(sampled.colors),
                 has_alpha: false,
+                stores_alpha: false,
                 is_premultiplied: false,
             }),
         }

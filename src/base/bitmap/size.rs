@@ -2,8 +2,9 @@
 
 use super::format::Format;
 use super::handling::{Fault, check_size, image_format};
-use super::{bmp, gif, jpeg, png};
+use super::{bmp, gif, jpeg, png, tiff};
 use image::{ImageDecoder, ImageReader};
+use std::borrow::Cow;
 use std::io::Cursor;
 
 /// Upper limit of pixels per byte of a file. Deflated 1-bit PNG reaches about 8,260; a file that claims more is forged
@@ -39,7 +40,11 @@ pub(crate) fn bytes_to_decode(file: &[u8], format: Format) -> Result<u64, Fault>
 
 /// Width, height and memory of formats that the `image` crate decodes; its sample buffer becomes the bitmap's.
 fn size_by_crate(file: &[u8], format: Format) -> Result<([u64; 2], u64), Fault> {
-    let reader = ImageReader::with_format(Cursor::new(file), image_format(format));
+    let file = match format {
+        Format::Tiff => tiff::decodable(file),
+        _ => Cow::Borrowed(file),
+    };
+    let reader = ImageReader::with_format(Cursor::new(&*file), image_format(format));
     let decoder = reader.into_decoder().map_err(|error| error.to_string())?;
     let (width, height) = decoder.dimensions();
     let bytes = match format {

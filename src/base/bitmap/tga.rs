@@ -1,9 +1,8 @@
 //! TGA decoding that matches POV-Ray (measured): palette images keep their indices, five-bit channels are multiplied by
 //! eight, the top bit of 16-bit pixels is alpha, and the flag for columns from the right is ignored.
 
-use super::Bitmap;
-use super::format::Format;
-use super::handling::{Content, Fault, Handling, bitmap_from_content, check_size};
+use super::handling::{Content, Fault, check_size};
+use super::png::words;
 use image::{DynamicImage, GrayImage, RgbImage, RgbaImage};
 
 const HEADER: usize = 18;
@@ -26,13 +25,8 @@ struct Header {
     is_from_top: bool,
 }
 
-pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault> {
-    let transfer = handling.transfer(Format::Tga, None);
-    bitmap_from_content(content(bytes)?, transfer, handling)
-}
-
 /// Decodes the pixels of a file.
-pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
+pub(super) fn content(bytes: &[u8]) -> Result<Content, Fault> {
     let header = Header::read(bytes).ok_or("it is not a TGA file")?;
     check_size(header.width as u64, header.height as u64)?;
     let too_short = || "it is too short".to_owned();
@@ -51,9 +45,9 @@ pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
     match (header.kind, header.bits) {
         (1, 8) if header.has_palette => {
             let entry = bytes_of(header.color_bits);
-            let black = [0, 0, 0, u8::MAX];
+            let black = words([0, 0, 0, u8::MAX]);
             let colors = palette.chunks_exact(entry.max(1));
-            let colors = colors.map(|color| rgba(color, header.color_bits));
+            let colors = colors.map(|color| words(rgba(color, header.color_bits)));
             let unstored = std::iter::repeat_n(black, header.first_color);
             Ok(Content::Indexed {
                 width,
@@ -66,7 +60,7 @@ pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
             let image = GrayImage::from_raw(w, h, pixels).ok_or_else(too_short)?;
             Ok(Content::Colors(DynamicImage::ImageLuma8(image)))
         }
-        (2, 15 | 24) => {
+        (2 | 3, 15 | 24) => {
             let pixels = pixels.chunks_exact(bytes_of(header.bits));
             let colors = pixels.flat_map(|pixel| {
                 let [r, g, b, _] = rgba(pixel, header.bits);
@@ -75,7 +69,7 @@ pub(crate) fn content(bytes: &[u8]) -> Result<Content, Fault> {
             let image = RgbImage::from_raw(w, h, colors.collect()).ok_or_else(too_short)?;
             Ok(Content::Colors(DynamicImage::ImageRgb8(image)))
         }
-        (2, 16 | 32) => {
+        (2 | 3, 16 | 32) => {
             let pixels = pixels.chunks_exact(bytes_of(header.bits));
             let colors = pixels.flat_map(|pixel| rgba(pixel, header.bits));
             let image = RgbaImage::from_raw(w, h, colors.collect()).ok_or_else(too_short)?;

@@ -38,9 +38,8 @@ impl PatternEval for ImagePattern {
         let Some(color) = mapping.color(bitmap, point) else {
             return 0.0;
         };
-        let stores_alpha = bitmap.has_alpha() || bitmap.palette_len().is_some();
         f64::from(match self.source.alpha {
-            Alpha::Used if stores_alpha => color.transmit,
+            Alpha::Used if bitmap.stores_alpha() => color.transmit,
             // POV-Ray's value of an image without alpha (measured).
             Alpha::Used => color.rgb.r,
             Alpha::Ignored => color.rgb.grey(),

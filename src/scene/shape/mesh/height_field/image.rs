@@ -3,9 +3,10 @@
 //! * 8-bit grey: the byte times 257; in a PNG without transparency the byte first goes through a sum in single
 //!   precision that lowers about half of all values by one;
 //! * 16-bit grey: unchanged;
+//! * grey of a PGM with another maximum: 65535 times its share of that, cut;
 //! * palette: the index times 256;
-//! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value; HDR: the sum of red times 256 and green,
-//!   times 255, modulo 65536.
+//! * 8-bit colour: red times 256 plus green; 16-bit colour: its grey value; HDR, and a PPM with a maximum below 255: the
+//!   sum of red times 256 and green, times 255, modulo 65536.
 //!
 //! `gamma` decodes the samples to linear light first, whatever the gamma of the scene; indices stay. The gamma that a
 //! file declares has no effect.
@@ -20,8 +21,8 @@ use std::io::Cursor;
 pub(super) const KINDS: &[Kind] = &[
     Kind::new(Word::Png, &[".png", ".PNG"], Decoder::Png),
     Kind::new(Word::Gif, &[".gif", ".GIF"], Decoder::Gif),
-    Kind::new(Word::Tga, &[".tga", ".TGA"], Decoder::Tga),
-    Kind::new(Word::Bmp, &[".bmp", ".BMP"], Decoder::Bmp),
+    Kind::new(Word::Tga, &[".tga", ".TGA"], Decoder::Other(Format::Tga)),
+    Kind::new(Word::Bmp, &[".bmp", ".BMP"], Decoder::Other(Format::Bmp)),
     Kind::new(Word::Ppm, &[".ppm", ".PPM"], Decoder::Other(Format::Ppm)),
     Kind::new(Word::Pgm, &[".pgm", ".PGM"], Decoder::Other(Format::Ppm)),
     Kind::new(
@@ -56,8 +57,6 @@ pub(super) struct Kind {
 pub(super) enum Decoder {
     Png,
     Gif,
-    Tga,
-    Bmp,
     /// A GIF whose left half has the high bytes and whose right half the low ones.
     Pot,
     Other(Format),
@@ -131,8 +130,6 @@ impl Decoder {
         Some(match self {
             Decoder::Png => Format::Png,
             Decoder::Gif | Decoder::Pot => Format::Gif,
-            Decoder::Tga => Format::Tga,
-            Decoder::Bmp => Format::Bmp,
             Decoder::Other(format) => format,
             Decoder::Unsupported => return None,
         })
@@ -151,12 +148,6 @@ pub(super) fn heights(decoder: Decoder, bytes: &[u8], samples: Samples) -> Resul
     let read = match decoder {
         Decoder::Png => png(bytes, samples),
         Decoder::Gif => gif(bytes),
-        Decoder::Tga => bitmap::tga_content(bytes)
-            .map(|it| of_content(it, samples))
-            .map_err(Fault::from),
-        Decoder::Bmp => bitmap::bmp_content(bytes)
-            .map(|it| of_content(it, samples))
-            .map_err(Fault::from),
         Decoder::Pot => pot(bytes),
         Decoder::Other(format) => other(format, bytes, samples),
         Decoder::Unsupported => Err("this kind of image is not supported yet".into()),
@@ -224,6 +215,20 @@ impl Samples {
     fn float_color(self, [red, green, _]: [f32; 3]) -> u16 {
         let [red, green] = [red, green].map(|sample| f64::from(self.gamma.decode(sample)));
         ((red * 256.0 + green) * 255.0) as i64 as u16
+    }
+
+    /// The height of a grey share of its maximum.
+    fn share(self, share: f32) -> u16 {
+        (self.gamma.decode(share) * DEEP) as u16
+    }
+
+    /// The height of a colour of 16 bits, from its shares.
+    fn deep_float(self, color: [f32; 3]) -> u16 {
+        cut(
+            grey(color.map(|share| self.gamma.decode(share))),
+            DEEP,
+            self.is_3_8,
+        )
     }
 
     fn deep_color(self, color: [u16; 3]) -> u16 {
@@ -394,7 +399,21 @@ fn of_content(content: Content, samples: Samples) -> Heights {
 }
 
 fn other(format: Format, bytes: &[u8], samples: Samples) -> Result<Heights, Fault> {
-    Ok(decoded(bitmap::decode_samples(bytes, format)?, samples))
+    let content = bitmap::content(bytes, format)?;
+    let Content::Colors(DynamicImage::ImageRgb32F(image)) = &content else {
+        return Ok(of_content(content, samples));
+    };
+    let height = |[r, g, b]: [f32; 3]| match (format, bytes.get(1)) {
+        (Format::Ppm, Some(b'2' | b'5')) => samples.share(r),
+        (Format::Ppm, _) if bitmap::pnm_maximum(bytes).is_some_and(|most| most > 255) => {
+            samples.deep_float([r, g, b])
+        }
+        _ => samples.float_color([r, g, b]),
+    };
+    Ok(Heights {
+        width: image.width() as usize,
+        rows: image.pixels().map(|pixel| height(pixel.0)).collect(),
+    })
 }
 
 fn decoded(image: DynamicImage, samples: Samples) -> Heights {
@@ -409,10 +428,6 @@ fn decoded(image: DynamicImage, samples: Samples) -> Heights {
         DynamicImage::ImageRgb16(image) => {
             let pixels = image.pixels();
             pixels.map(|p| samples.deep_color(p.0)).collect()
-        }
-        DynamicImage::ImageRgb32F(image) => {
-            let pixels = image.pixels();
-            pixels.map(|p| samples.float_color(p.0)).collect()
         }
         colors => {
             let colors = colors.into_rgb8();
