@@ -12,7 +12,7 @@ const WRAP: f64 = 1.00001;
 /// Repeats and shapes the value of a pattern. The numbers are single precision, as in POV-Ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// `frequency`: periods per unit of the value; 0 leaves the value unchanged.
+    /// `frequency`: periods per unit of the value; 0 leaves a positive value unchanged.
     pub frequency: f32,
     /// `phase`: the position in the period at the value 0.
     pub phase: f32,
@@ -36,6 +36,8 @@ pub enum Shape {
     Cubic,
     /// `poly_wave`: the power with this exponent.
     Poly(f32),
+    /// As [`Shape::Ramp`], of patterns that have none by default: without a frequency negative values stay as well.
+    Unchanged,
 }
 
 impl Default for Wave {
@@ -59,7 +61,7 @@ impl Wave {
     pub const NONE: Wave = Wave {
         frequency: 0.0,
         phase: 0.0,
-        shape: Shape::Ramp,
+        shape: Shape::Unchanged,
     };
 
     /// The position in a map of a pattern value.
@@ -68,12 +70,13 @@ impl Wave {
         let mut value = value;
         if self.frequency != 0.0 {
             value = wrapped(value * f64::from(self.frequency) + f64::from(self.phase));
-            if value < 0.0 {
-                value -= value.floor();
-            }
+        }
+        let stays = self.frequency == 0.0 && self.shape == Shape::Unchanged;
+        if value < 0.0 && !stays {
+            value -= value.floor();
         }
         match self.shape {
-            Shape::Ramp => value,
+            Shape::Ramp | Shape::Unchanged => value,
             Shape::Sine => 0.5 * (1.0 + cycloidal(value)),
             Shape::Triangle => triangle(value),
             Shape::Scallop => cycloidal(0.5 * value).abs(),
@@ -216,8 +219,10 @@ mod tests {
     }
 
     #[test]
-    fn without_a_frequency_the_value_stays() {
+    fn without_a_frequency_a_positive_value_stays() {
         assert_eq!(wave("frequency 0").of(3.0), 3.0);
+        assert_eq!(wave("frequency 0 phase 0.5").of(-0.25), 0.75);
+        assert_eq!(Wave::NONE.of(-0.25), -0.25);
     }
 
     #[test]
