@@ -9,7 +9,7 @@ use super::csg::program::CsgProgram;
 use super::primitive::Leaf;
 use super::rounding::Rounding;
 use super::sphere_soa::SphereSoa;
-use crate::base::accel::Bvh;
+use crate::base::accel::{BoundingCylinder, Bvh};
 use crate::base::math::normal_from_inverse;
 use crate::scene::shape::{Rounded, Shape, Sphere, TextureWeights};
 use glam::{DAffine3, DVec3};
@@ -42,6 +42,14 @@ pub(super) struct Model {
 }
 
 impl Model {
+    /// The infinite cylinder around an item, if it has one.
+    pub(super) fn bounding_cylinder(&self, item: Item) -> Option<BoundingCylinder> {
+        match item {
+            Item::Leaf(leaf) => self.leaves[leaf as usize].bounding_cylinder(),
+            Item::Program(_) | Item::Instance(_) => None,
+        }
+    }
+
     /// Marks the leaves whose hits are rounded: those of surfaces for which `is_wanted` holds, and those that a search
     /// finds.
     pub(super) fn round_leaves(&mut self, is_wanted: impl Fn(u32) -> bool) {

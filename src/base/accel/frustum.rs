@@ -5,21 +5,21 @@ use super::packet::{REL_ERROR, dot, length_sq, load3, splat3};
 use super::sphere_leaf::SphereLeaf;
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 
-/// Four planes through the common origin; a box on the outer side of one is not hit.
+/// Four planes around the rays; a box on the outer side of one is not hit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Frustum {
     pub(super) normals: [[f32; 3]; 4],
     pub(super) offsets: [f32; 4],
     /// The lengths of the normals, rounded up.
     pub(super) sizes: [f32; 4],
-    /// Bound on the distance by which rounding moves the origin.
+    /// Bound on the distance of `low` from the start of a ray.
     pub(super) slack: f32,
-    /// The origin rounded down and up.
+    /// The box around the starts of the rays; that of a common origin is as large as its rounding.
     pub(super) low: [f32; 3],
     pub(super) high: [f32; 3],
 }
 
-/// The squared distance from the origin to each box of a node, a lower bound, and a mask of the boxes that a ray of
+/// The squared distance from the starts to each box of a node, a lower bound, and a mask of the boxes that a ray of
 /// length `end` may hit.
 pub(super) struct FrustumAndNode<'a> {
     pub(super) frustum: &'a Frustum,

@@ -14,12 +14,17 @@ use crate::base::math::simd::vec3::{Vec3Lanes, dot, from_arrays, scale, splat, s
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use glam::DVec3;
 
-/// Maximum coordinate of an origin across the rays, and along them, in the frame of the tree: from farther away rounding
-/// would count.
+/// Maximum coordinate of an origin across the rays in the frame of the tree: from farther away rounding would count.
 const MAX_ACROSS: f64 = 256.0;
+/// The same along the rays.
 const MAX_ALONG: f64 = 1e6;
 /// Bound on the coordinates of a tree in its frame, in any direction.
-const TREE_REACH: f64 = 4.0;
+const TREE_REACH: f64 = 8.0;
+/// Bound on the inverse of a component of the direction: a ray that crosses the sides of a box at a smaller slope leaves the
+/// tree before.
+const MAX_INVERSE: f64 = 1e30;
+/// Bound on the difference of a squared length from 1, for distances to be lengths.
+const UNIT: f64 = 1e-9;
 
 /// Parallel rays.
 #[derive(Debug, Default)]
@@ -64,8 +69,9 @@ struct PacketRectangles {
     high: [[f32; LANES]; 2],
 }
 
-/// Bounds of the coordinates of origins across the rays and along them, lane by lane, and their sum.
-struct BoundsOfOrigins {
+/// Bounds of the coordinates of origins across the rays and along them, lane by lane. The sum is finite unless one is not,
+/// which the bounds do not show.
+struct OriginBounds {
     low: [[f64; 4]; 3],
     high: [[f64; 4]; 3],
     sum: [f64; 4],
@@ -73,7 +79,7 @@ struct BoundsOfOrigins {
 
 /// A sphere in coordinates across the rays and along them, enlarged by the rounding errors.
 #[derive(Clone, Copy)]
-struct SeenSphere {
+struct ProjectedSphere {
     centre: [f32; 3],
     radius: f32,
 }
@@ -95,8 +101,8 @@ impl PacketRectangles {
     };
 }
 
-impl BoundsOfOrigins {
-    const EMPTY: BoundsOfOrigins = BoundsOfOrigins {
+impl OriginBounds {
+    const EMPTY: OriginBounds = OriginBounds {
         low: [[f64::INFINITY; 4]; 3],
         high: [[f64::NEG_INFINITY; 4]; 3],
         sum: [0.0; 4],
@@ -126,7 +132,7 @@ impl BoundsOfOrigins {
 
 /// Rounds four numbers.
 #[inline(always)]
-fn round_half(to: &mut [f32], from: &[f64; 4]) {
+fn store_rounded(to: &mut [f32], from: &[f64; 4]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to = nearest(*from);
     }
@@ -146,32 +152,34 @@ fn end_along(origin: f64, distance: f64, slack: f32) -> f32 {
 }
 
 impl ParallelBundle {
-    /// Loads `count` rays in this direction for a traversal of `tree`: their origins and ends, four by four; lanes behind
-    /// the last ray repeat some ray. Returns false if they cannot be traversed together.
+    /// Loads `count` infinite rays in this unit direction for a traversal of `tree`, by their origins, four by four; lanes
+    /// behind the last ray repeat some ray. Returns false if they cannot be traversed together.
     #[inline(always)]
     pub(crate) fn fill<'o>(
         &mut self,
         lanes: SimdLevel,
         tree: &Bvh,
         (count, dir): (usize, DVec3),
-        packet4: impl Fn(usize) -> (&'o [[f64; 4]; 3], [f64; 4]),
+        packet4: impl Fn(usize) -> &'o [[f64; 4]; 3],
     ) -> bool {
         self.scale = tree.frame.scale();
-        let along = dir.normalize_or_zero();
-        if count == 0 || !self.scale.is_normal() || along == DVec3::ZERO {
+        let is_unit = (dir.length_squared() - 1.0).abs() < UNIT;
+        if count == 0 || !self.scale.is_normal() || !is_unit {
             return false;
         }
+        let along = dir.normalize();
         let (across, up) = along.any_orthonormal_pair();
         self.axes = [across, up, along];
-        self.inverse = [1.0 / along.x, 1.0 / along.y, 1.0 / along.z].map(nearest);
+        let inverse = along.to_array().map(|along| 1.0 / along);
+        self.inverse = inverse.map(|inverse| nearest(inverse.clamp(-MAX_INVERSE, MAX_INVERSE)));
         self.count = count;
         self.packets.clear();
         self.packets
             .resize(count.div_ceil(LANES), ParallelPacket8::EMPTY);
-        let mut bounds = BoundsOfOrigins::EMPTY;
+        let mut bounds = OriginBounds::EMPTY;
         for half in 0..count.div_ceil(4) {
             let (packet, first) = (&mut self.packets[half / 2], 4 * (half % 2));
-            let (origin, _) = packet4(half);
+            let origin = packet4(half);
             let [at, foot] = lanes.run(AlongAxes {
                 frame: &tree.frame,
                 axes: &self.axes,
@@ -179,10 +187,10 @@ impl ParallelBundle {
             });
             bounds.add(&at);
             for (to, from) in packet.across.iter_mut().zip(&at) {
-                round_half(&mut to[first..first + 4], from);
+                store_rounded(&mut to[first..first + 4], from);
             }
             for (to, from) in packet.foot.iter_mut().zip(&foot) {
-                round_half(&mut to[first..first + 4], from);
+                store_rounded(&mut to[first..first + 4], from);
             }
             packet.origin[first..first + 4].copy_from_slice(&at[2]);
         }
@@ -190,29 +198,32 @@ impl ParallelBundle {
         let extent = [low[0], low[1], high[0], high[1]]
             .into_iter()
             .fold(0.0, |extent: f64, at| extent.max(at.abs()));
-        // NaN is too far as well.
         let is_near = extent < MAX_ACROSS && low[2].abs().max(high[2].abs()) < MAX_ALONG;
         if !(is_near && bounds.sum.iter().all(|sum| sum.is_finite())) {
             return false;
         }
         self.slack = 2.0 * REL_ERROR * nearest(TREE_REACH + extent);
-        let (scale, slack) = (self.scale, self.slack);
-        for half in 0..count.div_ceil(4) {
-            let (packet, first) = (&mut self.packets[half / 2], 4 * (half % 2));
-            let (_, end) = packet4(half);
-            for (lane, end) in end.into_iter().enumerate() {
-                let origin = packet.origin[first + lane];
-                // Rounding may move the start of a ray by more only where it lies behind the tree.
-                packet.start[first + lane] = nearest(origin.max(-TREE_REACH)) - slack;
-                packet.end[first + lane] = end_along(origin, end * scale, slack);
-            }
-        }
-        for number in count..self.packets.len() * LANES {
-            self.packets[number / LANES].end[number % LANES] = f32::NEG_INFINITY;
+        for number in 0..count {
+            let (packet, lane) = (&mut self.packets[number / LANES], number % LANES);
+            // Rounding may move the start of a ray by more only where it lies behind the tree.
+            packet.start[lane] = nearest(packet.origin[lane].max(-TREE_REACH)) - self.slack;
+            packet.end[lane] = f32::INFINITY;
         }
         self.build_rectangles();
         self.build_frustum(low, high);
         true
+    }
+
+    /// Ends the rays at these distances, four by four.
+    #[inline(always)]
+    pub(crate) fn end_all(&mut self, packet4: impl Fn(usize) -> [f64; 4]) {
+        for half in 0..self.count.div_ceil(4) {
+            let (packet, first) = (&mut self.packets[half / 2], 4 * (half % 2));
+            let there = (self.count - 4 * half).min(4);
+            for (lane, end) in (first..).zip(&packet4(half)[..there]) {
+                packet.end[lane] = end_along(packet.origin[lane], end * self.scale, self.slack);
+            }
+        }
     }
 
     fn build_rectangles(&mut self) {
@@ -269,10 +280,10 @@ impl ParallelBundle {
 
     /// A sphere as seen along the rays.
     #[inline(always)]
-    fn seen(&self, sphere: &BoundingSphere) -> SeenSphere {
+    fn seen(&self, sphere: &BoundingSphere) -> ProjectedSphere {
         let (centre, radius) = sphere.centre_and_radius();
         let [across, up, along] = &self.axes;
-        SeenSphere {
+        ProjectedSphere {
             centre: [across.dot(centre), up.dot(centre), along.dot(centre)].map(nearest),
             radius: radius * (1.0 + REL_ERROR) + self.slack,
         }
@@ -409,7 +420,7 @@ impl SimdKernel for AlongAxes<'_> {
 /// Mask of the packets, of eight, that may contain a ray that hits a sphere.
 struct RectanglesAndSphere<'a> {
     rectangles: &'a PacketRectangles,
-    seen: SeenSphere,
+    seen: ProjectedSphere,
 }
 
 impl SimdKernel for RectanglesAndSphere<'_> {
@@ -417,7 +428,7 @@ impl SimdKernel for RectanglesAndSphere<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let SeenSphere { centre, radius } = self.seen;
+        let ProjectedSphere { centre, radius } = self.seen;
         let mut distance_sq = <F::F32>::splat(0.0);
         for axis in 0..2 {
             let centre = <F::F32>::splat(centre[axis]);
@@ -433,7 +444,7 @@ impl SimdKernel for RectanglesAndSphere<'_> {
 /// Mask of the rays of a packet that may hit a sphere.
 struct PacketAndSphere<'a> {
     packet: &'a ParallelPacket8,
-    seen: SeenSphere,
+    seen: ProjectedSphere,
 }
 
 impl SimdKernel for PacketAndSphere<'_> {
@@ -441,7 +452,7 @@ impl SimdKernel for PacketAndSphere<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let SeenSphere { centre, radius } = self.seen;
+        let ProjectedSphere { centre, radius } = self.seen;
         let [x, y] = &self.packet.across;
         let x = <F::F32>::from_array(x) - <F::F32>::splat(centre[0]);
         let y = <F::F32>::from_array(y) - <F::F32>::splat(centre[1]);
@@ -477,7 +488,6 @@ impl SimdKernel for PacketAndBox<'_> {
             let inverse = <F::F32>::splat(self.inverse[axis]);
             let low = (<F::F32>::splat(self.aabb.low[axis] - self.slack) - foot) * inverse;
             let high = (<F::F32>::splat(self.aabb.high[axis] + self.slack) - foot) * inverse;
-            // Keeps the running bound where a plane yields NaN (zero times infinity).
             enter = low.lane_min(high).lane_max(enter);
             leave = high.lane_max(low).lane_min(leave);
         }

@@ -1,6 +1,6 @@
 //! Trees compared with a linear search through all boxes.
 
-use super::{Bundle, Bvh, LightBuffer, ParallelBundle};
+use super::{Bundle, Bvh, LightBuffer, NewEnds, ParallelBundle};
 use crate::base::math::conditioning::RescaledRay;
 use crate::base::math::roots::ray_sphere::sphere_span;
 use crate::base::math::sampling::random::Random;
@@ -395,6 +395,30 @@ fn a_bundle_has_the_hits_of_its_single_rays() {
 }
 
 #[test]
+fn parallel_rays_of_extreme_origins_or_directions_are_no_bundle() {
+    let bounds = bounds_of(&spheres(50, 1.0, DVec3::ZERO));
+    let mut bundle = ParallelBundle::default();
+    let mut is_filled = |tree: &Bvh, origin: DVec3, dir: DVec3| {
+        let origins = origin.to_array().map(|at| [at; 4]);
+        bundle.fill(SimdLevel::widest(), tree, (3, dir), |_| &origins)
+    };
+    let tree = Bvh::build(&bounds);
+    assert!(is_filled(&tree, DVec3::new(0.3, -0.2, -1e5), DVec3::Z));
+    for at in [1e300, f64::INFINITY, f64::NAN, 1e4] {
+        assert!(!is_filled(&tree, DVec3::new(0.3, at, -5.0), DVec3::Z));
+    }
+    assert!(!is_filled(&tree, DVec3::new(0.3, 0.2, -1e12), DVec3::Z));
+    for dir in [DVec3::ZERO, DVec3::Z * 1.006, DVec3::splat(f64::NAN)] {
+        assert!(!is_filled(&tree, DVec3::ZERO, dir));
+    }
+    let empty = Bvh::build(&[]);
+    if is_filled(&empty, DVec3::ZERO, DVec3::Z) {
+        let no_item = |_, _, _, _: &mut NewEnds| panic!("there are no items");
+        assert!(empty.traverse_parallel_bundle(SimdLevel::widest(), &mut bundle, no_item));
+    }
+}
+
+#[test]
 fn a_bundle_of_parallel_rays_has_the_hits_of_its_single_rays() {
     for (size, at) in [
         (1.0, DVec3::ZERO),
@@ -436,8 +460,8 @@ fn a_bundle_of_parallel_rays_has_the_hits_of_its_single_rays() {
                     })
                     .collect();
                 let lanes = [SimdLevel::widest(), SimdLevel::NARROW][round % 2];
-                let packet4 = |packet: usize| (&packets[packet].0, packets[packet].1);
-                assert!(bundle.fill(lanes, &tree, (rays.len(), dir), packet4));
+                assert!(bundle.fill(lanes, &tree, (rays.len(), dir), |at| &packets[at].0));
+                bundle.end_all(|at| packets[at].1);
                 let mut best = vec![None; rays.len()];
                 let is_done = tree.traverse_parallel_bundle(
                     lanes,

@@ -7,7 +7,6 @@ use crate::scene::light::Light;
 use crate::scene::likeness::text_of;
 use crate::scene::pattern::Settings;
 use crate::world::compiled::World;
-use crate::world::model::Item;
 use rayon::prelude::*;
 
 /// Size of a pixel block: columns and rows.
@@ -41,10 +40,8 @@ impl World {
             return;
         }
         let tree = &self.bvh().tree;
-        let cylinder = |position: u32| match self.bvh().bounded[position as usize].item {
-            Item::Leaf(leaf) => self.model.leaves[leaf as usize].bounding_cylinder(),
-            Item::Program(_) | Item::Instance(_) => None,
-        };
+        let item = |position: u32| self.bvh().bounded[position as usize].item;
+        let cylinder = |position: u32| self.model.bounding_cylinder(item(position));
         let build = |point: u64| match point.checked_sub(1) {
             None => {
                 let (axes, width, height) = (self.camera.axes()?, options.width, options.height);

@@ -331,7 +331,7 @@ impl Tracer<'_> {
         );
         for (at, &grid_index) in requested.iter().enumerate() {
             let (shadow_rays, lane) = (&shadow_rays[at / 4], at % 4);
-            let (light, distance) = (area_light.light_index, shadow_rays.distance[lane]);
+            let (number, distance) = (area_light.light_index, shadow_rays.distance[lane]);
             let known = shadow_rays.occlusion(lane).map(|result| {
                 let scratch = &mut scratch.query;
                 // The blocker of this ray may be remembered for the next ones.
@@ -341,7 +341,7 @@ impl Tracer<'_> {
                 }
                 let query = shadow_rays.query(hits, lane);
                 self.world
-                    .occlusion_after_memory(result, &query, light, scratch)
+                    .occlusion_after_memory(result, &query, number, scratch)
             });
             scratch.area.last_segment = None;
             let light = match known {
@@ -349,7 +349,7 @@ impl Tracer<'_> {
                 Some(Occlusion::Opaque) => Rgb::BLACK,
                 Some(Occlusion::Transmissive) | None => {
                     let shadow_path = ShadowPath {
-                        light,
+                        light: number,
                         query: shadow_rays.query(hits, lane),
                         distance,
                         known,

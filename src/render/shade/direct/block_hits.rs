@@ -42,7 +42,8 @@ pub(in crate::render::shade) trait RaySource {
     fn common_kind(&self) -> Option<RayKind>;
     /// The interiors around the ray in this lane.
     fn inside(&self, lane: usize) -> &[InteriorId];
-    /// The random numbers of the sample of this lane, if this is its first ray and has numbers of its own.
+    /// The random numbers that the sample of this lane begins with; `None` behind its first ray. Those of a picture whose
+    /// random numbers run on are others.
     fn stream(&self, lane: usize) -> Option<Stream>;
     /// The path of the ray in this lane, in this direction.
     fn path(&self, lane: usize, dir: DVec3) -> Path;

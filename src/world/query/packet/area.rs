@@ -34,9 +34,12 @@ const UMBRA_END: f64 = 0.99;
 const UMBRA_EVENNESS: f64 = 0.5;
 const UMBRA_NEAR: f64 = 0.01;
 
-/// Margins of a distance from the axis of a cylinder that shadow rays pass: shares of its radius, of the distance of the
-/// axis, and of the product of the vectors whose triple product gives it.
-const AXIS_MARGINS: [f64; 3] = [1e-6, 1e-9, 1e-14];
+/// Margins of the distance from the axis of a cylinder that shadow rays pass: a share of its radius,
+const MARGIN_OF_RADIUS: f64 = 1e-6;
+/// of the distance of its base,
+const MARGIN_OF_DISTANCE: f64 = 1e-9;
+/// and of coordinates and of products of them.
+const MARGIN_OF_ROUNDING: f64 = 1e-14;
 
 /// A parallelogram that holds all lights of an area light.
 #[derive(Clone, Copy, Debug)]
@@ -303,22 +306,19 @@ impl World {
     ///
     /// Seen along its axis, the segments to the corners lie on one side of the cylinder, and so do those between them.
     fn is_past_cylinder(&self, item: Item, point: &LitPoint) -> bool {
-        let Item::Leaf(leaf) = item else {
+        let Some((base, axis, radius)) = self.model.bounding_cylinder(item) else {
             return false;
         };
-        let cylinder = self.model.leaves[leaf as usize].bounding_cylinder();
-        let Some((base, axis, radius)) = cylinder else {
-            return false;
-        };
-        let [of_radius, of_distance, of_product] = AXIS_MARGINS;
         let (to_base, axis) = (base - point.point, axis.normalize_or_zero());
         let distance = to_base.length();
         let size = base.abs().max(point.point.abs()).max_element();
-        let reach = radius * (1.0 + of_radius) + of_distance * distance + of_product * size;
+        let reach = radius * (1.0 + MARGIN_OF_RADIUS)
+            + MARGIN_OF_DISTANCE * distance
+            + MARGIN_OF_ROUNDING * size;
         let (mut are_above, mut are_below) = (true, true);
         for &to_corner in &point.to_corners {
             let off = axis.dot(to_corner.cross(to_base));
-            let error = of_product * to_corner.length() * distance;
+            let error = MARGIN_OF_ROUNDING * to_corner.length() * distance;
             let width = reach * axis.cross(to_corner).length() + error;
             are_above &= off > width;
             are_below &= off < -width;

@@ -41,6 +41,10 @@ impl World {
             #[inline(always)]
             |lanes| {
                 stream.load_parallel_rays(count, self.t_min(&query(0)), &ray);
+                let tree = &self.bvh().tree;
+                if !bundle.fill(lanes, tree, (count, dir), |packet| stream.origins(packet)) {
+                    return false;
+                }
                 let rays = |item, first, active| ItemRays {
                     item,
                     kind: RayKind::Camera,
@@ -56,10 +60,10 @@ impl World {
                         self.intersect_packet8(lanes, &rays, stream, bests, ended, scratch);
                     }
                 }
-                let tree = &self.bvh().tree;
-                let is_done = bundle.fill(lanes, tree, (count, dir), |packet| {
-                    (stream.origins(packet), stream.packet(4 * packet).t_max)
-                }) && tree.traverse_parallel_bundle(
+                if !self.bvh().unbounded.is_empty() {
+                    bundle.end_all(|packet| stream.packet(4 * packet).t_max);
+                }
+                let is_done = tree.traverse_parallel_bundle(
                     lanes,
                     &mut bundle,
                     #[inline(always)]
