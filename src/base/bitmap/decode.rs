@@ -30,7 +30,7 @@ pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Resul
     Ok(bitmap)
 }
 
-/// Decodes a file to its stored samples, without gamma handling; a palette only stays in formats other than PNG and GIF.
+/// Decodes a file to its stored samples, without gamma handling. Palettes of PNG and GIF are expanded.
 pub(crate) fn content(bytes: &[u8], format: Format) -> Result<Content, Fault> {
     match format {
         Format::Bmp => bmp::content(bytes),

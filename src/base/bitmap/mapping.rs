@@ -187,15 +187,20 @@ impl Mapping {
     /// The interpolated colour at an image position in pixels from the top left; it may lie outside the image.
     #[must_use]
     pub fn color_at(&self, bitmap: &Bitmap, at: DVec2) -> Color {
+        bitmap.divided_by_alpha(self.stored_color_at(bitmap, at))
+    }
+
+    /// The same before any division by alpha.
+    pub(super) fn stored_color_at(&self, bitmap: &Bitmap, at: DVec2) -> Color {
         if self.interpolation == Interpolation::None {
             let [x, y] = self.pixel(bitmap, at);
-            return bitmap.color(x, y);
+            return bitmap.stored_color(x, y);
         }
         let mut sum = Sum::default();
         self.visit_neighbours(bitmap, at, |weight, x, y| {
             sum.add(weight, bitmap.stored_color(x, y));
         });
-        bitmap.divided_by_alpha(sum.color())
+        sum.color()
     }
 
     /// The palette index at an image position, interpolated like a colour and truncated to an integer. Without a

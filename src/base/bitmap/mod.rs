@@ -23,7 +23,7 @@ pub(crate) use format::Format;
 pub(crate) use handling::Content;
 pub use mapping::Purpose;
 pub use mapping::{Interpolation, MapType, Mapping};
-pub(crate) use pnm::maximum as pnm_maximum;
+pub(crate) use pnm::divisor as pnm_divisor;
 pub use read::{AddedTransparency, Alpha, MappedBitmap, read, read_gamma};
 pub(crate) use size::bytes_to_decode;
 
@@ -172,12 +172,6 @@ impl Bitmap {
         }
     }
 
-    /// The colour of a pixel. `x < width`, `y < height`, from the top.
-    #[must_use]
-    pub fn color(&self, x: usize, y: usize) -> Color {
-        self.divided_by_alpha(self.stored_color(x, y))
-    }
-
     /// The colour of one or several pixels as stored, divided by alpha if it is stored multiplied.
     fn divided_by_alpha(&self, stored: Color) -> Color {
         let alpha = 1.0 - stored.transmit;
@@ -191,7 +185,7 @@ impl Bitmap {
         }
     }
 
-    /// The colour of a pixel before any division by alpha.
+    /// The colour of a pixel before any division by alpha. `x < width`, `y < height`, from the top.
     fn stored_color(&self, x: usize, y: usize) -> Color {
         let at = y * self.width + x;
         let [r, g, b, alpha] = match &self.samples {

@@ -1,4 +1,4 @@
-//! PGM and PPM decoding that matches POV-Ray (measured): samples with a maximum other than 255 and 65535 are divided by it.
+//! PGM and PPM decoding that matches POV-Ray (measured): samples are divided by a maximum other than 255 and 65535.
 
 use super::format::Format;
 use super::handling::{Fault, decode_by_crate};
@@ -7,8 +7,7 @@ use image::DynamicImage;
 /// Decodes the samples of a file.
 pub(super) fn samples(bytes: &[u8]) -> Result<DynamicImage, Fault> {
     let image = decode_by_crate(bytes, Format::Ppm)?;
-    let most = maximum(bytes).filter(|most| ![255, 65535].contains(most));
-    let Some(most) = most.map(f32::from) else {
+    let Some(most) = divisor(bytes).map(f32::from) else {
         return Ok(image);
     };
     let mut image = image.into_rgb32f();
@@ -18,8 +17,13 @@ pub(super) fn samples(bytes: &[u8]) -> Result<DynamicImage, Fault> {
     Ok(DynamicImage::ImageRgb32F(image))
 }
 
+/// The maximum of samples, if they are divided by it.
+pub(crate) fn divisor(bytes: &[u8]) -> Option<u16> {
+    maximum(bytes).filter(|most| ![255, 65535].contains(most))
+}
+
 /// The maximum that the header of a file of numbers states for samples.
-pub(crate) fn maximum(bytes: &[u8]) -> Option<u16> {
+fn maximum(bytes: &[u8]) -> Option<u16> {
     matches!(bytes.get(1)?, b'2' | b'3' | b'5' | b'6').then_some(())?;
     let mut last = None;
     let mut rest = bytes.get(2..)?;

@@ -55,13 +55,14 @@ impl MappedBitmap {
     /// The bitmap's colour at a point plus `filter all` and `transmit all`; transparent outside an image mapped `once`.
     #[must_use]
     pub fn color(&self, point: DVec3) -> Color {
-        let Some(mut color) = self.mapping.color(&self.bitmap, point) else {
+        let Some(at) = self.mapping.image_position(&self.bitmap, point) else {
             return Color {
                 rgb: Rgb::WHITE,
                 filter: 0.0,
                 transmit: 1.0,
             };
         };
+        let mut color = self.mapping.stored_color_at(&self.bitmap, at);
         let AddedTransparency {
             filter,
             transmit,
@@ -74,7 +75,8 @@ impl MappedBitmap {
         };
         color.filter += filter * share;
         color.transmit += transmit * share;
-        color
+        // Of premultiplied colours the sum counts as their alpha (measured).
+        self.bitmap.divided_by_alpha(color)
     }
 
     /// Heights of a `bump_map` at three image positions, in pixels from the top left: the grey values of the colours,

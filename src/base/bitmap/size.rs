@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::handling::{Fault, check_size, image_format};
-use super::{bmp, gif, jpeg, png, tiff};
+use super::{bmp, gif, jpeg, png, pnm, tiff};
 use image::{ImageDecoder, ImageReader};
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -40,17 +40,27 @@ pub(crate) fn bytes_to_decode(file: &[u8], format: Format) -> Result<u64, Fault>
 
 /// Width, height and memory of formats that the `image` crate decodes; its sample buffer becomes the bitmap's.
 fn size_by_crate(file: &[u8], format: Format) -> Result<([u64; 2], u64), Fault> {
-    let file = match format {
+    let decodable = match format {
         Format::Tiff => tiff::decodable(file),
         _ => Cow::Borrowed(file),
     };
-    let reader = ImageReader::with_format(Cursor::new(&*file), image_format(format));
+    let reader = ImageReader::with_format(Cursor::new(&*decodable), image_format(format));
     let decoder = reader.into_decoder().map_err(|error| error.to_string())?;
     let (width, height) = decoder.dimensions();
+    let bytes = decoder.total_bytes();
+    let pixels = u64::from(width) * u64::from(height);
     let bytes = match format {
         // The EXR decoder holds a second buffer of pixels.
-        Format::Exr => decoder.total_bytes().saturating_mul(2),
-        _ => decoder.total_bytes(),
+        Format::Exr => bytes.saturating_mul(2),
+        // Three shares of a maximum.
+        Format::Pgm | Format::Ppm if pnm::divisor(file).is_some() => {
+            bytes.saturating_add(pixels.saturating_mul(12))
+        }
+        // Samples of 16 bits beside those of 8, and the file with other tags.
+        Format::Tiff => bytes
+            .saturating_add(bytes / 2)
+            .saturating_add(file.len() as u64),
+        _ => bytes,
     };
     Ok(([width, height].map(u64::from), bytes))
 }

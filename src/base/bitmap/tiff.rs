@@ -1,4 +1,4 @@
-//! TIFF decoding that matches POV-Ray (measured): palettes of 8 bits keep their indices; all other samples have 8 bits, and
+//! TIFF decoding that matches POV-Ray (measured): palettes of 8 bits keep their indices; samples of 16 bits become bytes, and
 //! colours are multiplied by their alpha in these, so that any gamma is that of the products.
 
 use super::format::Format;
@@ -12,9 +12,15 @@ const GREY: u16 = 1;
 const PALETTE: u16 = 3;
 /// The tag of the palette: all red values, then green and blue.
 const COLOR_MAP: u16 = 320;
-/// The tag of the kinds of samples beyond the colours, and its value for alpha that colours are not multiplied by.
+/// The tag of the kinds of samples beyond the colours: a fourth one of no kind is alpha that colours are multiplied by.
 const EXTRA_SAMPLES: u16 = 338;
+const UNSPECIFIED: u16 = 0;
+const ASSOCIATED: u16 = 1;
 const UNASSOCIATED: u16 = 2;
+const BITS_PER_SAMPLE: u16 = 258;
+const SAMPLES_PER_PIXEL: u16 = 277;
+/// The number that follows the byte order in the head of a file.
+const MAGIC: u16 = 42;
 
 /// Decodes the pixels of a file.
 pub(super) fn content(bytes: &[u8]) -> Result<Content, Fault> {
@@ -23,7 +29,7 @@ pub(super) fn content(bytes: &[u8]) -> Result<Content, Fault> {
     if let Some(directory) = directory.filter(Directory::has_palette) {
         let (Some(palette), DynamicImage::ImageLuma8(indices)) = (directory.palette(), image)
         else {
-            return Err("its palette does not have 256 colours".to_owned());
+            return Err("its palette is not one of 8 bits".to_owned());
         };
         return Ok(Content::Indexed {
             width: indices.width() as usize,
@@ -33,30 +39,36 @@ pub(super) fn content(bytes: &[u8]) -> Result<Content, Fault> {
         });
     }
     let extra = directory.and_then(|directory| directory.short(EXTRA_SAMPLES, 0));
-    if extra == Some(UNASSOCIATED) {
-        match &mut image {
-            DynamicImage::ImageLumaA8(it) => it.pixels_mut().for_each(|it| multiply(&mut it.0)),
-            DynamicImage::ImageRgba8(it) => it.pixels_mut().for_each(|it| multiply(&mut it.0)),
-            _ => {}
-        }
+    if extra == Some(UNASSOCIATED)
+        && let DynamicImage::ImageRgba8(image) = &mut image
+    {
+        image.pixels_mut().for_each(|pixel| multiply(&mut pixel.0));
     }
     Ok(Content::Colors(image))
 }
 
-/// The file in a form that the `image` crate decodes: indices as grey.
+/// The file in a form that the `image` crate decodes: indices as grey, and a fourth sample of no kind as alpha.
 pub(super) fn decodable(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let directory = Directory::of(bytes).filter(Directory::has_palette);
-    let Some((directory, at)) = directory.and_then(|it| Some((it, it.entry(PHOTOMETRIC)? + 8)))
-    else {
+    let Some(directory) = Directory::of(bytes) else {
         return Cow::Borrowed(bytes);
     };
-    let mut file = bytes.to_vec();
-    let grey = match directory.is_little {
-        true => GREY.to_le_bytes(),
-        false => GREY.to_be_bytes(),
-    };
-    file[at..at + 2].copy_from_slice(&grey);
-    Cow::Owned(file)
+    let is_unspecified = directory.short(EXTRA_SAMPLES, 0) == Some(UNSPECIFIED)
+        && directory.short(SAMPLES_PER_PIXEL, 0) == Some(4);
+    let kinds = [
+        (PHOTOMETRIC, GREY, directory.has_palette()),
+        (EXTRA_SAMPLES, ASSOCIATED, is_unspecified),
+    ];
+    let mut file = Cow::Borrowed(bytes);
+    for (tag, kind, _) in kinds.into_iter().filter(|kind| kind.2) {
+        if let Some(value) = directory.values(tag) {
+            let kind = match directory.is_little {
+                true => kind.to_le_bytes(),
+                false => kind.to_be_bytes(),
+            };
+            file.to_mut()[value..value + 2].copy_from_slice(&kind);
+        }
+    }
+    file
 }
 
 /// The samples in 8 bits; the high bytes of grey, and the nearest values of colours.
@@ -67,7 +79,6 @@ fn bytes_of(image: DynamicImage) -> DynamicImage {
                 .for_each(|sample| *sample = (*sample >> 8) * 257);
             DynamicImage::ImageLuma16(it).into_luma8().into()
         }
-        DynamicImage::ImageLumaA16(_) => image.into_luma_alpha8().into(),
         DynamicImage::ImageRgb16(_) => image.into_rgb8().into(),
         DynamicImage::ImageRgba16(_) => image.into_rgba8().into(),
         image => image,
@@ -100,7 +111,8 @@ impl<'a> Directory<'a> {
             is_little,
             at: 0,
         };
-        let at = file.long_at(4)?;
+        let is_classic = file.short_at(2)? == MAGIC;
+        let at = file.long_at(4).filter(|_| is_classic)?;
         Some(Directory { at, ..file })
     }
 
@@ -128,15 +140,20 @@ impl<'a> Directory<'a> {
         entries.find(|&at| self.short_at(at) == Some(tag))
     }
 
+    /// The first byte of the values of a tag of short numbers.
+    fn values(&self, tag: u16) -> Option<usize> {
+        let entry = self.entry(tag)?;
+        match self.long_at(entry + 4)? {
+            0..=2 => Some(entry + 8),
+            _ => self.long_at(entry + 8),
+        }
+    }
+
     /// A value of a tag of short numbers.
     fn short(&self, tag: u16, index: usize) -> Option<u16> {
-        let entry = self.entry(tag)?;
-        let count = self.long_at(entry + 4)?;
-        let values = match count {
-            0..=2 => entry + 8,
-            _ => self.long_at(entry + 8)?,
-        };
-        (index < count).then(|| self.short_at(values.checked_add(2 * index)?))?
+        let count = self.long_at(self.entry(tag)? + 4)?;
+        let at = self.values(tag)?.checked_add(2 * index)?;
+        (index < count).then(|| self.short_at(at))?
     }
 
     /// True if the samples are indices into a palette.
@@ -146,6 +163,7 @@ impl<'a> Directory<'a> {
 
     /// The palette of indices of 8 bits.
     fn palette(&self) -> Option<Vec<[u16; 4]>> {
+        (self.short(BITS_PER_SAMPLE, 0)? == 8).then_some(())?;
         let levels = (0..3 * 256).map(|index| self.short(COLOR_MAP, index));
         let levels: Vec<u16> = levels.collect::<Option<_>>()?;
         // Some programs write bytes.

@@ -12,7 +12,7 @@ const WRAP: f64 = 1.00001;
 /// Repeats and shapes the value of a pattern. The numbers are single precision, as in POV-Ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// `frequency`: periods per unit of the value; 0 leaves a positive value unchanged.
+    /// `frequency`: periods per unit of the value; 0 leaves a value of 0 or more unchanged.
     pub frequency: f32,
     /// `phase`: the position in the period at the value 0.
     pub phase: f32,
@@ -36,7 +36,7 @@ pub enum Shape {
     Cubic,
     /// `poly_wave`: the power with this exponent.
     Poly(f32),
-    /// As [`Shape::Ramp`], of patterns that have none by default: without a frequency negative values stay as well.
+    /// No wave by default: as [`Shape::Ramp`], but without a frequency negative values stay too.
     Unchanged,
 }
 

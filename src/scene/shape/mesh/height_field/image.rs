@@ -405,7 +405,7 @@ fn other(format: Format, bytes: &[u8], samples: Samples) -> Result<Heights, Faul
     };
     let height = |[r, g, b]: [f32; 3]| match (format, bytes.get(1)) {
         (Format::Ppm, Some(b'2' | b'5')) => samples.share(r),
-        (Format::Ppm, _) if bitmap::pnm_maximum(bytes).is_some_and(|most| most > 255) => {
+        (Format::Ppm, _) if bitmap::pnm_divisor(bytes).is_some_and(|most| most > 255) => {
             samples.deep_float([r, g, b])
         }
         _ => samples.float_color([r, g, b]),
