@@ -34,6 +34,8 @@ WATCH = """() => {
     .observe(canvas, { attributes: true, attributeFilter: ['data-pictures'] });
 }"""
 ORBIT = 3.0
+#: Seconds between a picture and the next save.
+REST = 0.5
 
 
 #: The statements of the scene `pigment` before its spheres.
@@ -99,6 +101,8 @@ def saved(page, scene, times, change):
     """Median times from a file that is saved to the first picture and to the final one."""
     first, last = [], []
     for number in range(times):
+        # The work that follows a picture is done.
+        time.sleep(REST)
         page.evaluate("shown.length = 0")
         text = scene.read_text(encoding="latin-1")
         draft = scene.with_suffix(".draft")
