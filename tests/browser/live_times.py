@@ -29,8 +29,11 @@ LIMIT = 300_000
 #: Notes the time of each picture that the page shows, and if it is the final one.
 WATCH = """() => {
   window.shown = [];
+  let told = null;
+  // Without polling, which would take time from the renderer.
+  window.finalAfter = start => new Promise(done => { told = () => shown.some(([at, isFinal]) => isFinal && at > start) && done(); told(); });
   const canvas = document.querySelector('canvas');
-  new MutationObserver(() => shown.push([Date.now(), canvas.dataset.final === 'true']))
+  new MutationObserver(() => { shown.push([Date.now(), canvas.dataset.final === 'true']); told?.(); })
     .observe(canvas, { attributes: true, attributeFilter: ['data-pictures'] });
 }"""
 ORBIT = 3.0
@@ -109,7 +112,7 @@ def saved(page, scene, times, change):
         draft.write_text(change(text, number), encoding="latin-1")
         start = 1000 * time.time()
         draft.replace(scene)
-        page.wait_for_function("() => shown.length && shown.at(-1)[1]", timeout=LIMIT)
+        page.evaluate("start => finalAfter(start)", start)
         shown = page.evaluate("shown")
         first.append(shown[0][0] - start)
         last.append(next(at for at, is_final in shown if is_final) - start)
@@ -131,16 +134,19 @@ def orbited(page):
     rest = 1000 * time.time()
     page.mouse.up()
     count = page.evaluate("shown.length")
-    page.wait_for_function("rest => shown.some(([at, isFinal]) => isFinal && at > rest)", arg=rest, timeout=LIMIT)
+    page.evaluate("rest => finalAfter(rest)", rest)
     shown = page.evaluate("shown")
     return count / ORBIT, next(at for at, is_final in shown if is_final and at > rest) - rest
 
 
 def measured(browser, povr, source, times):
     with tempfile.TemporaryDirectory() as folder:
-        # All files beside the scene may belong to it.
-        here = pathlib.Path(folder) / "scenes"
+        # All files beside the scene may belong to it, and those of a folder of includes beside its own.
+        here = pathlib.Path(folder) / source.parent.name
         shutil.copytree(source.parent, here)
+        includes = source.parent.parent / "include"
+        if includes.is_dir():
+            shutil.copytree(includes, here.parent / "include")
         scene = here / source.name
         by_command = alone(povr, scene)
         process = subprocess.Popen([povr, "live", scene.name, *SIZE], cwd=here, stderr=subprocess.PIPE, text=True)

@@ -410,6 +410,7 @@ impl Run<'_> {
             timeout: self.batch.timeout,
             max_memory: self.batch.memory,
             is_sandboxed: self.batch.is_sandboxed,
+            is_background: false,
             live: None,
         };
         if other_work == OtherWork::Others {

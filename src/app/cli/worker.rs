@@ -37,6 +37,10 @@ pub(super) fn run() -> ExitCode {
         ));
         return ExitCode::FAILURE;
     };
+    // Threads that are started later have the same priority.
+    if first.is_background {
+        give_way();
+    }
     let replies = Arc::new(Replies::new());
     // Before any thread is started, so that the sandbox holds for all.
     if first.is_sandboxed {
@@ -72,6 +76,16 @@ fn ignore_interrupts() {
         use signal_hook::{consts::SIGINT, flag};
         // If no handler can be installed, the default remains.
         let _ = flag::register(SIGINT, Arc::default());
+    }
+}
+
+/// Gives this process the lowest priority.
+fn give_way() {
+    #[cfg(unix)]
+    {
+        const LOWEST: i32 = 19;
+        // Where the system refuses, it has the priority of the others.
+        let _ = rustix::process::nice(LOWEST);
     }
 }
 

@@ -57,6 +57,8 @@ pub(crate) struct Draw {
     pub(crate) max_memory: Option<u64>,
     /// True if the worker enters a sandbox first. It draws no other scene then.
     pub(crate) is_sandboxed: bool,
+    /// True if the worker gives way to other processes from its first picture on, where the system can do that.
+    pub(crate) is_background: bool,
     /// For a scene that stays compiled from one picture to the next.
     pub(crate) live: Option<Live>,
 }

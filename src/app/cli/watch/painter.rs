@@ -152,7 +152,9 @@ impl Painter {
             }
             let start = Instant::now();
             let draw = self.order(pass, order);
-            let drawn = self.drawn(draw, (drawing, is_preview), order, &listen);
+            // Of previews the first is finished when other wishes come.
+            let is_kept = is_preview && !has_better;
+            let drawn = self.drawn(draw, (drawing, is_kept), order, &listen);
             let seconds = start.elapsed().as_secs_f64();
             self.reporter.take_counts();
             if drawn.is_err() && drawing.is_cancelled() {
@@ -346,6 +348,7 @@ impl Painter {
             timeout: self.settings.timeout,
             max_memory: self.settings.max_memory,
             is_sandboxed: self.settings.is_sandboxed,
+            is_background: false,
             live: Some(Live {
                 number: order.number,
                 // Once it is known which worker draws.
@@ -402,14 +405,14 @@ impl Painter {
     fn drawn(
         &self,
         mut draw: Draw,
-        (drawing, is_preview): (&Drawing, bool),
+        (drawing, is_kept): (&Drawing, bool),
         order: &Order,
         listen: &dyn Fn(Event<'_>),
     ) -> Result<(Vec<Vec<u8>>, News), Lost> {
         let mut worker = lock(&self.worker);
         let worker = Worker::ready(&mut worker)
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
-        drawing.begin(Stop::Worker(worker.control()), is_preview)?;
+        drawing.begin(Stop::Worker(worker.control()), is_kept)?;
         let wished = &order.wished;
         if let Some(live) = &mut draw.live {
             let whole = order.text.as_ref().or(wished.source.text.as_ref());
@@ -540,10 +543,9 @@ pub(super) struct Drawing {
 struct Progress {
     /// Ends the current pass.
     pass: Option<Stop>,
-    /// True for a preview.
-    is_preview: bool,
-    /// True if the wishes have changed: a preview is finished, so that a camera in motion is seen, and the picture is not
-    /// begun.
+    /// True for the first preview, which is finished when the wishes change, so that a camera in motion is seen.
+    is_kept: bool,
+    /// True if the wishes have changed: nothing else is begun.
     is_superseded: bool,
     is_cancelled: bool,
 }
@@ -557,11 +559,11 @@ enum Stop {
 
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
-    fn begin(&self, stop: Stop, is_preview: bool) -> Result<(), Lost> {
+    fn begin(&self, stop: Stop, is_kept: bool) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
         progress.pass = Some(stop);
-        progress.is_preview = is_preview;
-        progress.is_cancelled |= progress.is_superseded && !is_preview;
+        progress.is_kept = is_kept;
+        progress.is_cancelled |= progress.is_superseded && !is_kept;
         match progress.is_cancelled {
             false => Ok(()),
             true => Err(Lost::Failed(None)),
@@ -570,13 +572,13 @@ impl Drawing {
 
     /// Ends the drawing, as other wishes have come, after a preview that is in progress.
     pub(super) fn supersede(&self) {
-        let is_preview = {
+        let is_kept = {
             let mut progress = lock(&self.progress);
             progress.is_superseded = true;
             self.superseded.notify_all();
-            progress.pass.is_none() || progress.is_preview
+            progress.pass.is_none() || progress.is_kept
         };
-        if !is_preview {
+        if !is_kept {
             self.cancel();
         }
     }

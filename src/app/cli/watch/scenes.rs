@@ -253,6 +253,8 @@ fn thumbnail(
         timeout: Some(PATIENCE),
         max_memory: settings.max_memory,
         is_sandboxed: settings.is_sandboxed,
+        // A picture may be begun before the thumbnail ends.
+        is_background: true,
         live: scene.built_in.map(|text| Live {
             number: 0,
             text: LiveText::Whole(text.to_owned()),

@@ -4,6 +4,8 @@ use super::source::Control;
 use super::wishes::{Overlay, Wished, Wishes};
 use crate::app::worker::{MapReport, Patch, Picked};
 use crate::base::sync::lock;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use hyper::body::Bytes;
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -15,6 +17,8 @@ use tokio::sync::watch;
 const HISTORY: (usize, usize) = (24, 64 << 20);
 /// The most bytes of the statistics of a picture: they are a part of each event.
 const LONGEST_STATISTICS: usize = 1 << 14;
+/// The most bytes of a preview that is a part of its event.
+const LONGEST_PREVIEW: usize = 1 << 16;
 
 /// A picture on display.
 #[derive(Clone, Debug)]
@@ -61,6 +65,8 @@ struct State {
     /// Incremented by every change.
     number: u64,
     picture: Option<Picture>,
+    /// The picture as a PNG file in base64, if it is a small preview.
+    preview: Option<String>,
     /// The number of the picture.
     pictures: u64,
     /// The last number of a picture; larger than the other one while a patch is there.
@@ -110,6 +116,8 @@ struct Event<'a> {
     thumbnails: u64,
     /// The number of the picture.
     picture: u64,
+    /// The picture as a PNG file in base64, if it is a small preview: those of a camera in motion come with their events.
+    preview: Option<&'a str>,
     patch: Option<&'a PatchOf>,
     errors: &'a str,
     /// The warnings of the scene that the picture shows.
@@ -195,6 +203,8 @@ impl Shown {
                 state.remember(picture.png.clone());
             }
             let number = number.unwrap_or(state.last_number + 1);
+            let is_sent = picture.is_preview && picture.png.len() <= LONGEST_PREVIEW;
+            state.preview = is_sent.then(|| STANDARD.encode(&picture.png));
             state.picture = Some(picture);
             state.patch = None;
             state.is_overlaid = false;
@@ -335,6 +345,7 @@ impl State {
             scene: self.scene.as_deref(),
             thumbnails: self.thumbnails,
             picture: self.pictures,
+            preview: self.preview.as_deref(),
             patch: self.patch.as_ref(),
             errors: &self.errors,
             warnings: picture.map_or("", |picture| &picture.warnings),

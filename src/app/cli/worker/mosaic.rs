@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Least time from one picture in progress to the next, and its ratio to the time that one takes.
-const PAUSE: Duration = Duration::from_millis(150);
+const PAUSE: Duration = Duration::from_millis(250);
 const SHARE: u32 = 20;
 
 /// A picture in progress.

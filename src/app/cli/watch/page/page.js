@@ -1,6 +1,10 @@
 'use strict';
 // The page of a live scene. Everything that viewers change goes to the server, which sends the state to all of them.
 const $ = id => document.getElementById(id);
+/** Changes properties of a node that have other values: a new value, even an equal one, may cost a layout. */
+function set(node, properties) {
+  for (const [key, value] of Object.entries(properties)) if (node[key] !== value) node[key] = value;
+}
 const canvas = $('picture'), context = canvas.getContext('2d');
 /** The state of the last event. */
 let state = null;
@@ -78,16 +82,22 @@ async function bitmapOf(path) {
   const reply = await fetch(path);
   return reply.status === 200 ? createImageBitmap(await reply.blob()) : null;
 }
+/** The bitmap of a PNG file in base64. */
+function bitmapIn(png) {
+  const text = atob(png), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+}
 let loadedView = null;
 const UNITS = { rays: 'rays', time: 'µs', error: 'steps of 1/255' };
 const short = number => String(Number(number.toPrecision(3)));
 async function showView(now) {
-  $('view').value = now.overlay ?? '';
-  $('view').querySelector('[value=povray]').disabled = !now.has_povray;
+  set($('view'), { value: now.overlay ?? '' });
+  set($('view').querySelector('[value=povray]'), { disabled: !now.has_povray });
   const [number, view] = now.overlaid ?? [null, null];
-  for (const part of document.querySelectorAll('.divided')) part.hidden = now.overlay === null;
-  $('legend').hidden = now.overlay === null;
-  $('scale').hidden = !view?.scale;
+  for (const part of document.querySelectorAll('.divided')) set(part, { hidden: now.overlay === null });
+  set($('legend'), { hidden: now.overlay === null });
+  set($('scale'), { hidden: !view?.scale });
   if (view?.scale) {
     const { brightest, largest, mean } = view.scale;
     $('legend-text').textContent = `0 to ${short(brightest)} ${UNITS[view.kind]} a pixel, logarithmic; mean ${short(mean)}, largest `
@@ -132,13 +142,19 @@ async function load() {
 }
 /** Loads the current picture, or this one of the history. */
 async function loadPicture(wanted, of) {
-  const reply = await fetch(of === null ? 'picture.png?' + wanted.picture : 'history.png?' + of);
-  if (reply.status !== 200) return;
-  const bitmap = await createImageBitmap(await reply.blob());
+  let number = wanted.picture, bitmap;
+  if (of === null && wanted.preview !== null) {
+    bitmap = await bitmapIn(wanted.preview);
+  } else {
+    const reply = await fetch(of === null ? 'picture.png?' + wanted.picture : 'history.png?' + of);
+    if (reply.status !== 200) return;
+    bitmap = await createImageBitmap(await reply.blob());
+    // There may be a later one already.
+    number = Number(reply.headers.get('picture-number') ?? wanted.picture);
+  }
   // Another picture may be chosen by now.
   if (chosen !== of) return bitmap.close();
-  // There may be a later one already.
-  loaded = Number(reply.headers.get('picture-number') ?? wanted.picture);
+  loaded = number;
   isKnown = loaded === wanted.picture;
   if (canvas.width !== wanted.width || canvas.height !== wanted.height) {
     canvas.width = wanted.width;
@@ -154,8 +170,7 @@ async function loadPicture(wanted, of) {
 }
 /** Draws a patch over the picture that it belongs to. */
 async function loadPatch({ number, over, column, row, png }) {
-  const bytes = Uint8Array.from(atob(png), character => character.charCodeAt(0));
-  const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const bitmap = await bitmapIn(png);
   if (chosen !== null || loaded !== over) return bitmap.close();
   const to = base.getContext('2d');
   to.clearRect(column, row, bitmap.width, bitmap.height);
@@ -185,34 +200,37 @@ function show(now) {
   if (chosen !== null && !now.history.includes(chosen)) chosen = null;
   // The picture is decoded while the rest is shown.
   if (now.scene !== null) load();
-  $('errors').textContent = now.errors;
-  $('warnings').textContent = now.errors ? '' : now.warnings;
+  set($('errors'), { textContent: now.errors });
+  set($('warnings'), { textContent: now.errors ? '' : now.warnings });
   document.body.classList.toggle('wrong', now.errors !== '');
   document.body.classList.toggle('drawing', now.is_preview && now.errors === '');
-  $('state').textContent = status(now);
-  $('title').textContent = now.scene ?? 'povr';
-  document.title = now.scene === null ? 'povr' : `${now.scene} – povr`;
+  set($('state'), { textContent: status(now) });
+  set($('title'), { textContent: now.scene ?? 'povr' });
+  set(document, { title: now.scene === null ? 'povr' : `${now.scene} – povr` });
   document.querySelector('main').classList.toggle('gallery', now.scene === null);
   showScenes(before, now);
-  $('camera').textContent = now.camera ?? 'This camera cannot be moved by hand.';
-  $('copy').disabled = now.camera === null;
-  $('write-camera').disabled = $('reset-camera').disabled = !now.is_moved;
+  set($('camera'), { textContent: now.camera ?? 'This camera cannot be moved by hand.' });
+  set($('copy'), { disabled: now.camera === null });
+  for (const id of ['write-camera', 'reset-camera']) set($(id), { disabled: !now.is_moved });
   const isChanged = now.values.length > 0;
-  $('write-values').disabled = !isChanged;
-  $('reset-values').disabled = !isChanged && now.clock === null;
+  set($('write-values'), { disabled: !isChanged });
+  set($('reset-values'), { disabled: !isChanged && now.clock === null });
   const clock = now.clock ?? now.own_clock ?? 0;
   const [low, high] = now.clocks;
-  Object.assign($('clock'), { min: Math.min(low, high), max: Math.max(low, high), step: Math.abs(high - low) / 100 || 'any' });
-  if (document.activeElement !== $('clock')) $('clock').value = clock;
-  $('clock-value').textContent = clock.toFixed(2);
+  const ends = [Math.min(low, high), Math.max(low, high), Math.abs(high - low) / 100 || 'any'].map(String);
+  set($('clock'), { min: ends[0], max: ends[1], step: ends[2] });
+  if (document.activeElement !== $('clock')) set($('clock'), { value: String(clock) });
+  set($('clock-value'), { textContent: clock.toFixed(2) });
   showControls(now);
   showHistory(now);
   showPixel(now.picked);
   showPlan(now);
   showView(now);
   if (now.scene === null) return;
-  if (before === null || before.text !== now.text) loadSource();
-  else markNumbers();
+  if (before === null || before.text !== now.text) {
+    clearTimeout(sourceTimer);
+    sourceTimer = setTimeout(loadSource, before === null ? 0 : AFTER_PICTURE);
+  } else if (JSON.stringify(now.values) !== marked) markNumbers();
 }
 
 // Sliders.
@@ -251,8 +269,8 @@ function showControls(now) {
   }
   [...box.children].forEach((row, index) => {
     const input = row.querySelector('input'), text = value(now, now.controls[index]);
-    if (document.activeElement !== input) input.value = text;
-    row.querySelector('output').textContent = text;
+    if (document.activeElement !== input) set(input, { value: text });
+    set(row.querySelector('output'), { textContent: text });
   });
 }
 
@@ -260,6 +278,9 @@ function showControls(now) {
 const PARTS = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/g;
 /** The longest source that is shown, in bytes. */
 const LONGEST = 300000;
+/** Time from a new picture to its source in milliseconds: a long one takes longer than the picture. */
+const AFTER_PICTURE = 100;
+let sourceTimer = 0;
 async function loadSource() {
   const { text: number } = state;
   const box = $('source');
@@ -324,8 +345,11 @@ function numberIn(text, start, line, source) {
   });
   return span;
 }
+/** The values that the numbers show. */
+let marked = '';
 function markNumbers() {
   if (!state) return;
+  marked = JSON.stringify(state.values);
   const values = new Map(state.values.map(([start, text]) => [String(start), text]));
   for (const span of document.querySelectorAll('.number')) {
     const changed = values.get(span.dataset.start);
@@ -376,7 +400,7 @@ async function showScenes(before, now) {
     $('scenes').hidden = state.scene !== null && scenes.length < 2;
     if (state.thumbnails !== now.thumbnails) showScenes(null, state);
   }
-  for (const button of $('scenes').children) button.ariaCurrent = String(button.dataset.name === state.scene);
+  for (const button of $('scenes').children) set(button, { ariaCurrent: String(button.dataset.name === state.scene) });
 }
 function sceneButton({ name, thumbnail }) {
   const button = document.createElement('button');
@@ -450,7 +474,7 @@ function showHistory(now) {
     }));
     box.scrollLeft = box.scrollWidth;
   }
-  for (const button of box.children) button.ariaPressed = String(Number(button.dataset.number) === chosen);
+  for (const button of box.children) set(button, { ariaPressed: String(Number(button.dataset.number) === chosen) });
 }
 function choose(number) {
   chosen = number;
