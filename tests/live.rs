@@ -542,7 +542,10 @@ fn views_stand_beside_the_picture() {
             greens.sort_unstable();
             greens[112]
         };
-        assert!(kind == "error" || cost_from(73, 53) > cost_from(0, 0), "{kind}");
+        assert!(
+            kind == "error" || cost_from(73, 53) > cost_from(0, 0),
+            "{kind}"
+        );
     }
     live.changes(&json!({ "move": { "zoom": 1.5 } }));
     live.state(|state| state["overlaid"][1]["kind"] == "error" && state["is_moved"] == true);

@@ -5,6 +5,7 @@ pub mod accel;
 pub mod args;
 pub mod bitmap;
 pub mod color;
+pub(crate) mod derived;
 pub mod encoding;
 pub mod file;
 pub mod film;

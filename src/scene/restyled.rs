@@ -7,7 +7,7 @@ use crate::scene::shape::Sphere;
 use crate::scene::texture::Texture;
 use std::sync::Arc;
 
-/// With more such shapes than this, or more values to compare, comparing takes longer than it saves.
+/// With more such shapes than this, giving them their textures takes longer than it saves.
 const MOST: usize = 1 << 12;
 
 /// A shape in another texture. It is an object of the scene, or a part of unions.
@@ -28,16 +28,18 @@ pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
         return None;
     }
     let mut likeness = Likeness::default();
-    let mut all = Vec::new();
+    let (mut all, mut made) = (Vec::new(), Vec::new());
     let mut compare = |index: usize, old: &Entry, new: &Entry| {
         let is_same = is_same(old, new, &mut likeness);
-        if all.len() > MOST || likeness.count() > MOST {
+        if all.len() > MOST {
             return false;
         }
         if is_same {
             return true;
         }
         let [old, new] = [old, new].map(|entry| entry.clone().into_object());
+        // Results of comparisons are found by addresses.
+        made.extend([Arc::clone(&old), Arc::clone(&new)]);
         let shapes = new.size().leaves;
         let Some(parts) = restyled_parts(&old, &new, 0, &mut likeness) else {
             return false;
@@ -160,22 +162,26 @@ fn restyled_parts(
         }
         let (mut all, mut before) = (Vec::new(), before);
         for (old_part, new_part) in old_parts.iter().zip(&**new_parts) {
-            for (before, part) in restyled_parts(old_part, new_part, before, likeness)? {
+            let parts = match same_objects(old_part, new_part, likeness) {
+                true => Vec::new(),
+                false => restyled_parts(old_part, new_part, before, likeness)?,
+            };
+            for (before, part) in parts {
                 let mut around = (**new).clone();
                 around.kind = union_of(vec![part]);
                 all.push((before, Arc::new(around)));
             }
             before = before.saturating_add(new_part.size().leaves);
-            if all.len() > MOST || likeness.count() > MOST {
+            if all.len() > MOST {
                 return None;
             }
         }
         return Some(all);
     }
     let (Kind::Shape(old_shape), Kind::Shape(new_shape)) = (&old.kind, &new.kind) else {
-        return likeness.alike(old, new).then(Vec::new);
+        return same_objects(old, new, likeness).then(Vec::new);
     };
-    let is_same_shape = Arc::ptr_eq(old_shape, new_shape) || likeness.alike(old_shape, new_shape);
+    let is_same_shape = likeness.same(old_shape, new_shape);
     let [mut old_rest, mut new_rest] = [old, new].map(without_kind);
     let textures = [&mut old_rest, &mut new_rest].map(|rest| rest.texture.take());
     if !is_same_shape || !likeness.alike(&old_rest, &new_rest) {
@@ -186,6 +192,32 @@ fn restyled_parts(
     }
     let mut textures = textures.iter().map(Option::as_ref);
     (!textures.any(has_interior)).then(|| vec![(before, Arc::clone(new))])
+}
+
+/// True if two objects are alike. Parts that several of them share are compared once.
+fn same_objects(old: &Arc<Object>, new: &Arc<Object>, likeness: &mut Likeness) -> bool {
+    likeness.known_or(old, new, |likeness| {
+        let is_same_kind = match (&old.kind, &new.kind) {
+            (Kind::Shape(old), Kind::Shape(new)) => likeness.same(old, new),
+            (
+                Kind::Csg {
+                    operation,
+                    children,
+                },
+                Kind::Csg {
+                    operation: other,
+                    children: others,
+                },
+            ) => {
+                let mut pairs = children.iter().zip(&**others);
+                operation == other
+                    && children.len() == others.len()
+                    && pairs.all(|(old, new)| same_objects(old, new, likeness))
+            }
+            _ => return likeness.alike(old, new),
+        };
+        is_same_kind && likeness.alike(&without_kind(old), &without_kind(new))
+    })
 }
 
 /// True if the finish of a texture makes an interior.

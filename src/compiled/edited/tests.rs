@@ -124,6 +124,27 @@ fn another_pigment_keeps_the_world_and_most_tiles() {
 }
 
 #[test]
+fn a_comment_keeps_scenes_of_large_and_shared_shapes() {
+    let mut text = HEAD.to_owned() + "#declare Blob = blob { threshold 0.5\n";
+    for at in 0..3000 {
+        let (x, z) = (f64::from(at % 60) / 10.0, f64::from(at / 60) / 10.0);
+        writeln!(text, "  sphere {{ <{x} - 3, 0.1, {z}>, 0.2, 1 }}").unwrap();
+    }
+    text += "}\n#declare Two = difference { object { Blob } box { 0, 2 } }\n";
+    for at in 0..100 {
+        let of = ["Blob scale 0.1", "Two scale 0.2"][at % 2];
+        writeln!(text, "object {{ {of} translate <{}, 0.5, 2> }}", at / 10).unwrap();
+    }
+    text += "mesh { #for (I, 0, 4000) triangle { <I/400, 0, 0>, <I/400, 1, 0>, <I/400 + 1/400, 1, 0> } #end }\n";
+    text += "light_source { <9, 9, -9>, 0.5 area_light x, y, 3, 3 adaptive 0 }\n";
+    text += "height_field { function 9, 9 { x } smooth pigment { object { box { -1, 1 } } } translate <2, -1, 3> }\n";
+    let new = replaced(&text, 0, "mesh", "// a mesh\nmesh");
+    assert_eq!(reused_tiles(&text, &new, &render()), Some(TILES));
+    let other = replaced(&text, 0, "1/400, 1, 0", "1/400, 1.5, 0");
+    assert_eq!(reused_tiles(&text, &other, &render()), None);
+}
+
+#[test]
 fn textures_alone_may_change_to_keep_the_world() {
     let old = spheres(600);
     let check = |number: usize, from: &str, to: &str| {

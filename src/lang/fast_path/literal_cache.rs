@@ -6,7 +6,7 @@
 
 use super::known::{Known, KnownValue, NotedValues};
 use crate::base::source::{FileId, TextChange};
-use crate::scene::likeness::{Likeness, alike};
+use crate::scene::likeness::alike;
 use crate::scene::texture::{Finish, Layer, Material, Pigment, Texture};
 use crate::scene::{Object, SharedEntries};
 use rustc_hash::FxHashMap;
@@ -207,10 +207,9 @@ impl Context {
         texture: &Arc<Texture>,
         known: Known<'_>,
     ) -> bool {
-        let mut likeness = Likeness::default();
         self.version.to_bits() == version.to_bits()
             && alike(&self.layer, layer)
-            && likeness.same(&self.texture, texture)
+            && (Arc::ptr_eq(&self.texture, texture) || alike(&self.texture, texture))
             && self
                 .known
                 .iter()

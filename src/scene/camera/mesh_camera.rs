@@ -7,11 +7,12 @@
 use super::{Frame, Start};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word};
+use crate::base::derived::Derived;
 use crate::base::math::{Bounds, Transform};
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::shape::MeshInstance;
 use glam::{DVec2, DVec3};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Largest accepted number of rays per pixel.
 const MAX_RAYS: f64 = 65536.0;
@@ -48,7 +49,7 @@ pub(super) struct MeshCamera {
     offset: f64,
     is_reversed: bool,
     /// BVH over the triangles of the first mesh in texture space, built on first use.
-    uv_bvh: Arc<OnceLock<Bvh>>,
+    uv_bvh: Arc<Derived<Bvh>>,
 }
 
 /// Meshes are compared by identity.

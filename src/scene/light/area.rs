@@ -6,9 +6,9 @@
 
 use super::part::initial_grid_lights;
 use crate::base::args::{Args, Parse, Word};
+use crate::base::derived::Derived;
 use crate::base::source::{Diagnostic, Span};
 use glam::{DAffine3, DVec3};
-use std::sync::OnceLock;
 
 /// The default of `adaptive`: subdivides any grid completely.
 const FULL_SUBDIVISION: u32 = 100;
@@ -39,7 +39,7 @@ pub struct Area {
     /// Span of `circular` or `orient`.
     at_circular: Option<Span>,
     /// Cache for [`Area::initial_grid_lights`].
-    initial: OnceLock<Vec<[u32; 2]>>,
+    initial: Derived<Vec<[u32; 2]>>,
 }
 
 /// The two edge vectors of a grid.
@@ -65,7 +65,7 @@ impl Area {
             is_oriented: false,
             has_area_illumination: false,
             at_circular: None,
-            initial: OnceLock::new(),
+            initial: Derived::default(),
         }
     }
 

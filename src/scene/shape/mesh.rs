@@ -17,6 +17,7 @@ use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word, declared};
+use crate::base::derived::Derived;
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::watertight::{
@@ -71,7 +72,7 @@ pub(super) struct Triangles {
     pub(super) planes: OnceLock<Vec<FacePlane>>,
     pub(super) bounds: Bounds,
     /// BVH over the triangles, built in [`Geometry::prepare`]: a mesh that is never traced needs none.
-    pub(super) tree: OnceLock<Bvh>,
+    pub(super) tree: Derived<Bvh>,
 }
 
 /// Entry of [`Triangles::smooth`]: the triangle is shaded with the normal of its plane.

@@ -2,12 +2,13 @@
 
 use crate::base::args::{Args, Parse};
 use crate::base::color::{Color, Rgb};
+use crate::base::derived::Derived;
 use crate::scene::pattern::{
     Pattern, PatternEval, PrepareContext, Solid, Stop, SurfacePoint, Wave,
 };
 use glam::DVec3;
 use std::any::Any;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The default colours, as in POV-Ray.
 const COLORS: [Stop; 2] = [
@@ -19,7 +20,7 @@ const COLORS: [Stop; 2] = [
 struct ObjectPattern {
     object: Arc<dyn Any + Send + Sync>,
     /// The object prepared for inside tests, once for all copies of the pattern.
-    solid: Arc<OnceLock<Option<Arc<dyn Solid>>>>,
+    solid: Arc<Derived<Option<Arc<dyn Solid>>>>,
 }
 
 #[derive(Debug)]

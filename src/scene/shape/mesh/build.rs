@@ -3,6 +3,7 @@
 use super::attributes::{NO_TRIPLE, TexturesOf, TriangleAttributes, UvOf, retain};
 use super::planes::FacePlane;
 use super::{FLAT, Inside, Triangles};
+use crate::base::derived::Derived;
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, rounding};
 use crate::scene::shape::Triangle;
@@ -234,7 +235,7 @@ impl MeshBuilder {
                 false => OnceLock::new(),
             },
             bounds: Bounds::EMPTY,
-            tree: OnceLock::new(),
+            tree: Derived::default(),
         }
         .bounded()
     }

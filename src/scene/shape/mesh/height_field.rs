@@ -20,13 +20,14 @@ mod walk;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::bitmap;
 use crate::base::color::Gamma;
+use crate::base::derived::Derived;
 use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::{Geometry, Root, Rounded, Start, Steps, read};
 use glam::{DAffine3, DVec3, Vec3};
 use image::{Decoder, Kind, Samples};
 pub(in crate::scene::shape) use rounded::RoundedField;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Height steps per unit.
 const HEIGHT: f64 = 65536.0;
@@ -69,16 +70,9 @@ struct Field {
     normals: Normals,
 }
 
-/// Normals at the pixels of a smooth field, block by block, computed on first use.
-#[derive(Clone, Debug)]
-struct Normals(Vec<OnceLock<Box<[Vec3]>>>);
-
-impl PartialEq for Normals {
-    /// They follow from the heights.
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
-}
+/// Normals at the pixels of a smooth field, block by block.
+#[derive(Clone, Debug, PartialEq)]
+struct Normals(Vec<Derived<Box<[Vec3]>>>);
 
 impl HeightField {
     /// Reads the image and the keywords of the height field.
@@ -251,7 +245,7 @@ impl Field {
             }
         }
         if is_smooth && field.heights.len() <= MAX_CACHED_NORMALS {
-            let uncached = field.block_ranges.iter().map(|_| OnceLock::new());
+            let uncached = field.block_ranges.iter().map(|_| Derived::default());
             field.normals = Normals(uncached.collect());
         }
         field

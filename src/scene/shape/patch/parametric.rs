@@ -16,6 +16,7 @@
 
 use super::parametric_patch::{Cells, Grid, Patch, Ranges};
 use crate::base::args::{Args, Parse, Word};
+use crate::base::derived::Derived;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::function::{self, Function};
@@ -23,7 +24,7 @@ use crate::scene::shape::container::Container;
 use crate::scene::shape::{Crossing, Geometry, Root, Start, read};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Minimum distance of a hit from the start of a ray and from the border of the container, in units of `accuracy`.
 const MIN_DISTANCE: f64 = 4.0;
@@ -56,7 +57,7 @@ struct Surface {
     unit: f64,
     gradient: f64,
     precomputed: [Option<Precomputed>; 3],
-    grid: OnceLock<Grid>,
+    grid: Derived<Grid>,
 }
 
 /// `precompute` of a coordinate, with the `accuracy` and `max_gradient` that stand before it.
@@ -120,7 +121,7 @@ impl Parametric {
             unit: 1.0,
             gradient: MAX_GRADIENT,
             precomputed: [None; 3],
-            grid: OnceLock::new(),
+            grid: Derived::default(),
         };
         loop {
             if args.accept(Word::ContainedBy)? {
@@ -521,7 +522,7 @@ mod tests {
             unit: 1.0,
             gradient: 1.0,
             precomputed: [None; 3],
-            grid: OnceLock::new(),
+            grid: Derived::default(),
         }))
     }
 
