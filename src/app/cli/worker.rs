@@ -39,7 +39,7 @@ pub(super) fn run() -> ExitCode {
     };
     // Threads that are started later have the same priority.
     if first.is_background {
-        give_way();
+        lower_priority();
     }
     let replies = Arc::new(Replies::new());
     // Before any thread is started, so that the sandbox holds for all.
@@ -80,7 +80,7 @@ fn ignore_interrupts() {
 }
 
 /// Gives this process the lowest priority.
-fn give_way() {
+fn lower_priority() {
     #[cfg(unix)]
     {
         const LOWEST: i32 = 19;

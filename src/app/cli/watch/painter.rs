@@ -153,8 +153,8 @@ impl Painter {
             let start = Instant::now();
             let draw = self.order(pass, order);
             // Of previews the first is finished when other wishes come.
-            let is_kept = is_preview && !has_better;
-            let drawn = self.drawn(draw, (drawing, is_kept), order, &listen);
+            let finishes = is_preview && !has_better;
+            let drawn = self.drawn(draw, (drawing, finishes), order, &listen);
             let seconds = start.elapsed().as_secs_f64();
             self.reporter.take_counts();
             if drawn.is_err() && drawing.is_cancelled() {
@@ -405,14 +405,14 @@ impl Painter {
     fn drawn(
         &self,
         mut draw: Draw,
-        (drawing, is_kept): (&Drawing, bool),
+        (drawing, finishes): (&Drawing, bool),
         order: &Order,
         listen: &dyn Fn(Event<'_>),
     ) -> Result<(Vec<Vec<u8>>, News), Lost> {
         let mut worker = lock(&self.worker);
         let worker = Worker::ready(&mut worker)
             .map_err(|error| Lost::Failed(Some(format!("no process to draw in: {error}"))))?;
-        drawing.begin(Stop::Worker(worker.control()), is_kept)?;
+        drawing.begin(Stop::Worker(worker.control()), finishes)?;
         let wished = &order.wished;
         if let Some(live) = &mut draw.live {
             let whole = order.text.as_ref().or(wished.source.text.as_ref());
@@ -544,7 +544,7 @@ struct Progress {
     /// Ends the current pass.
     pass: Option<Stop>,
     /// True for the first preview, which is finished when the wishes change, so that a camera in motion is seen.
-    is_kept: bool,
+    finishes: bool,
     /// True if the wishes have changed: nothing else is begun.
     is_superseded: bool,
     is_cancelled: bool,
@@ -559,11 +559,11 @@ enum Stop {
 
 impl Drawing {
     /// Begins a pass; an error if the drawing is cancelled.
-    fn begin(&self, stop: Stop, is_kept: bool) -> Result<(), Lost> {
+    fn begin(&self, stop: Stop, finishes: bool) -> Result<(), Lost> {
         let mut progress = lock(&self.progress);
         progress.pass = Some(stop);
-        progress.is_kept = is_kept;
-        progress.is_cancelled |= progress.is_superseded && !is_kept;
+        progress.finishes = finishes;
+        progress.is_cancelled |= progress.is_superseded && !finishes;
         match progress.is_cancelled {
             false => Ok(()),
             true => Err(Lost::Failed(None)),
@@ -572,13 +572,13 @@ impl Drawing {
 
     /// Ends the drawing, as other wishes have come, after a preview that is in progress.
     pub(super) fn supersede(&self) {
-        let is_kept = {
+        let finishes = {
             let mut progress = lock(&self.progress);
             progress.is_superseded = true;
             self.superseded.notify_all();
-            progress.pass.is_none() || progress.is_kept
+            progress.pass.is_none() || progress.finishes
         };
-        if !is_kept {
+        if !finishes {
             self.cancel();
         }
     }
