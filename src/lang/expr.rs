@@ -273,7 +273,8 @@ impl Reader<'_> {
             let token = self.peek()?;
             match (token.kind, char::from_u32(token.value)) {
                 (Kind::Mark, Some('-')) if nots == 0 => is_negative = !is_negative,
-                (Kind::Mark, Some('+')) => {}
+                // Behind `!` only zero or not counts, whatever the sign.
+                (Kind::Mark, Some('+' | '-')) => {}
                 (Kind::Mark, Some('!')) => nots += 1,
                 _ => break,
             }

@@ -70,6 +70,7 @@ fn signs_and_nots() {
         "expressions/signs_and_nots",
         &[
             r#"#declare A=!<1,0,2>; #debug concat("= ",vstr(3,A,",",0,1),"\n") #declare B=!!3; #declare D=-!0; #debug concat("= ",str(B,0,0),str(D,0,0),"\n") "#,
+            r#"#declare A=!-4; #declare B=-!-0; #debug concat("= ",str(A,0,0),str(B,0,0)," ",vstr(3,!-<0,2,0>,",",0,0),"\n") "#,
         ],
     );
 }
