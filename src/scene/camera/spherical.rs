@@ -1,6 +1,7 @@
 //! `spherical`: equirectangular projection, with longitude across and latitude upwards.
 
 use super::{Frame, Screen, Start};
+use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
 /// The default horizontal angle.
@@ -8,10 +9,17 @@ pub(super) const WIDTH: f64 = TAU;
 /// The vertical angle of a camera without `angle`.
 pub(super) const HEIGHT: f64 = PI;
 
+/// The direction turned about `right` by the latitude, then about `up` by the longitude, so that a mirrored `right`
+/// exchanges above and below (docs/povray-facts.md, 1.4).
 pub(super) fn start(frame: &Frame, screen: Screen, across: Option<f64>, vertical: f64) -> Start {
-    let (sin_a, cos_a) = (screen.u * across.unwrap_or(WIDTH)).sin_cos();
-    let (sin_b, cos_b) = (screen.v * vertical).sin_cos();
     let unit = frame.unit();
-    let dir = sin_a * cos_b * unit.right + sin_b * unit.up + cos_a * cos_b * unit.direction;
+    let raised = turned(unit.direction, unit.right, -(screen.v * vertical));
+    let dir = turned(raised, unit.up, screen.u * across.unwrap_or(WIDTH));
     (frame.location, dir)
+}
+
+/// `v` turned about the unit vector `axis`, by an angle in radians.
+fn turned(v: DVec3, axis: DVec3, angle: f64) -> DVec3 {
+    let (sin, cos) = angle.sin_cos();
+    cos * v + sin * axis.cross(v) + (1.0 - cos) * axis.dot(v) * axis
 }
