@@ -1,6 +1,7 @@
 //! `photons` blocks in lights and objects. They have no effect without `photons` in `global_settings`.
 
 use crate::base::args::{Args, Parse, Word};
+use crate::base::source::Diagnostic;
 
 /// The `photons` settings of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,7 +89,7 @@ impl PhotonRole {
             refraction: self.refraction.or(own.refraction),
             reflection: self.reflection.or(own.reflection),
             collects_none: self.collects_none || !own.collect,
-            passes_through: self.passes_through || own.passes_through(),
+            passes_through: self.passes_through || own.pass_through,
             target: self.target,
         }
     }
@@ -111,11 +112,6 @@ fn agree(one: Option<bool>, other: Option<bool>) -> bool {
 }
 
 impl ObjectPhotons {
-    /// True if photons pass straight through. For a target that refracts photons `pass_through` has no effect.
-    fn passes_through(&self) -> bool {
-        self.pass_through && !(self.target.is_some() && self.refraction == Some(true))
-    }
-
     /// Parses the block after `photons` in an object.
     ///
     /// # Errors
@@ -126,14 +122,17 @@ impl ObjectPhotons {
             if args.accept(Word::Target)? {
                 let spacing = args.float_or(1.0)?;
                 self.target = (spacing != 0.0).then_some(spacing);
+                self.decide_passing(self.refraction == Some(true), args);
             } else if args.accept(Word::Refraction)? {
                 self.refraction = Some(is_on_or_off(args)?);
+                self.decide_passing(self.refraction == Some(true), args);
             } else if args.accept(Word::Reflection)? {
                 self.reflection = Some(is_on_or_off(args)?);
             } else if args.accept(Word::Collect)? {
                 self.collect = is_on(args)?;
             } else if args.accept(Word::PassThrough)? {
                 self.pass_through = is_on(args)?;
+                self.decide_passing(false, args);
             } else {
                 return Err(args.expected(
                     "`target`, `refraction`, `reflection`, `collect`, `pass_through` or `}` in `photons`",
@@ -141,6 +140,25 @@ impl ObjectPhotons {
             }
         }
         Ok(())
+    }
+
+    /// Makes a target either refract photons or let them pass, in favour of the item that was just read
+    /// (docs/povray-facts.md, 12.1).
+    fn decide_passing(&mut self, refracts: bool, args: &mut dyn Args) {
+        if self.target.is_none() || !self.pass_through || self.refraction == Some(false) {
+            return;
+        }
+        let off = if refracts {
+            self.pass_through = false;
+            "pass_through"
+        } else {
+            self.refraction = Some(false);
+            "refraction"
+        };
+        args.warn(Diagnostic::warning(
+            args.last_span(),
+            format!("a target either refracts photons or lets them pass: `{off}` is turned off"),
+        ));
     }
 }
 
@@ -170,9 +188,29 @@ mod tests {
         assert_eq!(photons.target, Some(0.5));
         assert_eq!(
             (photons.refraction, photons.reflection),
-            (Some(true), Some(false))
+            (Some(false), Some(false))
         );
         assert!(!photons.collect && photons.pass_through);
+    }
+
+    #[test]
+    fn last_of_passing_and_refraction_counts_for_a_target() {
+        let refracts = (false, Some(true));
+        let passes = (true, Some(false));
+        for (text, expected) in [
+            ("{ target refraction on pass_through }", passes),
+            ("{ target pass_through }", passes),
+            ("{ target refraction on pass_through off }", refracts),
+            ("{ target pass_through refraction on }", refracts),
+            ("{ refraction on pass_through target }", refracts),
+            ("{ pass_through target }", passes),
+            ("{ refraction on pass_through }", (true, Some(true))),
+        ] {
+            let mut photons = ObjectPhotons::default();
+            photons.read(&mut TextArgs::new(text)).unwrap();
+            let result = (photons.pass_through, photons.refraction);
+            assert_eq!(result, expected, "{text}");
+        }
     }
 
     #[test]
