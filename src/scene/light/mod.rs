@@ -284,6 +284,10 @@ impl Light {
     #[must_use]
     #[inline]
     pub fn attenuation(&self, point: DVec3, arrival: &Arrival) -> f64 {
+        if arrival.distance < 0.0 && matches!(self.beam, Beam::Spotlight(_)) {
+            // Parallel light of a spotlight shines before it only, all other parallel light behind it as well.
+            return 0.0;
+        }
         self.beam_attenuation(point, arrival.to_light) * self.fade.attenuation(arrival.distance)
     }
 
