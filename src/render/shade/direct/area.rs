@@ -529,9 +529,14 @@ impl Tracer<'_> {
                         arriving: left,
                         has_highlights: side.is_in_front && !light.is_shadowless(),
                     };
-                    sum += self.add_contribution(&contribution, &lit.at, bsdf, scratch);
+                    sum += self.scattered_below_film(&contribution, &lit.at, bsdf, scratch);
                 }
             }
+        }
+        let irid = &bsdf.finish.irid;
+        if irid.amount > 0.0 {
+            // A film sees the light as if all of it came from the centre, as in POV-Ray.
+            sum *= self.film(irid, &lit.at, light.arrival(lit.at.point).to_light);
         }
         sum
     }

@@ -156,6 +156,24 @@ impl Tracer<'_> {
         bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
+        let sum = self.scattered_below_film(contribution, at, bsdf, scratch);
+        let irid = &bsdf.finish.irid;
+        if irid.amount > 0.0 {
+            sum * self.film(irid, at, contribution.to_light)
+        } else {
+            sum
+        }
+    }
+
+    /// The same without the factor of `irid`.
+    #[inline]
+    pub(in crate::render::shade) fn scattered_below_film(
+        &self,
+        contribution: &LightContribution,
+        at: &ViewPoint,
+        bsdf: &LayerBsdf,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let finish = bsdf.finish;
         let LightContribution {
             to_light,
@@ -183,9 +201,6 @@ impl Tracer<'_> {
                 let half_cosine = || half_cosine(at, to_light);
                 sum += highlight.tinted(finish, bsdf.rgb, arriving, cosine, half_cosine);
             }
-        }
-        if finish.irid.amount > 0.0 {
-            sum *= self.film(&finish.irid, at, to_light);
         }
         sum
     }
