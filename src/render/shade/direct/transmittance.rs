@@ -206,7 +206,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// The same for a light that is attenuated. Behind parallel light, where the length is negative, none is lost.
+    /// The same for a light that is attenuated. Behind parallel light, where the length is negative, none is lost, nor
+    /// is any of a light that is negative in all channels.
     #[inline(never)]
     fn attenuated(
         &self,
@@ -217,7 +218,7 @@ impl Tracer<'_> {
         inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
-        if length <= 0.0 {
+        if length <= 0.0 || arriving.r.max(arriving.g).max(arriving.b) <= 0.0 {
             return arriving;
         }
         let source = self.world.lights.get(light);
