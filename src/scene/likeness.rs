@@ -7,9 +7,9 @@ use rustc_hash::FxHashMap;
 use std::fmt::{self, Debug, Write};
 use std::sync::Arc;
 
-/// Longest text of a single value, in bytes.
+/// Longest text of a value that is compared alone, in bytes.
 const LONGEST: usize = 1 << 18;
-/// Length of all texts that are compared by one [`Likeness`], in bytes. That takes a tenth of a second or two.
+/// Length of all texts that are compared by one [`Likeness`], in bytes. That takes one or two tenths of a second.
 const BUDGET: usize = 1 << 24;
 
 /// The results of comparisons, by the addresses of values that stay.

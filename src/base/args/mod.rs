@@ -15,7 +15,22 @@ use crate::base::source::{Code, Diagnostic, Span};
 use crate::base::version::{Novelty, is_for_3_8};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
+use std::fmt::Debug;
 use std::sync::Arc;
+
+/// An object of a scene, for readers that do not know its type.
+pub trait AnyObject: Any + Debug {}
+
+impl<T: Any + Debug> AnyObject for T {}
+
+impl dyn AnyObject + Send + Sync {
+    /// The object itself, if it has this type.
+    #[must_use]
+    pub fn downcast<T: Any + Send + Sync>(self: Arc<Self>) -> Option<Arc<T>> {
+        let object: Arc<dyn Any + Send + Sync> = self;
+        object.downcast().ok()
+    }
+}
 
 /// Result of reading: a value, or the diagnostic that ended it.
 pub type Parse<T> = Result<T, Box<Diagnostic>>;
@@ -83,12 +98,12 @@ pub trait Args {
         Ok(None)
     }
     /// Reads an object. The value has the type of scene objects.
-    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         Err(self.expected("an object"))
     }
     /// Reads an object and the transforms that follow it, and applies them. An implementation that only holds the
     /// object's name may leave the transforms unread: nothing else reads them at this point.
-    fn transformed_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn transformed_object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         self.object_any()
     }
     /// Reads a mesh with its modifiers. The value has the type of mesh instances.

@@ -142,6 +142,8 @@ fn a_comment_keeps_scenes_of_large_and_shared_shapes() {
     assert_eq!(reused_tiles(&text, &new, &render()), Some(TILES));
     let other = replaced(&text, 0, "1/400, 1, 0", "1/400, 1.5, 0");
     assert_eq!(reused_tiles(&text, &other, &render()), None);
+    let other = replaced(&text, 0, "box { -1, 1 }", "sphere { 0, 1 }");
+    assert!(reused_tiles(&text, &other, &render()).is_some_and(|reused| reused < TILES));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! [`Args`] for [`Reader`]: how elements read their parameters.
 
-use crate::base::args::{Args, ColorOrSingle, Interner, Parse, SampledFunction, Word};
+use crate::base::args::{AnyObject, Args, ColorOrSingle, Interner, Parse, SampledFunction, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::math::Transform;
 use crate::base::source::{Diagnostic, Span};
@@ -112,7 +112,7 @@ impl Args for Reader<'_> {
         self.picture_of_function().map(Some)
     }
 
-    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         match self.object_or_name()? {
             Some(object) => {
                 self.check_probed(&object)?;
@@ -122,7 +122,7 @@ impl Args for Reader<'_> {
         }
     }
 
-    fn transformed_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn transformed_object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         let Some(object) = self.object_or_name()? else {
             return Err(self.expected_here("an object"));
         };
@@ -147,11 +147,8 @@ impl Args for Reader<'_> {
     }
 
     fn field_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
-        let object = self.transformed_object_any()?;
-        let Some(object) = object.downcast_ref::<Object>() else {
-            return Ok(object);
-        };
-        let field = ObjectField::new(object);
+        let object = self.transformed_object_any()?.downcast::<Object>();
+        let field = object.and_then(|object| ObjectField::new(&object));
         Ok(match field {
             Some(field) => Arc::new(Arc::new(field) as Arc<dyn Field>),
             None => Arc::new(()),

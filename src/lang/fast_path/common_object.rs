@@ -180,8 +180,8 @@ pub(crate) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Opti
         args.accept(word)?;
         args.open()?;
         return match args.object_any()?.downcast::<Object>() {
-            Ok(known) => modified((*known).clone(), args, default),
-            Err(_) => Ok(None),
+            Some(known) => modified((*known).clone(), args, default),
+            None => Ok(None),
         };
     }
     if word.class() != Class::Shape {

@@ -5,7 +5,7 @@
 //! up without a message, and the same text is read again as tokens, with the whole language.
 
 use super::known::{Known, KnownValue};
-use crate::base::args::{Args, Interner, Parse, Word};
+use crate::base::args::{AnyObject, Args, Interner, Parse, Word};
 use crate::base::color::Color;
 use crate::base::source::{Diagnostic, FileId, Span};
 use crate::lang::syntax::{Class, number, word_end};
@@ -475,7 +475,7 @@ impl Args for Literal<'_> {
         }
     }
 
-    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         if !is_letter(self.byte()) || self.reserved().is_some() {
             return give_up();
         }

@@ -77,13 +77,12 @@ pub use noise::crackle::nearest_feature;
 pub use prepared::PreparedPattern;
 pub use wave::{Shape, Wave};
 
-use crate::base::args::{Args, Parse, Word};
+use crate::base::args::{AnyObject, Args, Parse, Word};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::noise::{NoiseGenerator, Octaves};
 use crate::base::math::rounding::floor;
 use crate::base::word::Class;
 use glam::{DVec2, DVec3};
-use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -274,7 +273,7 @@ pub struct Settings {
 }
 
 /// Prepares an object, as [`Args`] reads it, for inside tests; `None` if the value is no object.
-pub type SolidOf = fn(&Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>>;
+pub type SolidOf = fn(&Arc<dyn AnyObject + Send + Sync>) -> Option<Arc<dyn Solid>>;
 
 /// An object with an inside test.
 pub trait Solid: Debug + Send + Sync {

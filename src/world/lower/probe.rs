@@ -1,5 +1,6 @@
 //! Ray and point queries on single objects while the scene is read: `trace`, `inside` and `object` patterns.
 
+use crate::base::args::AnyObject;
 use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
 use crate::base::options::{RenderOptions, TMinRule};
@@ -12,7 +13,6 @@ use crate::world::query::QueryScratch;
 use crate::world::ray::{Query, RayKind};
 use crate::world::surface::Surface;
 use glam::DVec3;
-use std::any::Any;
 use std::sync::Arc;
 
 /// Capacity of the cache of compiled objects: a scene queries a few objects repeatedly, or each new one once.
@@ -108,8 +108,8 @@ impl Solid for ProbedObject {
 }
 
 /// Compiles an object for point queries.
-pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
-    let object = Arc::clone(object).downcast::<Object>().ok()?;
+pub fn solid_of(object: &Arc<dyn AnyObject + Send + Sync>) -> Option<Arc<dyn Solid>> {
+    let object = Arc::clone(object).downcast::<Object>()?;
     let world = compiled_for_queries(&object, Normalization::default());
     Some(Arc::new(ProbedObject(world)))
 }

@@ -545,7 +545,7 @@ struct Progress {
     pass: Option<Stop>,
     /// True for the first preview, which is finished when the wishes change, so that a camera in motion is seen.
     finishes: bool,
-    /// True if the wishes have changed: nothing else is begun.
+    /// True if the wishes have changed: nothing but such a pass is begun.
     is_superseded: bool,
     is_cancelled: bool,
 }
@@ -570,7 +570,7 @@ impl Drawing {
         }
     }
 
-    /// Ends the drawing, as other wishes have come, after a preview that is in progress.
+    /// Ends the drawing, as other wishes have come, after a first preview that is in progress.
     pub(super) fn supersede(&self) {
         let finishes = {
             let mut progress = lock(&self.progress);

@@ -214,6 +214,10 @@ impl Scenes {
                 }
                 let settings = settings_of(&scene);
                 let png = settings.and_then(|settings| thumbnail(&mut worker, &scene, &settings));
+                if png.is_none() && shown.is_drawing() {
+                    // Other work came first; it is drawn for the next list.
+                    continue;
+                }
                 let mut thumbnails = lock(&self.thumbnails);
                 thumbnails.number += 1;
                 let png = png.map(|png| (thumbnails.number, png.into()));

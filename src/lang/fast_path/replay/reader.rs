@@ -6,7 +6,7 @@
 use super::cache::{Known, Level, ReplayCache};
 use super::recorded_sphere::color_of;
 use super::recording::RecordedSphere;
-use crate::base::args::{Args, Interner, Parse, Word};
+use crate::base::args::{AnyObject, Args, Interner, Parse, Word};
 use crate::base::color::{Color, Gamma};
 use crate::base::source::{Diagnostic, Span};
 use crate::lang::expr::streams::Streams;
@@ -284,7 +284,7 @@ impl Args for ReplayReader<'_> {
         give_up()
     }
 
-    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+    fn object_any(&mut self) -> Parse<Arc<dyn AnyObject + Send + Sync>> {
         let name = self.peek()?.symbol();
         match name.and_then(|name| self.scopes.get(name)) {
             Some(Value::Object(object)) => {

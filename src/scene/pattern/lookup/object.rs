@@ -1,13 +1,12 @@
 //! `object`: the first entry outside an object, the second inside.
 
-use crate::base::args::{Args, Parse};
+use crate::base::args::{AnyObject, Args, Parse};
 use crate::base::color::{Color, Rgb};
 use crate::base::derived::Derived;
 use crate::scene::pattern::{
     Pattern, PatternEval, PrepareContext, Solid, Stop, SurfacePoint, Wave,
 };
 use glam::DVec3;
-use std::any::Any;
 use std::sync::Arc;
 
 /// The default colours, as in POV-Ray.
@@ -18,7 +17,7 @@ const COLORS: [Stop; 2] = [
 
 #[derive(Clone, Debug)]
 struct ObjectPattern {
-    object: Arc<dyn Any + Send + Sync>,
+    object: Arc<dyn AnyObject + Send + Sync>,
     /// The object prepared for inside tests, once for all copies of the pattern.
     solid: Arc<Derived<Option<Arc<dyn Solid>>>>,
 }

@@ -229,7 +229,7 @@ function show(now) {
   if (now.scene === null) return;
   if (before === null || before.text !== now.text) {
     clearTimeout(sourceTimer);
-    sourceTimer = setTimeout(loadSource, before === null ? 0 : AFTER_PICTURE);
+    sourceTimer = setTimeout(loadSource, before === null ? 0 : SOURCE_DELAY);
   } else if (JSON.stringify(now.values) !== marked) markNumbers();
 }
 
@@ -278,8 +278,8 @@ function showControls(now) {
 const PARTS = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/g;
 /** The longest source that is shown, in bytes. */
 const LONGEST = 300000;
-/** Time from a new picture to its source in milliseconds: a long one takes longer than the picture. */
-const AFTER_PICTURE = 100;
+/** Time after which a changed source is shown, in milliseconds: laying out a long one would delay the picture. */
+const SOURCE_DELAY = 100;
 let sourceTimer = 0;
 async function loadSource() {
   const { text: number } = state;
@@ -320,7 +320,7 @@ function numberIn(text, start, line, source) {
   span.ariaLabel = 'number in line ' + line;
   span.ariaValueNow = text;
   Object.assign(span.dataset, { start, end: start + text.length, written: text });
-  const set = number => {
+  const give = number => {
     span.textContent = rounded(number);
     setValue(source, { start, end: start + text.length }, span.textContent);
   };
@@ -333,7 +333,7 @@ function numberIn(text, start, line, source) {
     span.focus();
   });
   span.addEventListener('pointermove', event => {
-    if (from && event.clientX !== from.x) set(from.number + (event.clientX - from.x) * step);
+    if (from && event.clientX !== from.x) give(from.number + (event.clientX - from.x) * step);
   });
   span.addEventListener('pointerup', () => { from = null; });
   span.addEventListener('pointercancel', () => { from = null; });
@@ -341,7 +341,7 @@ function numberIn(text, start, line, source) {
     const sign = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
     if (!sign) return;
     event.preventDefault();
-    set(Number(span.textContent) + sign * step * (event.shiftKey ? 10 : 1));
+    give(Number(span.textContent) + sign * step * (event.shiftKey ? 10 : 1));
   });
   return span;
 }
@@ -354,7 +354,8 @@ function markNumbers() {
   for (const span of document.querySelectorAll('.number')) {
     const changed = values.get(span.dataset.start);
     span.classList.toggle('changed', changed !== undefined);
-    if (document.activeElement !== span) span.textContent = changed ?? span.dataset.written;
+    if (document.activeElement === span) marked = '';
+    else set(span, { textContent: changed ?? span.dataset.written });
     span.ariaValueNow = span.textContent;
   }
 }
