@@ -386,6 +386,26 @@ plane { y, -2 pigment { rgb 0.8 } }
     text
 }
 
+/// The pixels before encoding are the same, but not those of the file.
+#[test]
+fn another_gamma_is_no_patch() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(folder.path(), SCENE);
+    let live = Live::start(folder.path(), &["-A"]);
+    let before = live.whole();
+    let text = SCENE.replace("assumed_gamma 1", "assumed_gamma 2.2");
+    let events = live.events(|| {
+        write(folder.path(), &text);
+    });
+    for state in events {
+        assert_eq!(state["patch"], Value::Null);
+        if is_whole(&state) && state["picture"] != before["picture"] {
+            break;
+        }
+    }
+    assert_eq!(live.answer("GET", "picture.png", "").1, drawn(&text, &["-A"]));
+}
+
 #[test]
 fn a_little_edit_comes_as_a_patch() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -11,7 +11,7 @@ use crate::RenderSession;
 use crate::app::worker::{COMMAND, Draw, LONGEST_PARTIAL, Reply, Report, Request};
 use crate::base::options::{CancelToken, Event, Failure, Input};
 use crate::base::sync::lock;
-use crate::output;
+use crate::output::{self, EncodeOptions};
 use live::{LiveProduct, LiveScene, LiveScenes};
 use std::any::Any;
 use std::io::{self, Stdout, Write};
@@ -345,13 +345,15 @@ impl Worker {
             }
         };
         let drawn = drawn.map_err(|Failure { .. }| None)?;
-        let encoded = files.into_iter().map(|options| {
-            let options = options.for_scene(drawn.working, drawn.rounding);
+        let of_scene = |options: &EncodeOptions| options.for_scene(drawn.working, drawn.rounding);
+        let of_page = files.first().map(of_scene);
+        let encoded = files.iter().map(|options| {
+            let options = of_scene(options);
             output::encode(&drawn.film, &options).map_err(|refused| Some(refused.to_string()))
         });
         let encoded = encoded.collect();
         if let Some(live) = &live {
-            self.live.store(live, drawn.film);
+            self.live.store(live, drawn.film, of_page);
         }
         encoded
     }

@@ -192,9 +192,11 @@ impl LiteralCache {
 }
 
 impl OpenRun {
-    /// Adds a piece.
+    /// Adds a piece, unless it is empty: the next reading would not get past it.
     pub(super) fn keep(&mut self, piece: CachedPiece) {
-        self.pieces.push(piece);
+        if !piece.range.is_empty() {
+            self.pieces.push(piece);
+        }
     }
 }
 
@@ -234,4 +236,23 @@ fn is_same_value(old: &KnownValue, new: &KnownValue) -> bool {
 fn are_alike<T: Any + Debug>(old: &dyn Any, new: &dyn Any) -> bool {
     let both = old.downcast_ref::<T>().zip(new.downcast_ref::<T>());
     both.is_some_and(|(old, new)| alike(old, new))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_without_text_are_not_cached() {
+        let mut run = OpenRun::default();
+        for range in [5..5, 5..9, 9..9] {
+            run.keep(CachedPiece {
+                range,
+                parts: 0,
+                objects: CachedObjects::Parts(Arc::from([])),
+            });
+        }
+        let ranges: Vec<_> = run.pieces.iter().map(|piece| piece.range.clone()).collect();
+        assert_eq!(ranges, [5..9]);
+    }
 }

@@ -33,8 +33,18 @@ pub(super) struct LiveScenes {
     coarse: Option<LiveFilm>,
     /// The last whole picture.
     whole: Option<LiveFilm>,
-    /// The last whole picture that the command has, and the part in which `whole` differs from it.
-    delivered: Option<(PictureKey, Option<Part>)>,
+    /// The last whole picture that the command has.
+    delivered: Option<Delivered>,
+}
+
+/// A picture that the command has.
+#[derive(Debug)]
+struct Delivered {
+    of: PictureKey,
+    /// The encoding of its file.
+    encode: EncodeOptions,
+    /// The part in which [`LiveScenes::whole`] differs from it.
+    changed: Option<Part>,
 }
 
 /// A picture.
@@ -153,7 +163,7 @@ impl LiveScenes {
                     event => (painter.listen)(event),
                 });
                 let (film, changed) = mosaic.end();
-                if let Some((_, part)) = &mut delivered {
+                if let Some(Delivered { changed: part, .. }) = &mut delivered {
                     *part = Part::around(part.take(), changed);
                 }
                 let picture = match drawn {
@@ -165,8 +175,9 @@ impl LiveScenes {
                         return Err(failure);
                     }
                 };
-                if let Some((over, part)) = delivered
-                    && let Some(patch) = patch(&picture.film, over, part, &encode)
+                // The same pixels in another gamma are another picture.
+                if let Some(over) = delivered.filter(|over| over.encode == encode)
+                    && let Some(patch) = patch(&picture.film, over, &encode)
                 {
                     report(Report::Patch(Box::new(patch)));
                 }
@@ -222,8 +233,8 @@ impl LiveScenes {
         }
     }
 
-    /// Stores a picture that has been drawn.
-    pub(super) fn store(&mut self, live: &Live, film: Film) {
+    /// Stores a picture that has been drawn, with the encoding of its file.
+    pub(super) fn store(&mut self, live: &Live, film: Film, encode: Option<EncodeOptions>) {
         // Some have levels instead of pixels.
         let film = Some(film).filter(|film| film.levels.is_none());
         let of = live.picture();
@@ -234,7 +245,11 @@ impl LiveScenes {
         match live.task {
             LiveTask::Coarse => self.coarse = film,
             _ => {
-                self.delivered = film.is_some().then_some((of, None));
+                self.delivered = encode.filter(|_| film.is_some()).map(|encode| Delivered {
+                    of,
+                    encode,
+                    changed: None,
+                });
                 self.whole = film;
             }
         }
@@ -244,14 +259,15 @@ impl LiveScenes {
 /// The part of a picture in which it differs from an earlier one, if it is small.
 fn patch(
     film: &Film,
-    over: PictureKey,
-    part: Option<Part>,
+    Delivered {
+        of: over, changed, ..
+    }: Delivered,
     encode: &EncodeOptions,
 ) -> Option<Patch> {
     // Dithering makes pixels depend on others.
     let is_apart = film.levels.is_none() && encode.dither.is_none();
     // A picture that is the same is a patch as well.
-    let part = part.unwrap_or(Part {
+    let part = changed.unwrap_or(Part {
         columns: 0..1,
         rows: 0..1,
     });
