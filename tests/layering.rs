@@ -22,7 +22,7 @@ const TOP_LEVEL: &[(&str, &[&str])] = &[
 /// The modules by layer, lowest first. Modules of one layer do not use each other, except for [`SIBLINGS`]; files of one
 /// module may.
 const LAYERS: &[&[&str]] = &[
-    &["base::file", "base::nearest", "base::sync"],
+    &["base::derived", "base::file", "base::nearest", "base::sync"],
     &[
         "base::math",
         "base::source",

@@ -403,7 +403,10 @@ fn another_gamma_is_no_patch() {
             break;
         }
     }
-    assert_eq!(live.answer("GET", "picture.png", "").1, drawn(&text, &["-A"]));
+    assert_eq!(
+        live.answer("GET", "picture.png", "").1,
+        drawn(&text, &["-A"])
+    );
 }
 
 #[test]
