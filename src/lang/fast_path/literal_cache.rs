@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn pieces_without_text_are_not_cached() {
         let mut run = OpenRun::default();
-        for range in [5..5, 5..9, 9..9] {
+        for range in [5..5, 5..9, 9..9, 9..12] {
             run.keep(CachedPiece {
                 range,
                 parts: 0,
@@ -253,6 +253,6 @@ mod tests {
             });
         }
         let ranges: Vec<_> = run.pieces.iter().map(|piece| piece.range.clone()).collect();
-        assert_eq!(ranges, [5..9]);
+        assert_eq!(ranges, [5..9, 9..12]);
     }
 }
