@@ -282,6 +282,8 @@ const LONGEST = 300000;
 const SOURCE_DELAY = 100;
 let sourceTimer = 0;
 async function loadSource() {
+  // The connection may have been opened again meanwhile.
+  if (!state) return;
   const { text: number } = state;
   const box = $('source');
   // A scene that has just been opened has none yet.
