@@ -155,7 +155,8 @@ impl Patch {
     }
 }
 
-/// Unit normal of the plane of all points, zero if there is none.
+/// Unit normal of the plane of all points, zero if there is none. It points as that of the first three points that are not
+/// in line, of which two are the first two (docs/povray-shapes.md, section 6).
 fn plane_normal(points: &[DVec3], centre: DVec3, size: f64) -> DVec3 {
     let offsets: Vec<DVec3> = points
         .iter()
@@ -172,7 +173,16 @@ fn plane_normal(points: &[DVec3], centre: DVec3, size: f64) -> DVec3 {
     let is_flat = offsets
         .iter()
         .all(|offset| normal.dot(*offset).abs() <= FLAT);
-    if is_flat { normal } else { DVec3::ZERO }
+    if !is_flat {
+        return DVec3::ZERO;
+    }
+    let side = offsets.iter().find(|offset| **offset != DVec3::ZERO);
+    let mut turns = offsets
+        .iter()
+        .filter_map(|other| Some(side?.cross(*other).dot(normal)));
+    let turn = turns.find(|turn| turn.abs() > FLAT).unwrap_or(1.0);
+    // Zeros stay positive, as `trace` shows them.
+    DVec3::ZERO + if turn < 0.0 { -normal } else { normal }
 }
 
 /// Projects a vector along an axis.
