@@ -18,7 +18,7 @@ use crate::scene::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::scene::camera::{Camera, Lens};
 use crate::scene::function::RidgedCalls;
 use crate::scene::interior::PreparedMedia;
-use crate::scene::shape::{Geometry, TextureWeights};
+use crate::scene::shape::{Geometry, Shape, TextureWeights};
 use crate::scene::{RadiositySettings, Subsurface};
 use crate::world::ray::{Hit, RayKind, SpawnSurface};
 use glam::{DVec2, DVec3};
@@ -145,10 +145,27 @@ impl World {
             && (kind != RayKind::Shadow || self.ends_light(hit) || self.is_clear(item))
     }
 
-    /// Returns true if the surface of a hit is opaque.
+    /// Returns true if a hit ends a shadow ray: its surface is opaque, or counts as such for the shape that was hit.
     #[inline(always)]
     pub(super) fn ends_light(&self, hit: &RawHit) -> bool {
-        self.summary.is_opaque || self.summary.opaque[hit.surface as usize]
+        let surface = hit.surface;
+        let ends = || self.blocks_light_from_inside(surface, self.model.shape(hit.leaf));
+        self.summary.is_opaque
+            || self.summary.opaque[surface as usize]
+            || self.summary.has_clear_insides && ends()
+    }
+
+    /// Returns true if a shape with this surface ends shadow rays although its `interior_texture` is not opaque.
+    #[inline(never)]
+    fn blocks_light_from_inside(&self, surface: u32, shape: &Shape) -> bool {
+        self.surfaces[surface as usize].has_clear_inside() && shape.casts_shadow_of_outside()
+    }
+
+    /// Returns true if a primitive ends shadow rays; for scenes that are not all opaque.
+    fn blocks_light_everywhere(&self, leaf: &Leaf) -> bool {
+        self.summary.opaque[leaf.surface as usize]
+            || self.summary.has_clear_insides
+                && self.blocks_light_from_inside(leaf.surface, &leaf.shape)
     }
 
     /// Returns true if hits within POV-Ray's minimum distances are left out.
@@ -157,9 +174,9 @@ impl World {
         self.least_distance == TMinRule::PovRay
     }
 
-    /// Returns true if all surfaces of an item are opaque; false if unknown.
+    /// Returns true if all primitives of an item end shadow rays; false if unknown.
     pub(super) fn is_all_opaque(&self, item: Item) -> bool {
-        let is_opaque = |leaf: &Leaf| self.summary.opaque[leaf.surface as usize];
+        let is_opaque = |leaf: &Leaf| self.blocks_light_everywhere(leaf);
         let leaves = self.leaves_of(item);
         self.summary.is_opaque || leaves.is_some_and(|leaves| leaves.iter().all(is_opaque))
     }
@@ -176,11 +193,11 @@ impl World {
             })
     }
 
-    /// Returns true if no surface of an item is opaque; false if unknown.
+    /// Returns true if no primitive of an item is known to end shadow rays; false if unknown.
     #[inline(never)]
     fn is_clear(&self, item: Item) -> bool {
         let leaves = self.leaves_of(item);
-        let is_opaque = |leaf: &Leaf| self.summary.opaque[leaf.surface as usize];
+        let is_opaque = |leaf: &Leaf| self.blocks_light_everywhere(leaf);
         leaves.is_some_and(|leaves| !leaves.iter().any(is_opaque))
     }
 

@@ -123,6 +123,8 @@ pub(super) struct SurfaceSummary {
     pub(super) filters: Vec<Option<Rgb>>,
     /// True if all surfaces are opaque.
     pub(super) is_opaque: bool,
+    /// True if some surfaces are opaque but for their `interior_texture`.
+    pub(super) has_clear_insides: bool,
     /// True if some surfaces are hidden from some kinds of ray.
     pub(super) hides_some: bool,
     /// True if some surfaces have a Fresnel reflection.
@@ -143,6 +145,7 @@ impl SurfaceSummary {
         let is_some = surfaces.clone().map(|surface| {
             [
                 !surface.is_opaque(),
+                surface.has_clear_inside(),
                 surface.traits.hides_from_some(),
                 surface.has_fresnel(),
                 surface.is_lit_from_behind() || surface.is_bumpy(),
@@ -151,19 +154,20 @@ impl SurfaceSummary {
                 surface.has_subsurface(),
             ]
         });
-        let either = |mut all: [bool; 7], one: [bool; 7]| {
+        let either = |mut all: [bool; 8], one: [bool; 8]| {
             all.iter_mut().zip(one).for_each(|(all, one)| *all |= one);
             all
         };
         let [
             shows_through,
+            has_clear_insides,
             hides_some,
             has_fresnel,
             needs_backface_light,
             has_unlit,
             is_grainy,
             has_subsurface,
-        ] = is_some.reduce(|| [false; 7], either);
+        ] = is_some.reduce(|| [false; 8], either);
         let (mut opaque, mut filters) = (Vec::new(), Vec::new());
         if shows_through {
             surfaces
@@ -178,6 +182,7 @@ impl SurfaceSummary {
             opaque,
             filters,
             is_opaque: !shows_through,
+            has_clear_insides,
             hides_some,
             has_fresnel,
             needs_backface_light,
@@ -248,6 +253,10 @@ impl Surface {
             (
                 SurfaceFlags::OPAQUE,
                 textures().all(|texture| texture.is_opaque()),
+            ),
+            (
+                SurfaceFlags::OPAQUE_OUTSIDE,
+                texture.is_opaque() && skins.iter().all(|texture| texture.is_opaque()),
             ),
             (
                 SurfaceFlags::TAKES_LIGHT,
@@ -524,6 +533,11 @@ impl Surface {
             && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
             && self.traits == other.traits
+    }
+
+    /// Returns true if only its `interior_texture` is not opaque.
+    pub(super) fn has_clear_inside(&self) -> bool {
+        self.traits.has(SurfaceFlags::OPAQUE_OUTSIDE) && !self.is_opaque()
     }
 
     /// Returns true if it is opaque.

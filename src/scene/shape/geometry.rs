@@ -341,6 +341,12 @@ pub trait Geometry {
         false
     }
 
+    /// True if shadow rays end on either side where the textures outside are opaque, whatever `interior_texture` lets
+    /// through (measured with POV-Ray, docs/povray-facts.md, section 4.4).
+    fn casts_shadow_of_outside(&self) -> bool {
+        false
+    }
+
     /// The flat face with this number, if it lies across an axis and POV-Ray's inside test compares coordinates with it.
     fn flat_face(&self, _face: u32) -> Option<FlatFace> {
         None

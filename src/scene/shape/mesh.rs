@@ -590,6 +590,10 @@ impl Geometry for Mesh {
         ))
     }
 
+    fn casts_shadow_of_outside(&self) -> bool {
+        true
+    }
+
     fn face_textures(&self) -> &[FaceTexture] {
         self.triangles
             .attributes

@@ -277,6 +277,9 @@ macro_rules! shapes {
             fn has_one_side(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.has_one_side()),+ }
             }
+            fn casts_shadow_of_outside(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.casts_shadow_of_outside()),+ }
+            }
             fn flat_face(&self, face: u32) -> Option<FlatFace> {
                 match self { $(Shape::$name(shape) => shape.flat_face(face)),+ }
             }

@@ -52,6 +52,8 @@ impl SurfaceFlags {
     pub(crate) const UV_MAPPING: u32 = 1 << 16;
     pub(crate) const SUBSURFACE: u32 = 1 << 17;
     pub(crate) const PLAIN_FINISHES: u32 = 1 << 18;
+    /// All but the `interior_texture` is opaque.
+    pub(crate) const OPAQUE_OUTSIDE: u32 = 1 << 19;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 

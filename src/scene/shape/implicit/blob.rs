@@ -411,6 +411,10 @@ impl Geometry for Blob {
         true
     }
 
+    fn casts_shadow_of_outside(&self) -> bool {
+        true
+    }
+
     fn has_one_side(&self) -> bool {
         !self.face_textures().is_empty()
     }
