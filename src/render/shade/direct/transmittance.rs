@@ -177,7 +177,8 @@ impl Tracer<'_> {
             arriving *= self.interior_transmittance(&query.ray, hit.t, &inside, scratch);
             left -= hit.t;
             let interior = self.world.surfaces[hit.surface as usize].interior;
-            arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
+            arriving *= self.transmission(&hit, &ray) * self.fade(&inside, interior, hit.t);
+            cross(&mut inside, interior, arriving);
             shadow_path.note_segment(left, scratch);
             if is_negligible(arriving) {
                 return Rgb::BLACK;
@@ -218,7 +219,7 @@ impl Tracer<'_> {
         inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
-        if length <= 0.0 || arriving.r.max(arriving.g).max(arriving.b) <= 0.0 {
+        if length <= 0.0 || !has_positive_channel(arriving) {
             return arriving;
         }
         let source = self.world.lights.get(light);
@@ -255,24 +256,39 @@ impl Tracer<'_> {
             } else {
                 self.transmission(&self.world.hit_at(ray, passing), ray)
             };
-            if let Some(inside) = &mut inside {
+            if let Some(inside) = &inside {
                 share *= self.fade(inside, interior, passing.t() - from);
             }
             arriving *= share;
             if is_negligible(arriving) {
                 return Rgb::BLACK;
             }
+            if let Some(inside) = &mut inside {
+                cross(inside, interior, arriving);
+            }
             from = passing.t();
         }
         arriving
     }
 
-    /// The attenuation of a segment of this length that ends at a surface of an interior; updates the interior stack.
-    fn fade(&self, inside: &mut InteriorStack, interior: InteriorId, length: f64) -> Rgb {
-        if interior_stack::cross(inside, interior) {
+    /// The attenuation of a segment of this length that ends at a surface of an interior.
+    fn fade(&self, inside: &[InteriorId], interior: InteriorId, length: f64) -> Rgb {
+        if inside.contains(&interior) {
             self.world.interiors.get(interior).shadow_ray_fade(length)
         } else {
             Rgb::WHITE
         }
     }
+}
+
+/// Updates the interior stack at a surface with this much light behind it. As in POV-Ray, light without a positive channel
+/// enters and leaves no interior (docs/povray-facts.md, section 4.4).
+fn cross(inside: &mut InteriorStack, interior: InteriorId, behind: Rgb) {
+    if has_positive_channel(behind) {
+        interior_stack::cross(inside, interior);
+    }
+}
+
+fn has_positive_channel(light: Rgb) -> bool {
+    light.r.max(light.g).max(light.b) > 0.0
 }
