@@ -10,10 +10,11 @@ pub(super) const WIDTH: f64 = TAU;
 pub(super) const HEIGHT: f64 = PI;
 
 /// The direction turned about `right` by the latitude, then about `up` by the longitude, so that a mirrored `right`
-/// exchanges above and below (docs/povray-facts.md, 1.4).
+/// exchanges above and below (docs/povray-facts.md, 1.4). It keeps the length of the camera's `direction`, in which focal
+/// blur measures.
 pub(super) fn start(frame: &Frame, screen: Screen, across: Option<f64>, vertical: f64) -> Start {
     let unit = frame.unit();
-    let raised = turned(unit.direction, unit.right, -(screen.v * vertical));
+    let raised = turned(frame.direction, unit.right, -(screen.v * vertical));
     let dir = turned(raised, unit.up, screen.u * across.unwrap_or(WIDTH));
     (frame.location, dir)
 }
