@@ -1,9 +1,10 @@
 //! Positions where POV-Ray 3.7 runs no directive behind a value, and povr does.
 //!
 //! The value in the parentheses of `#if`, `#while`, `#switch`, `#case` and `#range`, and a number as an argument of a
-//! macro, must not be followed by a directive, not even by the `#end` of an `#if` in a macro that yields the value. In
-//! the list of an array no directive and no macro call may stand before or behind an item. Within parentheses of
-//! their own, after an operator and within the blocks of elements they may, as far as this module knows.
+//! macro, must not be followed by a macro call or a directive, not even by the `#end` of an `#if` in a macro that
+//! yields the value. In the list of an array no directive and no macro call may stand before or behind an item. Within
+//! parentheses of their own, after an operator and within the blocks of elements they may, as far as this module
+//! knows.
 
 use crate::base::args::Args;
 use crate::lang::expr::value::Value;
@@ -64,12 +65,14 @@ impl Reader<'_> {
             ),
             Slot::Condition | Slot::Argument
                 if self.taken > sealed.taken
-                    && next.kind == Kind::Directive
                     && !self.is_end_of_macro()
                     && self.may_end_number(sealed.slot) =>
             {
                 (
-                    "no directive may follow the number here",
+                    match next.kind {
+                        Kind::Directive => "no directive may follow the number here",
+                        _ => "no macro may follow the number here",
+                    },
                     "Write the number in parentheses of its own: `#if ((A))`, `M((A))`.",
                 )
             }

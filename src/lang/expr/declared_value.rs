@@ -225,6 +225,11 @@ impl Reader<'_> {
                 let step = transform_step(self)?;
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
+            Word::T => {
+                let reason = "a value may not begin with `t`";
+                self.refused_by_povray(self.here_span(), reason, "Write it in parentheses: `(t)`.");
+                self.number_or_color().map(Some)
+            }
             Word::Dictionary => self.dictionary_value().map(Some),
             Word::Array => self.array_value().map(Some),
             Word::Function => self.function_value().map(Some),
