@@ -36,8 +36,10 @@ pub struct Area {
     pub is_oriented: bool,
     /// `area_illumination`: true if each grid light illuminates from its own position.
     pub has_area_illumination: bool,
-    /// Span of `circular` or `orient`.
+    /// Span of `circular`.
     at_circular: Option<Span>,
+    /// Span of `orient`.
+    at_orient: Option<Span>,
     /// Cache for [`Area::initial_grid_lights`].
     initial: Derived<Vec<[u32; 2]>>,
 }
@@ -65,6 +67,7 @@ impl Area {
             is_oriented: false,
             has_area_illumination: false,
             at_circular: None,
+            at_orient: None,
             initial: Derived::default(),
         }
     }
@@ -115,9 +118,13 @@ impl Area {
             Word::Jitter => area.has_jitter = true,
             Word::AreaIllumination => area.has_area_illumination = args.float_or(1.0)? != 0.0,
             _ => {
-                area.is_oriented |= word == Word::Orient;
                 area.is_circular = true;
-                area.at_circular = Some(at);
+                if word == Word::Orient {
+                    area.is_oriented = true;
+                    area.at_orient = Some(at);
+                } else {
+                    area.at_circular = Some(at);
+                }
             }
         }
         Ok(true)
@@ -148,15 +155,16 @@ impl Area {
 
     /// Checks conditions that depend on the whole light.
     pub(super) fn end(&mut self, args: &mut dyn Args) -> Parse<()> {
-        if let Some(at) = self.at_circular
-            && self.sizes.contains(&1)
-        {
-            let message = "a round area light needs more than one light along each side";
-            return Err(Box::new(Diagnostic::error(at, message)));
+        if self.sizes.contains(&1) {
+            if let Some(at) = self.at_circular {
+                let message = "a round area light needs more than one light along each side";
+                return Err(Box::new(Diagnostic::error(at, message)));
+            }
+            // As in POV-Ray, `orient` turns a row of lights, but no circle is made of it.
+            self.is_circular = false;
         }
         let (first, second) = (self.axes.first.length(), self.axes.second.length());
-        if let Some(at) = self.at_circular
-            && self.is_oriented
+        if let Some(at) = self.at_orient
             && (first - second).abs() > AXIS_TOLERANCE * first
         {
             args.warn(Diagnostic::warning(
@@ -339,5 +347,8 @@ mod tests {
             error.message,
             "a round area light needs more than one light along each side"
         );
+        assert!(area("0 rgb 1 area_light 1, 1, 3, 1 circular orient").is_err());
+        let turned = area("0 rgb 1 area_light 1, 1, 3, 1 orient").unwrap();
+        assert!(turned.is_oriented && !turned.is_circular);
     }
 }
