@@ -502,7 +502,9 @@ impl Tracer<'_> {
         bsdf: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
-        if self.quality.has_shadows && !area_light.light.is_shadowless() {
+        let light = area_light.light;
+        let is_projected = || self.world.lights.is_projected(area_light.light_index);
+        if self.quality.has_shadows && (!light.is_shadowless() || is_projected()) {
             area_light.arriving = self.shadowed_area_light(&mut area_light, scratch);
         }
         // No offset is drawn in this case: later random numbers depend on that.
