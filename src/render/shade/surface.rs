@@ -112,6 +112,19 @@ pub(super) struct Mirror<'f> {
     pub(super) finish: &'f Finish,
     /// The direction of the reflected ray.
     pub(super) dir: DVec3,
+    /// The bumped normal of the layer.
+    normal: DVec3,
+}
+
+/// The largest difference of the components of two normals that count as the same.
+const SAME_NORMAL: f64 = 1e-10;
+
+impl Mirror<'_> {
+    /// Returns true if total internal reflection at a surface with this normal, that of the top layer, replaces it. As in
+    /// POV-Ray, layers with other bumps reflect besides (docs/povray-facts.md, section 4.5).
+    pub(super) fn is_replaced_by_total(&self, top: DVec3) -> bool {
+        (self.normal - top).abs().max_element() < SAME_NORMAL
+    }
 }
 
 impl<'w> Tracer<'w> {
@@ -290,8 +303,8 @@ impl<'w> Tracer<'w> {
         if scratch.order_dependent() && (self.has_atmosphere() || !shaded.mirrors.is_empty()) {
             self.trace_unrefracted(&lit, hit, &mut view, scratch);
         }
-        if !is_total {
-            for mirror in &shaded.mirrors {
+        for mirror in &shaded.mirrors {
+            if !(is_total && mirror.is_replaced_by_total(lit.at.normal)) {
                 view.reflected += self.reflect(&lit, hit, mirror, scratch);
             }
         }
@@ -608,6 +621,7 @@ pub(super) fn mirror<'f>(
         weight: f64::from(weight),
         finish,
         dir: mirrored_off(normalization, at.view, at.normal, flat),
+        normal: at.normal,
     }
 }
 

@@ -393,7 +393,7 @@ impl Tracer<'_> {
                 Refraction::Total => {
                     pending.factor = transmission.total_reflection;
                     pending.transmit = 0.0;
-                    mirror = None;
+                    mirror = mirror.filter(|mirror| !mirror.is_replaced_by_total(at.normal));
                     let dir = mirrored_off(
                         self.world.globals.normalization(),
                         at.view,

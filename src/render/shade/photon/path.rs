@@ -20,9 +20,6 @@ use crate::world::{Hit, Query, SpawnSurface};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// The largest difference of the components of two normals that count as the same.
-const SAME_NORMAL: f64 = 1e-10;
-
 /// The photons of a scene, and the state of their emission.
 pub(in crate::render::shade) struct PhotonTally<'p> {
     pub(in crate::render::shade) photons: &'p PhotonMapping,
@@ -262,7 +259,7 @@ impl<'w> Tracer<'w> {
             lights: &[],
             collects: false,
         };
-        let mut mirrors: SmallVec<[(Mirror, DVec3); 2]> = SmallVec::new();
+        let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         let (_, spot) = self.pattern_point(hit, path.ray.dir);
         let flat = lit.at.normal;
@@ -283,7 +280,7 @@ impl<'w> Tracer<'w> {
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
-                mirrors.push((mirror, lit.at.normal));
+                mirrors.push(mirror);
             }
             if f64::from(filter.grey()) <= tally.photons.adc_bailout {
                 break;
@@ -308,8 +305,8 @@ impl<'w> Tracer<'w> {
         }
         // All layers mirror about the normal of the lowest one.
         let dir = mirrored_off(rule, path.ray.dir, lowest, flat);
-        for (mirror, normal) in &mirrors {
-            if is_total && (*normal - top).abs().max_element() < SAME_NORMAL {
+        for mirror in &mirrors {
+            if is_total && mirror.is_replaced_by_total(top) {
                 continue;
             }
             let weight = mirror.weight * f64::from(mirror.reflectivity.max());

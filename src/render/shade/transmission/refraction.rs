@@ -58,8 +58,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// Adds the light transmitted through a surface. Returns true for total internal reflection, which allows no other
-    /// reflection.
+    /// Adds the light transmitted through a surface. Returns true for total internal reflection, which replaces
+    /// that of layers with the same normal.
     pub(in crate::render::shade) fn pass(
         &self,
         lit: &ShadingPoint,
