@@ -13,7 +13,7 @@ use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::sampling::chi_square::chi_square;
 use crate::render::shade::Scratch;
-use crate::scene::atmosphere::Tint;
+use crate::scene::atmosphere::{CONE_DISTANCE, Tint};
 use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
 use crate::world::{InteriorId, LightList, SpawnSurface};
 use glam::DVec3;
@@ -179,12 +179,13 @@ impl Tracer<'_> {
     /// its end, except shadowless ones.
     pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<LightBeam> {
         let lights = self.world.lights.of(lights).iter();
+        let endless = CONE_DISTANCE * self.world.globals.unit;
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
             if !light.media_interaction || light.is_shadowless() {
                 return None;
             }
-            let (from, to) = light.beam_interval(ray)?;
+            let (from, to) = light.beam_interval(ray, endless)?;
             let (from, to) = (from.max(0.0), to.min(length));
             (from < to).then_some(LightBeam { number, from, to })
         };

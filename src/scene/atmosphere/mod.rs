@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// The length of a ray that hits nothing, as in POV-Ray.
 pub const MISS_DISTANCE: f64 = 2e10;
 
+/// The distance at which a ray that stays in the cone of a spotlight leaves it, as measured with POV-Ray.
+pub const CONE_DISTANCE: f64 = 1e7;
+
 /// The atmosphere of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Atmosphere {

@@ -316,12 +316,16 @@ impl Light {
 }
 
 impl Light {
-    /// The interval of ray parameters inside the beam; `None` if the ray misses the beam.
+    /// The interval of ray parameters inside the beam; `None` if the ray misses the beam. In a cone that it never leaves
+    /// the interval ends at `endless`.
     #[must_use]
-    pub fn beam_interval(&self, ray: &Ray) -> Option<(f64, f64)> {
+    pub fn beam_interval(&self, ray: &Ray, endless: f64) -> Option<(f64, f64)> {
         match &self.beam {
             Beam::Point | Beam::Shadowless => Some((f64::NEG_INFINITY, f64::INFINITY)),
-            Beam::Spotlight(spotlight) => spotlight.interval(ray, self.beam_origin, self.axis),
+            Beam::Spotlight(spotlight) => {
+                let (from, to) = spotlight.interval(ray, self.beam_origin, self.axis)?;
+                Some((from, if to.is_finite() { to } else { endless }))
+            }
             Beam::Cylinder(cylinder) => cylinder.interval(ray, self.beam_origin, self.axis),
         }
     }
