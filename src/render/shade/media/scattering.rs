@@ -45,6 +45,12 @@ impl Tracer<'_> {
             return [None; N];
         }
         let light = self.world.lights.get(beam.number);
+        // POV-Ray attenuates the single lights of such a grid, and only where they shine on surfaces.
+        let is_attenuated = !(self.samples_areas(segment.path)
+            && light
+                .area
+                .as_ref()
+                .is_some_and(|area| area.has_area_illumination));
         let mut unoccluded: [Option<UnoccludedLight>; N] = [None; N];
         let mut lit_count = 0;
         for (i, unoccluded) in unoccluded.iter_mut().enumerate().take(at.points.len()) {
@@ -56,7 +62,11 @@ impl Tracer<'_> {
                 continue;
             }
             let arrival = light.arrival(at.points[i]);
-            let arriving = light.color * light.attenuation(at.points[i], &arrival);
+            let share = match is_attenuated {
+                true => light.attenuation(at.points[i], &arrival),
+                false => 1.0,
+            };
+            let arriving = light.color * share;
             if !is_negligible(arriving) {
                 *unoccluded = Some(UnoccludedLight { arrival, arriving });
                 lit_count += 1;
