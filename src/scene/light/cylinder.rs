@@ -63,8 +63,8 @@ impl Cylinder {
 
 impl Cylinder {
     /// The interval of parameters of a ray of unit direction inside the infinite cylinder, which extends behind the light
-    /// too. In POV-Ray a ray that leaves it there, or is parallel to it, has none. The last digits are POV-Ray's, as in
-    /// [`super::spotlight::Spotlight::interval`].
+    /// too. In POV-Ray a ray that leaves it there, or is parallel to it, has none, and one that enters it there has been in
+    /// it from the beginning. The last digits are POV-Ray's, as in [`super::spotlight::Spotlight::interval`].
     pub(super) fn interval(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
         let from = ray.origin - centre;
         let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
@@ -78,7 +78,12 @@ impl Cylinder {
         }
         let root = discriminant.sqrt();
         let (enter, leave) = ((-b - root) / a, (-b + root) / a);
-        (height + leave * rise > 0.0).then_some((enter, leave))
+        let is_before_light = |t: f64| height + t * rise > 0.0;
+        let from = match is_before_light(enter) {
+            true => enter,
+            false => f64::NEG_INFINITY,
+        };
+        is_before_light(leave).then_some((from, leave))
     }
 }
 
@@ -123,7 +128,8 @@ mod tests {
         let slope = DVec3::new(0.6, 0.0, 0.8);
         assert_eq!(interval(at(1.0), DVec3::X), Some((-5.0, 5.0)));
         assert!(interval(at(7.0), slope).is_some());
-        assert!(interval(at(-1.0), slope).is_some());
+        let (from, to) = interval(at(-1.0), slope).expect("it leaves it before the light");
+        assert!(from == f64::NEG_INFINITY && to > 0.0);
         assert!(interval(at(7.0), slope.with_z(-0.8)).is_some());
         // They leave it behind the light.
         assert_eq!(interval(at(6.0), slope.with_z(-0.8)), None);
