@@ -15,7 +15,7 @@ use crate::base::math::sampling::chi_square::chi_square;
 use crate::render::shade::Scratch;
 use crate::scene::atmosphere::{CONE_DISTANCE, Tint};
 use crate::scene::interior::{MediumCoefficients, PreparedMedia, Sampling};
-use crate::world::{InteriorId, LightList, SpawnSurface};
+use crate::world::{LightList, SpawnSurface};
 use glam::DVec3;
 pub(super) use intervals::{LightBeam, MediaInterval, common_sampling, parts_of, subdivided};
 use scattering::MediaPoints;
@@ -130,12 +130,8 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         length: f64,
-        inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
-        if !self.is_outside_solids(inside) {
-            return Rgb::WHITE;
-        }
         let media: Mixture = self.world.media.iter().collect();
         self.extinction(&media, ray, length, scratch)
     }

@@ -230,7 +230,7 @@ impl Tracer<'_> {
             arriving *= fog.factor;
         }
         if self.is_attenuated_by_media(source) {
-            arriving *= self.atmosphere_transmittance(ray, length, inside, scratch);
+            arriving *= self.atmosphere_transmittance(ray, length, scratch);
         }
         arriving
     }
