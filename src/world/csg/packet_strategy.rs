@@ -6,7 +6,7 @@ use smallvec::SmallVec;
 
 /// Most operands tested end by end, besides the required ones; the work grows with the square.
 pub(in crate::world) const MAX_OPERANDS: usize = 16;
-/// Most nodes of a program that packets support.
+/// Most nodes above the operands tested.
 pub(in crate::world) const MAX_NODES: usize = 8;
 
 /// Indices of operands.
@@ -26,9 +26,11 @@ pub(in crate::world) enum PacketStrategy {
 impl CsgProgram {
     /// Selects the algorithm for packets.
     pub(in crate::world) fn packet_strategy(&self, leaves: &[Leaf]) -> PacketStrategy {
-        let count = self.order.others.len();
+        let boxed = self.order.boxed.as_ref();
+        let always = boxed.map_or(&self.order.others[..], |boxed| boxed.free_others());
+        let count = always.len();
         // Operands in the BVH need no packet code: few rays come near them.
-        let mut always_tested = self.order.required.iter().chain(&self.order.others);
+        let mut always_tested = self.order.required.iter().chain(always);
         let has_spans = |&number: &u32| {
             leaves[(self.first + number) as usize]
                 .shape
@@ -42,7 +44,8 @@ impl CsgProgram {
             [node] if node.combine == Combine::Intersection && !node.is_inverse => {
                 PacketStrategy::Intersection
             }
-            nodes if nodes.len() <= MAX_NODES => {
+            // Of many nodes those above the operands that rays come near are few.
+            nodes if nodes.len() <= MAX_NODES || boxed.is_some() => {
                 if count + self.order.required.len() <= MAX_OPERANDS {
                     PacketStrategy::Tree
                 } else {

@@ -39,7 +39,7 @@ pub(crate) struct Node {
 impl Node {
     /// Returns true if a ray inside `count` children is inside the node.
     #[inline(always)]
-    pub(super) fn holds(&self, count: u32) -> bool {
+    pub(in crate::world) fn holds(&self, count: u32) -> bool {
         let least = match self.combine {
             // An intersection of nothing contains everything, as in POV-Ray.
             Combine::Intersection => self.children,
@@ -168,9 +168,6 @@ impl CsgProgram {
     }
 }
 
-/// Most parts whose boxes are tested.
-pub(crate) const MAX_PARTS: usize = 64;
-
 /// The order in which a program intersects its operands.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct OperandOrder {
@@ -184,15 +181,47 @@ pub(crate) struct OperandOrder {
     pub(crate) boxed: Option<Box<OperandBvh>>,
 }
 
+/// A part of a program with a box of its own. If the box is missed, its operands are skipped.
+#[derive(Clone, Debug)]
+pub(crate) struct BoxedPart {
+    /// The smallest part around it, or [`NONE`].
+    pub(crate) around: u32,
+    /// Those of [`OperandBvh::others`] that are in this part and in none within it.
+    pub(crate) others: Range<u32>,
+}
+
 /// BVH over operands and parts of a program.
 #[derive(Clone, Debug)]
 pub(crate) struct OperandBvh {
     /// Over `bounded`, followed by `parts`.
     pub(crate) tree: Bvh,
-    /// The bounded operands of a large program.
+    /// The bounded operands of a large program, which come first in the BVH.
     pub(crate) bounded: Vec<u32>,
-    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MAX_PARTS`].
-    pub(crate) parts: Vec<Range<u32>>,
-    /// For each node, the numbers of its operands that are not required, plain and inverse.
+    /// Their number: the position of the first part in the BVH.
+    pub(crate) first_part: u32,
+    /// For each of them, the smallest part that contains it, or [`NONE`].
+    pub(crate) part_of_bounded: Vec<u32>,
+    /// The parts with boxes of their own; each comes before those within it.
+    pub(crate) parts: Vec<BoxedPart>,
+    /// [`OperandOrder::others`] by the smallest part that contains them; those in no part come last.
+    pub(crate) others: Vec<u32>,
+    /// The number of those in a part.
+    pub(crate) others_in_parts: u32,
+    /// For each node, the numbers of its children, operands and nodes, that do not contain a ray outside all boxes, and of
+    /// those that do.
     pub(crate) resting: Vec<[u32; 2]>,
+}
+
+impl OperandBvh {
+    /// The operands outside the BVH that are in no part.
+    pub(crate) fn free_others(&self) -> &[u32] {
+        &self.others[self.others_in_parts as usize..]
+    }
+
+    /// The operands outside the BVH that are in a part and in none within it.
+    #[inline(always)]
+    pub(crate) fn others_of(&self, part: u32) -> &[u32] {
+        let others = &self.parts[part as usize].others;
+        &self.others[others.start as usize..others.end as usize]
+    }
 }

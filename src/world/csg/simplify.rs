@@ -4,7 +4,7 @@
 //! intersection, and the inverse of a merge within one, are one intersection of all their operands.
 
 use super::inside::InsideInit;
-use super::program::{Combine, CsgProgram, MAX_PARTS, NONE, Node, OperandBvh, OperandOrder};
+use super::program::{BoxedPart, Combine, CsgProgram, NONE, Node, OperandBvh, OperandOrder};
 use crate::base::accel::Bvh;
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
@@ -17,14 +17,12 @@ const TREE_FROM: usize = 9;
 /// Same, where some operand lacks packet code and no required operand clips the interval.
 const TREE_OF_LONE_RAYS_FROM: usize = 4;
 
+/// Parts of a program, as ranges of operands, with their boxes.
+type PartBoxes = Vec<(Range<u32>, Bounds)>;
+
 impl CsgProgram {
     /// Simplifies the nodes and computes the order. `bounds` are those of the operands, `boxed` the parts with boxes.
-    pub(crate) fn prepare(
-        &mut self,
-        leaves: &[Leaf],
-        bounds: &[Bounds],
-        boxed: Vec<(Range<u32>, Bounds)>,
-    ) {
+    pub(crate) fn prepare(&mut self, leaves: &[Leaf], bounds: &[Bounds], boxed: PartBoxes) {
         self.leave_patches(leaves);
         self.join_nodes();
         self.drop_lone_root();
@@ -41,33 +39,62 @@ impl CsgProgram {
         &self,
         bounded: Vec<u32>,
         bounds: &[Bounds],
-        mut parts: Vec<(Range<u32>, Bounds)>,
+        mut parts: PartBoxes,
     ) -> Option<OperandBvh> {
         let mut is_in_tree = vec![false; self.operands.len()];
-        let mut resting = vec![[0; 2]; self.nodes.len()];
         for &number in &bounded {
             is_in_tree[number as usize] = true;
-        }
-        for &number in bounded.iter().chain(&self.order.others) {
-            let operand = &self.operands[number as usize];
-            resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
         }
         parts.retain(|(operands, _)| {
             let mut required = self.order.required.iter();
             let is_needed = required.any(|number| operands.contains(number));
+            // A ray is put inside these by its points, wherever the other operands of the part are at rest.
+            let mut point_tested = self.order.point_tested.iter();
+            let is_at_rest = !point_tested.any(|number| operands.contains(number));
             let own = &is_in_tree[operands.start as usize..operands.end as usize];
-            !is_needed && own.len() < self.operands.len() && own.contains(&false)
+            !is_needed && is_at_rest && own.len() < self.operands.len() && own.contains(&false)
         });
-        parts.truncate(MAX_PARTS);
-        let (parts, of_parts): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        // Ranges are nested or apart. Of equal ones the last is the outer object.
+        parts.reverse();
+        parts.sort_by_key(|(operands, _)| (operands.start, std::cmp::Reverse(operands.end)));
         let mut boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
-        boxes.extend(of_parts);
-        (!boxes.is_empty()).then(|| OperandBvh {
+        boxes.extend(parts.iter().map(|(_, bounds)| *bounds));
+        if boxes.is_empty() {
+            return None;
+        }
+        let part_of = smallest_parts(&parts, self.len());
+        let mut parts = nested(&parts);
+        let mut others = self.order.others.to_vec();
+        others.sort_by_key(|&number| (part_of[number as usize], number));
+        let before =
+            |part: u32| index(others.partition_point(|&number| part_of[number as usize] < part));
+        for (number, part) in (0..).zip(&mut parts) {
+            part.others = before(number)..before(number + 1);
+        }
+        Some(OperandBvh {
             tree: Bvh::build(&boxes),
+            part_of_bounded: bounded.iter().map(|&n| part_of[n as usize]).collect(),
+            first_part: index(bounded.len()),
             bounded,
+            others_in_parts: before(NONE),
             parts,
-            resting,
+            others,
+            resting: self.resting(),
         })
+    }
+
+    /// For each node, the numbers of its children that do not contain a ray at rest, and of those that do.
+    fn resting(&self) -> Vec<[u32; 2]> {
+        let mut resting = vec![[0; 2]; self.nodes.len()];
+        for operand in &self.operands {
+            resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
+        }
+        for (node, &count) in self.nodes.iter().zip(&self.rest.counts) {
+            if let Some(resting) = resting.get_mut(node.parent as usize) {
+                resting[usize::from(node.holds(count))] += 1;
+            }
+        }
+        resting
     }
 
     /// Undoes the inversion of patches. A patch has no inside, nor has its inverse (measured with POV-Ray, which hands
@@ -224,6 +251,32 @@ impl CsgProgram {
     }
 }
 
+/// Parts with these boxes, each of which comes before those within it. Their other operands are filled in later.
+fn nested(parts: &PartBoxes) -> Vec<BoxedPart> {
+    let mut open: Vec<(u32, u32)> = Vec::new();
+    let part = |(number, (operands, _)): (u32, &(Range<u32>, Bounds))| {
+        while open.last().is_some_and(|(_, end)| *end <= operands.start) {
+            open.pop();
+        }
+        let around = open.last().map_or(NONE, |(part, _)| *part);
+        open.push((number, operands.end));
+        BoxedPart {
+            around,
+            others: 0..0,
+        }
+    };
+    (0..).zip(parts).map(part).collect()
+}
+
+/// For each of a number of operands, the smallest part that contains it, or [`NONE`].
+fn smallest_parts(parts: &PartBoxes, operands: u32) -> Vec<u32> {
+    let mut smallest = vec![NONE; operands as usize];
+    for (number, (operands, _)) in (0..).zip(parts) {
+        smallest[operands.start as usize..operands.end as usize].fill(number);
+    }
+    smallest
+}
+
 /// Returns true if a node, inverse or not, can be merged into its parent.
 fn is_part(node: &Node, is_inverse: bool, parent: Combine) -> bool {
     let is_same = match (parent, is_inverse) {
@@ -356,6 +409,103 @@ pub(crate) mod tests {
             hits > 10_000 && trees > 300 && narrowed > 300,
             "{hits} {trees} {narrowed}"
         );
+    }
+
+    /// An unprepared union of parts, and its leaves with their bounds, and the parts with their boxes. A part is a cuboid
+    /// between or beside planes, or a merge of two of them.
+    pub(in crate::world) fn random_parts(
+        rng: &mut Random,
+        count: u64,
+    ) -> (CsgProgram, Vec<Leaf>, Vec<Bounds>, PartBoxes) {
+        let mut program = CsgProgram::default();
+        let node = |program: &mut CsgProgram, combine, parent: u32| {
+            if let Some(parent) = program.nodes.get_mut(parent as usize) {
+                parent.children += 1;
+            }
+            program.nodes.push(Node {
+                combine,
+                is_inverse: false,
+                children: 0,
+                parent,
+            });
+            index(program.nodes.len() - 1)
+        };
+        let root = node(&mut program, Combine::Union, NONE);
+        let (mut leaves, mut bounds, mut parts) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..count {
+            let is_merge = rng.bits().is_multiple_of(2);
+            let group = match is_merge {
+                true => node(&mut program, Combine::Merge, root),
+                false => root,
+            };
+            let (first, mut around) = (program.len(), Bounds::EMPTY);
+            for _ in 0..2 {
+                let start = program.len();
+                let own = node(&mut program, Combine::Intersection, group);
+                // Off the grid: where faces of different parts coincide, they decide about each other.
+                let (low, size) = (rng.vector(3.0), coarse(rng).abs() + 1.0);
+                let cuboid = Shape::Cuboid(Cuboid::new(low, low + size));
+                let plane = |axis: usize| Shape::Plane(Plane::new(DVec3::AXES[axis], low[axis]));
+                for (number, shape) in [cuboid, plane(0), plane(2)].into_iter().enumerate() {
+                    program.nodes[own as usize].children += 1;
+                    program.operands.push(Operand {
+                        parent: own,
+                        is_inverse: number > 0 && rng.bits().is_multiple_of(2),
+                        is_hidden: false,
+                    });
+                    let (leaf, own) = Leaf::new(shape, &[], Absorb::AllItCan, 0, Extent::Solid);
+                    leaves.push(leaf);
+                    bounds.push(own);
+                }
+                let own = bounds[start as usize];
+                parts.push((start..program.len(), own));
+                around = around.union(&own);
+            }
+            if is_merge {
+                parts.push((first..program.len(), around));
+            }
+        }
+        program.rest = program.state_outside_all();
+        (program, leaves, bounds, parts)
+    }
+
+    #[test]
+    fn parts_with_boxes_show_the_same_surfaces() {
+        let mut rng = Random::new(33);
+        let mut sweep = Sweep::default();
+        let (mut hits, mut most) = (0, 0);
+        for _ in 0..400 {
+            let count = 1 + rng.bits() % 60;
+            let (program, leaves, bounds, parts) = random_parts(&mut rng, count);
+            let [mut plain, mut boxed] = [program.clone(), program];
+            plain.prepare(&leaves, &bounds, Vec::new());
+            boxed.prepare(&leaves, &bounds, parts);
+            let own = boxed.order.boxed.as_ref();
+            most = most.max(own.map_or(0, |own| own.parts.len()));
+            for _ in 0..40 {
+                let origin = coarse(&mut rng) * 2.0 + DVec3::splat(0.25);
+                let towards = coarse(&mut rng) + rng.vector(0.5);
+                let ray = Ray::new(origin, (towards - origin).normalize_or(DVec3::X));
+                let from = rng.uniform() * 4.0;
+                let to = from + 1.0 / rng.uniform();
+                // The first of them are passed, as transparent ones are.
+                let passed = rng.bits() % 6;
+                let mut find = |program: &CsgProgram| {
+                    let context = SweepContext::free(&leaves, &ray);
+                    let (mut seen, interval) = (Vec::new(), RayInterval { from, to });
+                    program.nearest(context, interval, &mut sweep, |hit| {
+                        seen.push((hit.root, hit.leaf));
+                        seen.len() as u64 > passed
+                    });
+                    seen.retain(|(root, _)| root.t <= to);
+                    seen
+                };
+                let expected = find(&plain);
+                assert_eq!(find(&boxed), expected);
+                hits += expected.len();
+            }
+        }
+        assert!(hits > 10_000 && most > 100, "{hits} {most}");
     }
 
     #[test]

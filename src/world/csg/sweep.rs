@@ -10,7 +10,7 @@
 //! other children; an intersection those inside all its other children.
 
 use super::inside::InsideState;
-use super::program::{BoundGate, CsgProgram};
+use super::program::{BoundGate, CsgProgram, NONE};
 use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
 use crate::world::primitive::Leaf;
@@ -80,10 +80,12 @@ pub(crate) struct Sweep {
     pub(super) was_in: Vec<bool>,
     /// For each of these roots, true if its surface is shown.
     pub(super) shown: Vec<bool>,
-    /// Operands whose boxes are hit.
+    /// Operands with boxes, or in parts with boxes, that the ray may hit.
     near: Vec<u32>,
-    /// For each operand, true if the ray misses the box of a part that contains it; empty if no such box is missed.
-    missed: Vec<bool>,
+    /// True for those of `hit_parts` whose operands the ray may hit.
+    is_hit: Vec<bool>,
+    /// The parts with boxes that the ray hits.
+    hit_parts: Vec<u32>,
     /// For each operand, true if it does not show because the ray misses its bounding object; empty if none is missed.
     unseen: Vec<bool>,
     /// For bounding objects, which are CSG programs too.
@@ -189,11 +191,11 @@ impl CsgProgram {
         }
         self.try_boxes(context.ray, RayInterval { from, to }, sweep);
         let near = std::mem::take(&mut sweep.near);
-        for &number in self.order.others.iter().chain(&near) {
-            // A missed operand has no roots, and the ray is in its rest state there.
-            if sweep.missed.get(number as usize) != Some(&true) {
-                self.add_roots(number, context, RayInterval { from, to }, sweep);
-            }
+        let boxed = self.order.boxed.as_ref();
+        let others = boxed.map_or(&self.order.others[..], |boxed| boxed.free_others());
+        // The ray hits none of the rest, and is in their rest state.
+        for &number in others.iter().chain(&near) {
+            self.add_roots(number, context, RayInterval { from, to }, sweep);
         }
         sweep.near = near;
         Some(to)
@@ -270,27 +272,50 @@ impl CsgProgram {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Collects the operands whose boxes the ray hits; outside all boxes it is outside. Also marks the operands of
-    /// parts whose boxes are missed: outside its box a part shows nothing and contains no point of the ray, whatever it
-    /// is made of.
+    /// Collects the operands in the BVH whose boxes the ray hits, and all operands of parts whose boxes it hits, but none
+    /// of parts that it misses: outside its box a part shows nothing and contains no point of the ray, as no part with a
+    /// box contains a ray that is outside all its leaves.
     fn try_boxes(&self, ray: &Ray, interval: RayInterval, sweep: &mut Sweep) {
-        sweep.near.clear();
-        sweep.missed.clear();
+        let Sweep {
+            near,
+            is_hit,
+            hit_parts,
+            ..
+        } = sweep;
+        near.clear();
+        for part in hit_parts.drain(..) {
+            is_hit[part as usize] = false;
+        }
         let Some(boxed) = &self.order.boxed else {
             return;
         };
-        let mut hit = 0u64;
+        if is_hit.len() < boxed.parts.len() {
+            is_hit.resize(boxed.parts.len(), false);
+        }
         boxed.tree.any(ray, interval.from, interval.to, |position| {
-            match boxed.bounded.get(position as usize) {
-                Some(&number) => sweep.near.push(number),
-                None => hit |= 1 << (position as usize - boxed.bounded.len()),
+            match position.checked_sub(boxed.first_part) {
+                None => near.push(position),
+                Some(part) => {
+                    is_hit[part as usize] = true;
+                    hit_parts.push(part);
+                }
             }
             false
         });
-        for (part, operands) in boxed.parts.iter().enumerate() {
-            if hit >> part & 1 == 0 {
-                self.mark(operands, &mut sweep.missed);
-            }
+        // Parts come before those within them, which are out of reach if the ray misses the box around them.
+        hit_parts.sort_unstable();
+        for &part in &*hit_parts {
+            let around = boxed.parts[part as usize].around;
+            is_hit[part as usize] = around == NONE || is_hit[around as usize];
+        }
+        let is_reached = |part: u32| part == NONE || is_hit[part as usize];
+        near.retain_mut(|position| {
+            let part = boxed.part_of_bounded[*position as usize];
+            *position = boxed.bounded[*position as usize];
+            is_reached(part)
+        });
+        for &part in hit_parts.iter().filter(|part| is_reached(**part)) {
+            near.extend(boxed.others_of(part));
         }
     }
 

@@ -29,16 +29,20 @@ pub(crate) struct PartBounds {
     pub(crate) shown: Bounds,
     /// Bounds of its inside.
     pub(crate) solid: Bounds,
+    /// True if it contains the rays that are outside all its leaves.
+    pub(crate) holds_at_rest: bool,
 }
 
 impl PartBounds {
     const EMPTY: PartBounds = PartBounds {
         shown: Bounds::EMPTY,
         solid: Bounds::EMPTY,
+        holds_at_rest: false,
     };
     const EVERYTHING: PartBounds = PartBounds {
         shown: Bounds::EVERYTHING,
         solid: Bounds::EVERYTHING,
+        holds_at_rest: true,
     };
 }
 
@@ -155,7 +159,9 @@ impl Lowering {
         let bounds = self.add_clipped(object, above, &below, program, slot);
         let end = index(program.operands.len());
         let around = bounds.shown.union(&bounds.solid);
-        if end - first > 1 && around.is_finite() && !around.is_empty() {
+        // A ray that misses the box counts as outside all leaves: as outside the part, unless that is made of inverse ones.
+        let has_box = around.is_finite() && !around.is_empty() && !bounds.holds_at_rest;
+        if end - first > 1 && has_box {
             self.boxed.push((first..end, around));
         }
         // Parts keep their bounds, whatever they are (measured with POV-Ray).
@@ -211,6 +217,7 @@ impl Lowering {
             let held = self.add_node(&clip.what, &around, program, slot);
             bounds.shown = bounds.shown.touching_intersection(&held.solid);
             bounds.solid = bounds.solid.touching_intersection(&held.solid);
+            bounds.holds_at_rest &= held.holds_at_rest;
         }
         let factors = factors(program, node, &starts);
         bounds.solid = clip_to_planes(&self.parts.leaves, &factors, bounds.solid);
@@ -262,7 +269,11 @@ impl Lowering {
                 } else {
                     bounds
                 };
-                PartBounds { shown, solid }
+                PartBounds {
+                    shown,
+                    solid,
+                    holds_at_rest: is_inverse,
+                }
             }
             Kind::Csg {
                 operation,
@@ -384,9 +395,11 @@ impl Lowering {
             if is_product {
                 sum.solid = sum.solid.touching_intersection(&child.solid);
                 sum.shown = sum.solid;
+                sum.holds_at_rest &= child.holds_at_rest;
             } else {
                 sum.solid = sum.solid.union(&child.solid);
                 sum.shown = sum.shown.union(&child.shown);
+                sum.holds_at_rest |= child.holds_at_rest;
             }
         }
         if is_product {

@@ -34,7 +34,7 @@ impl CsgProgram {
         rays: &RayPacket4,
         active: u32,
     ) -> CsgPacketHits {
-        let mut others = Numbers::from_slice(&self.order.others);
+        let mut others = Numbers::new();
         let mut packet = CsgPacket {
             program: self,
             leaves,
@@ -172,8 +172,9 @@ mod tests {
     use super::super::hits::HitPacket4;
     use super::*;
     use crate::base::math::sampling::random::Random;
+    use crate::world::csg::packet_strategy::MAX_NODES;
     use crate::world::csg::program::Combine;
-    use crate::world::csg::simplify::tests::{coarse, random_program};
+    use crate::world::csg::simplify::tests::{coarse, random_parts, random_program};
     use crate::world::csg::sweep::{RayInterval, Sweep};
     use glam::DVec3;
 
@@ -182,15 +183,22 @@ mod tests {
         let mut rng = Random::new(77);
         let (mut sweep, mut stream) = (Sweep::default(), RayStream::default());
         let mut known = [[0; 2]; 2];
-        for _ in 0..25_000 {
-            let (mut program, leaves, bounds) = random_program(&mut rng);
+        let mut of_many = 0;
+        for number in 0..25_000_u64 {
+            let (mut program, leaves, bounds, parts) = match number.is_multiple_of(8) {
+                true => random_parts(&mut rng, 1 + number / 8 % 12),
+                false => {
+                    let (program, leaves, bounds) = random_program(&mut rng);
+                    (program, leaves, bounds, Vec::new())
+                }
+            };
             if let [node] = &mut program.nodes[..] {
                 // One solid minus all others, or hardly anything would be shown.
                 node.combine = Combine::Intersection;
                 let others = program.operands.iter_mut().skip(1);
                 others.for_each(|operand| operand.is_inverse = true);
             }
-            program.prepare(&leaves, &bounds, Vec::new());
+            program.prepare(&leaves, &bounds, parts);
             let strategy = program.packet_strategy(&leaves);
             if strategy == PacketStrategy::Scalar {
                 continue;
@@ -229,11 +237,12 @@ mod tests {
                 let is_cut = usize::from(program.order.boxed.is_some());
                 known[usize::from(strategy == PacketStrategy::Tree)][is_cut] +=
                     usize::from(alone.is_some());
+                of_many += usize::from(program.nodes.len() > MAX_NODES && alone.is_some());
             }
         }
         assert!(
-            known.as_flattened().iter().all(|&known| known > 100),
-            "{known:?}"
+            known.as_flattened().iter().all(|&known| known > 100) && of_many > 100,
+            "{known:?} {of_many}"
         );
     }
 }

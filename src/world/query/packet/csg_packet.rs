@@ -4,10 +4,16 @@ use super::rays::RayPacket4;
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, SpanPacket};
 use crate::world::csg::coincidence::Widening;
-use crate::world::csg::packet_strategy::{MAX_OPERANDS, Numbers};
-use crate::world::csg::program::CsgProgram;
+use crate::world::csg::packet_strategy::{MAX_NODES, MAX_OPERANDS, Numbers};
+use crate::world::csg::program::{CsgProgram, NONE};
 use crate::world::primitive::Leaf;
 use crate::world::query::closest::SKIN;
+use arrayvec::ArrayVec;
+
+/// The most boxes of operands, and of parts, that the rays of a packet may hit.
+const MAX_BOXES: usize = 32;
+/// Positions of boxes.
+type Boxes = ArrayVec<u32, MAX_BOXES>;
 
 /// A ray packet and the program that it is intersected with.
 #[derive(Clone, Copy)]
@@ -351,22 +357,29 @@ impl CsgPacket<'_> {
         leaf.shape.span_packet(&rays, low, high)
     }
 
-    /// Adds the operands of a large program whose boxes some of the rays hit within their clip intervals, and updates
-    /// the active lanes; drops operands of parts whose boxes no ray hits. Returns `None` if there are too many.
+    /// Collects the operands to be tested besides the required ones, and updates the active lanes: of a large program,
+    /// those whose boxes some of the rays hit within their clip intervals, and those of parts whose boxes they hit.
+    /// Returns `None` if there are too many.
     #[inline(always)]
     pub(crate) fn gather(&mut self, lanes: SimdLevel, others: &mut Numbers) -> Option<()> {
         let order = &self.program.order;
-        let boxed = order.boxed.as_ref();
-        let Some(boxed) = boxed.filter(|boxed| !boxed.bounded.is_empty()) else {
-            return Some(());
-        };
-        let ([low, high], left) = lanes.run(ClipKernel(*self));
-        self.active = left;
-        let capacity = match self.program.nodes.len() {
+        let nodes = self.program.nodes.len();
+        let capacity = match nodes {
             1 => MAX_OPERANDS,
             _ => MAX_OPERANDS - order.required.len(),
         };
-        let mut hit_parts = 0u64;
+        let Some(boxed) = &order.boxed else {
+            others.extend_from_slice(&order.others);
+            return Some(());
+        };
+        if boxed.bounded.is_empty() && order.others.len() <= capacity && nodes <= MAX_NODES {
+            // All of them take less time than a search.
+            others.extend_from_slice(&order.others);
+            return Some(());
+        }
+        let ([low, high], left) = lanes.run(ClipKernel(*self));
+        self.active = left;
+        let (mut near, mut hit_parts) = (Boxes::new(), Boxes::new());
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
             let is_full = boxed.tree.any_in(
                 lanes,
@@ -374,21 +387,38 @@ impl CsgPacket<'_> {
                 (low[lane], high[lane]),
                 #[inline(always)]
                 |position| {
-                    match boxed.bounded.get(position as usize) {
-                        Some(number) if others.contains(number) => {}
-                        Some(&number) => others.push(number),
-                        None => hit_parts |= 1 << (position as usize - boxed.bounded.len()),
-                    }
-                    others.len() > capacity
+                    let (hits, number) = match position.checked_sub(boxed.first_part) {
+                        None => (&mut near, position),
+                        Some(part) => (&mut hit_parts, part),
+                    };
+                    !hits.contains(&number) && hits.try_push(number).is_err()
                 },
             );
             if is_full {
                 return None;
             }
         }
-        for (part, operands) in boxed.parts.iter().enumerate() {
-            if hit_parts >> part & 1 == 0 {
-                others.retain(|number| !operands.contains(number));
+        // Parts come before those within them, which are out of reach if the rays miss the box around them.
+        hit_parts.sort_unstable();
+        let mut reached = Boxes::new();
+        for part in hit_parts {
+            let around = boxed.parts[part as usize].around;
+            if around == NONE || reached.contains(&around) {
+                reached.push(part);
+            }
+        }
+        let mut add = |numbers: &[u32]| {
+            let fits = others.len() + numbers.len() <= capacity;
+            fits.then(|| others.extend_from_slice(numbers))
+        };
+        add(boxed.free_others())?;
+        for &part in &reached {
+            add(boxed.others_of(part))?;
+        }
+        for position in near {
+            let part = boxed.part_of_bounded[position as usize];
+            if part == NONE || reached.contains(&part) {
+                add(&[boxed.bounded[position as usize]])?;
             }
         }
         Some(())

@@ -1,9 +1,11 @@
-//! CSG trees for packets of four rays: like [`super::csg`], but each end is tested with the formula of the whole tree.
+//! CSG trees for packets of four rays: like [`super::csg`], but each end is tested with the formula of the tree above the
+//! operands tested.
 
 use super::csg_packet::{CsgPacket, CsgPacketHits, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
 use crate::world::csg::packet_strategy::{MAX_NODES, MAX_OPERANDS};
-use crate::world::csg::program::{Combine, NONE};
+use crate::world::csg::program::{Combine, CsgProgram, NONE, Node};
+use arrayvec::ArrayVec;
 
 /// A ray packet and the CSG tree that it is intersected with.
 pub(in crate::world) struct CsgTreePacket<'a>(pub(in crate::world) CsgPacket<'a>);
@@ -12,7 +14,78 @@ pub(in crate::world) struct CsgTreePacket<'a>(pub(in crate::world) CsgPacket<'a>
 #[derive(Clone, Copy)]
 struct OperandInterval<F> {
     number: u32,
+    /// The index of its parent in a [`Subtree`].
+    parent: usize,
     ends: (F, F),
+}
+
+/// The nodes above some operands.
+struct Subtree {
+    /// Their indices in the program, parents before children.
+    numbers: ArrayVec<u32, MAX_NODES>,
+    /// The nodes, with indices of parents in this list.
+    nodes: ArrayVec<Node, MAX_NODES>,
+    /// For each node, the numbers of its other children that do not contain the rays, and of those that do. All rays are
+    /// outside their leaves.
+    rest: [[u32; 2]; MAX_NODES],
+}
+
+impl Subtree {
+    /// The nodes above these operands, or all nodes if they are few; `None` if there are too many.
+    fn above(program: &CsgProgram, operands: impl Iterator<Item = u32> + Clone) -> Option<Subtree> {
+        let boxed = program.order.boxed.as_ref();
+        let mut numbers = ArrayVec::<u32, MAX_NODES>::new();
+        if program.nodes.len() <= MAX_NODES {
+            // Some may have no operands.
+            numbers.extend((0..).zip(&program.nodes).map(|(number, _)| number));
+        } else {
+            for number in operands.clone() {
+                let mut above = program.operands[number as usize].parent;
+                while above != NONE && !numbers.contains(&above) {
+                    numbers.try_push(above).ok()?;
+                    above = program.nodes[above as usize].parent;
+                }
+            }
+        }
+        numbers.sort_unstable();
+        let mut subtree = Subtree {
+            numbers,
+            nodes: ArrayVec::new(),
+            rest: [[0; 2]; MAX_NODES],
+        };
+        for &number in &subtree.numbers {
+            let node = &program.nodes[number as usize];
+            subtree.nodes.push(Node {
+                parent: subtree.index(node.parent),
+                ..node.clone()
+            });
+        }
+        if let Some(boxed) = boxed {
+            for (rest, &number) in subtree.rest.iter_mut().zip(&subtree.numbers) {
+                *rest = boxed.resting[number as usize];
+            }
+            for number in operands {
+                let operand = &program.operands[number as usize];
+                let parent = subtree.index(operand.parent);
+                subtree.rest[parent as usize % MAX_NODES][usize::from(operand.is_inverse)] -= 1;
+            }
+            for (node, &number) in subtree.nodes.iter().zip(&subtree.numbers) {
+                if let Some(rest) = subtree.rest.get_mut(node.parent as usize) {
+                    rest[usize::from(node.holds(program.rest.counts[number as usize]))] -= 1;
+                }
+            }
+        }
+        Some(subtree)
+    }
+
+    /// The index in this list of a node of the program; [`NONE`] for that.
+    #[inline(always)]
+    fn index(&self, number: u32) -> u32 {
+        (0..)
+            .zip(&self.numbers)
+            .find(|(_, own)| **own == number)
+            .map_or(NONE, |(index, _)| index)
+    }
 }
 
 /// Lanes that are certainly inside, and those that are certainly outside.
@@ -85,22 +158,33 @@ impl SimdKernel for CsgTreePacket<'_> {
         let Some(clip) = packet.narrowed(&rays) else {
             return CsgPacketHits::NOTHING;
         };
+        let required = &packet.program.order.required;
+        let numbers = required.iter().chain(packet.others).copied();
+        let Some(tree) = Subtree::above(packet.program, numbers.clone()) else {
+            return CsgPacketHits {
+                unknown: packet.active,
+                ..CsgPacketHits::NOTHING
+            };
+        };
         let mut unknown = clip.unknown;
         let mut parts = [OperandInterval {
             number: 0,
+            parent: 0,
             ends: (clip.low, clip.low),
         }; MAX_OPERANDS];
-        let required = &packet.program.order.required;
-        let numbers = required.iter().chain(packet.others);
         let mut count = 0;
-        for (part, &number) in parts.iter_mut().zip(numbers) {
+        for (part, number) in parts.iter_mut().zip(numbers) {
             let (ends, own_unknown) = packet.ends(number, &rays, clip.low, clip.high);
-            *part = OperandInterval { number, ends };
+            let parent = tree.index(packet.program.operands[number as usize].parent) as usize;
+            *part = OperandInterval {
+                number,
+                parent,
+                ends,
+            };
             unknown |= own_unknown & packet.active;
             count += 1;
         }
         let parts = &parts[..count];
-        let rest = self.rest(parts);
         let from = F::from_array(&packet.rays.t_min);
         let mut best = F::splat(f64::INFINITY);
         for (position, part) in parts.iter().enumerate() {
@@ -111,7 +195,7 @@ impl SimdKernel for CsgTreePacket<'_> {
                 let is_within = clip.low.le(t) & t.le(clip.high);
                 let is_next = (from.lt(t) & is_within) & t.lt(best);
                 if F::bitmask(is_next) & packet.active != 0 {
-                    let is_covered = self.is_covered(parts, position, t, &rest);
+                    let is_covered = self.is_covered(&tree, parts, position, t);
                     best = F::select(is_next, F::select(is_covered, best, t), best);
                 }
             }
@@ -127,45 +211,27 @@ impl SimdKernel for CsgTreePacket<'_> {
 }
 
 impl CsgTreePacket<'_> {
-    /// For each node, the counts of operands not among `parts`, plain and inverse. All rays are outside their leaves,
-    /// so inside the inverse ones.
-    #[inline(always)]
-    fn rest<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MAX_NODES] {
-        let order = &self.0.program.order;
-        let mut rest = [[0; 2]; MAX_NODES];
-        if let Some(boxed) = &order.boxed {
-            for (rest, resting) in rest.iter_mut().zip(&boxed.resting) {
-                *rest = *resting;
-            }
-            for part in &parts[order.required.len()..] {
-                let operand = &self.0.program.operands[part.number as usize];
-                rest[operand.parent as usize % MAX_NODES][usize::from(operand.is_inverse)] -= 1;
-            }
-        }
-        rest
-    }
-
     /// Lanes in which some ancestor hides the surface at `t` of the operand at `position`. An operand that also ends
     /// there is neither certainly inside nor certainly outside: a surface it may cover counts as shown, so that it is
     /// not missed.
     #[inline(always)]
     fn is_covered<F: F64Lanes>(
         &self,
+        tree: &Subtree,
         parts: &[OperandInterval<F>],
         position: usize,
         t: F,
-        rest: &[[u32; 2]; MAX_NODES],
     ) -> F::Mask {
         let program = self.0.program;
         let (low, high) = self.0.around(t);
-        let nodes = program.nodes.iter().take(MAX_NODES).enumerate();
+        let nodes = tree.nodes.iter().enumerate();
         let mut sides = [InsideMasks::<F>::of_nothing(Combine::Union); MAX_NODES];
-        for (at, node) in nodes.clone() {
+        for ((at, node), rest) in nodes.clone().zip(&tree.rest) {
             sides[at] = InsideMasks::of_nothing(node.combine);
-            for is_inverse in [false, true] {
-                if rest[at][usize::from(is_inverse)] > 0 {
+            for (is_in, &count) in [false, true].into_iter().zip(rest) {
+                if count > 0 {
                     let outside = InsideMasks::of_nothing(Combine::Union);
-                    sides[at].add(node.combine, outside.exchanged(is_inverse));
+                    sides[at].add(node.combine, outside.exchanged(is_in));
                 }
             }
         }
@@ -179,23 +245,22 @@ impl CsgTreePacket<'_> {
                 inside: enter.lt(low) & high.lt(leave),
                 outside: high.lt(enter) | leave.lt(low),
             };
-            let combine = program.nodes[operand.parent as usize].combine;
-            let parent = operand.parent as usize % MAX_NODES;
+            let parent = part.parent % MAX_NODES;
+            let combine = tree.nodes[parent].combine;
             sides[parent].add(combine, side.exchanged(operand.is_inverse));
         }
         let mut is_covered = F::mask_from_bits(0);
-        let mut above = program.operands[parts[position].number as usize].parent;
+        let mut above = parts[position].parent;
         for (at, node) in nodes.rev() {
             let own = sides[at];
-            if at != above as usize {
-                if node.parent != NONE {
-                    let combine = program.nodes[node.parent as usize].combine;
-                    let parent = node.parent as usize % MAX_NODES;
-                    sides[parent].add(combine, own.exchanged(node.is_inverse));
+            if at != above {
+                if let Some(parent) = tree.nodes.get(node.parent as usize) {
+                    let side = own.exchanged(node.is_inverse);
+                    sides[node.parent as usize % MAX_NODES].add(parent.combine, side);
                 }
                 continue;
             }
-            above = node.parent;
+            above = node.parent as usize;
             is_covered = match node.combine {
                 Combine::Union => is_covered,
                 Combine::Merge => is_covered | own.inside,
