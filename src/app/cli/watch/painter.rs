@@ -35,7 +35,7 @@ const PREVIEW_TIMES: [Duration; 2] = [Duration::from_millis(8), Duration::from_m
 /// A picture that takes longer than this, as its preview tells, has a second preview. It takes a ninth of the time of the
 /// picture at most.
 const LONG: Duration = Duration::from_secs(1);
-/// Time without new wishes after which the whole picture of a camera in motion is begun.
+/// The whole picture of a camera in motion is begun if no other wish comes for this long.
 const REST: Duration = Duration::from_millis(60);
 /// The larger side of a map of costs at most.
 const MAP: u32 = 400;
@@ -102,6 +102,7 @@ type OverlayPicture = (Vec<u8>, String, Option<MapReport>);
 impl Painter {
     /// Renders the preview and the picture, in a worker process, so that a scene cannot end the watch.
     pub(super) fn draw(&self, drawing: &Drawing, began: SystemTime, order: &Order) {
+        let taken = Instant::now();
         let errors = Mutex::new(String::new());
         // A scene that stays compiled is not read for each picture.
         let warnings = &self.warnings;
@@ -192,7 +193,7 @@ impl Painter {
                     self.adapt(traced);
                 }
                 if order.is_wished {
-                    drawing.wait_for_wishes(REST);
+                    drawing.wait_for_wishes(REST.saturating_sub(taken.elapsed()));
                 }
                 continue;
             }
