@@ -57,6 +57,16 @@ impl CsgProgram {
         // Ranges are nested or apart. Of equal ones the last is the outer object.
         parts.reverse();
         parts.sort_by_key(|(operands, _)| (operands.start, std::cmp::Reverse(operands.end)));
+        // Those of which all operands are in the BVH, or in smaller parts, are tested in vain.
+        let part_of = smallest_parts(&parts, self.len());
+        let mut has_others = vec![false; parts.len()];
+        for &number in &self.order.others {
+            if let Some(has_others) = has_others.get_mut(part_of[number as usize] as usize) {
+                *has_others = true;
+            }
+        }
+        let mut has_others = has_others.into_iter();
+        parts.retain(|_| has_others.next() == Some(true));
         let mut boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
         boxes.extend(parts.iter().map(|(_, bounds)| *bounds));
         if boxes.is_empty() {

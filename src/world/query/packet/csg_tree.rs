@@ -21,7 +21,7 @@ struct OperandInterval<F> {
 
 /// The nodes above some operands.
 struct Subtree {
-    /// Their indices in the program, parents before children.
+    /// Their indices in the program, parents before children; empty if these are all nodes of the program.
     numbers: ArrayVec<u32, MAX_NODES>,
     /// The nodes, with indices of parents in this list.
     nodes: ArrayVec<Node, MAX_NODES>,
@@ -33,59 +33,80 @@ struct Subtree {
 impl Subtree {
     /// The nodes above these operands, or all nodes if they are few; `None` if there are too many.
     fn above(program: &CsgProgram, operands: impl Iterator<Item = u32> + Clone) -> Option<Subtree> {
-        let boxed = program.order.boxed.as_ref();
-        let mut numbers = ArrayVec::<u32, MAX_NODES>::new();
-        if program.nodes.len() <= MAX_NODES {
-            // Some may have no operands.
-            numbers.extend((0..).zip(&program.nodes).map(|(number, _)| number));
-        } else {
-            for number in operands.clone() {
-                let mut above = program.operands[number as usize].parent;
-                while above != NONE && !numbers.contains(&above) {
-                    numbers.try_push(above).ok()?;
-                    above = program.nodes[above as usize].parent;
-                }
-            }
-        }
-        numbers.sort_unstable();
         let mut subtree = Subtree {
-            numbers,
+            numbers: ArrayVec::new(),
             nodes: ArrayVec::new(),
             rest: [[0; 2]; MAX_NODES],
         };
-        for &number in &subtree.numbers {
-            let node = &program.nodes[number as usize];
-            subtree.nodes.push(Node {
-                parent: subtree.index(node.parent),
-                ..node.clone()
-            });
+        if program.nodes.len() <= MAX_NODES {
+            subtree.nodes.extend(program.nodes.iter().cloned());
+        } else {
+            subtree.numbers = numbers_above(program, operands.clone())?;
+            for &number in &subtree.numbers {
+                let node = program.nodes[number as usize].clone();
+                let parent = subtree.index(node.parent);
+                subtree.nodes.push(Node { parent, ..node });
+            }
         }
-        if let Some(boxed) = boxed {
-            for (rest, &number) in subtree.rest.iter_mut().zip(&subtree.numbers) {
-                *rest = boxed.resting[number as usize];
+        let Some(boxed) = &program.order.boxed else {
+            return Some(subtree);
+        };
+        let has_all_nodes = subtree.numbers.is_empty();
+        if has_all_nodes && operands.clone().count() == program.operands.len() {
+            return Some(subtree);
+        }
+        for number in operands {
+            let operand = &program.operands[number as usize];
+            let parent = subtree.index(operand.parent) as usize;
+            subtree.rest[parent % MAX_NODES][usize::from(operand.is_inverse)] += 1;
+        }
+        for (at, node) in (0..).zip(&subtree.nodes) {
+            let count = program.rest.counts[subtree.number(at) as usize];
+            if let Some(listed) = subtree.rest.get_mut(node.parent as usize) {
+                listed[usize::from(node.holds(count))] += 1;
             }
-            for number in operands {
-                let operand = &program.operands[number as usize];
-                let parent = subtree.index(operand.parent);
-                subtree.rest[parent as usize % MAX_NODES][usize::from(operand.is_inverse)] -= 1;
-            }
-            for (node, &number) in subtree.nodes.iter().zip(&subtree.numbers) {
-                if let Some(rest) = subtree.rest.get_mut(node.parent as usize) {
-                    rest[usize::from(node.holds(program.rest.counts[number as usize]))] -= 1;
-                }
-            }
+        }
+        for (at, _) in (0..).zip(&subtree.nodes) {
+            let all = boxed.resting[subtree.number(at) as usize];
+            let listed = &mut subtree.rest[at as usize];
+            *listed = [all[0] - listed[0], all[1] - listed[1]];
         }
         Some(subtree)
+    }
+
+    /// The index in the program of a node of this list.
+    #[inline(always)]
+    fn number(&self, at: u32) -> u32 {
+        self.numbers.get(at as usize).copied().unwrap_or(at)
     }
 
     /// The index in this list of a node of the program; [`NONE`] for that.
     #[inline(always)]
     fn index(&self, number: u32) -> u32 {
-        (0..)
-            .zip(&self.numbers)
-            .find(|(_, own)| **own == number)
+        if self.numbers.is_empty() {
+            return number;
+        }
+        let mut own = (0..).zip(&self.numbers);
+        own.find(|(_, own)| **own == number)
             .map_or(NONE, |(index, _)| index)
     }
+}
+
+/// The nodes above these operands, parents before children; `None` if there are too many.
+fn numbers_above(
+    program: &CsgProgram,
+    operands: impl Iterator<Item = u32>,
+) -> Option<ArrayVec<u32, MAX_NODES>> {
+    let mut numbers = ArrayVec::new();
+    for number in operands {
+        let mut above = program.operands[number as usize].parent;
+        while above != NONE && !numbers.contains(&above) {
+            numbers.try_push(above).ok()?;
+            above = program.nodes[above as usize].parent;
+        }
+    }
+    numbers.sort_unstable();
+    Some(numbers)
 }
 
 /// Lanes that are certainly inside, and those that are certainly outside.
