@@ -46,7 +46,7 @@ use base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Writes,
 };
 use base::source::{Diagnostic, FileId, Message, Severity, Sources};
-use base::sync::{deep_thread, lock};
+use base::sync::lock;
 use base::version::Novelty;
 use compiled::SceneCamera;
 use compiled::edited::{self, Next, PictureCache, SceneVersion};
@@ -58,6 +58,10 @@ use scene::{Object, Scene};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, mpsc};
 use world::World;
+
+/// The stack for reading and lowering, which recurse once for each level of nesting in the scene. It is reserved, not
+/// committed, until a scene nests that deep.
+const STACK_BYTES: usize = 1 << 30;
 
 /// The stack of a render thread, which recurses once for each refraction and reflection outside of the wavefront. An
 /// unoptimised build takes some megabytes for the CSG kernels.
@@ -417,17 +421,21 @@ fn with_deep_stack<T: Send>(
     listen: &EventHandler<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> Result<T, Failure> {
-    std::thread::scope(
-        |scope| match deep_thread("reader").spawn_scoped(scope, work) {
-            Ok(reader) => reader
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            Err(error) => {
-                let message = format!("no memory for the stack of the reader: {error}");
-                Err(failure(message, listen))
-            }
-        },
-    )
+    std::thread::scope(|scope| match deep("reader").spawn_scoped(scope, work) {
+        Ok(reader) => reader
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+        Err(error) => {
+            let message = format!("no memory for the stack of the reader: {error}");
+            Err(failure(message, listen))
+        }
+    })
+}
+
+/// A thread with such a stack.
+fn deep(name: &str) -> std::thread::Builder {
+    let thread = std::thread::Builder::new();
+    thread.name(name.to_owned()).stack_size(STACK_BYTES)
 }
 
 /// A failure that is not caused by the scene.
@@ -531,7 +539,7 @@ fn compiled_in_a_thread(
         Some(world)
     };
     let world = std::thread::scope(|scope| {
-        let compiler = deep_thread("compiler").spawn_scoped(scope, compile).ok()?;
+        let compiler = deep("compiler").spawn_scoped(scope, compile).ok()?;
         for (batches, objects) in (1..).zip(objects) {
             drop::<Vec<Arc<Object>>>(objects);
             if batches % TRIM_INTERVAL == 0 {

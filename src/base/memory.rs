@@ -36,29 +36,6 @@ pub fn claim_heap() {
     }
 }
 
-/// Sets whether large blocks come from the heap and stay there when they are freed: memory from the system is cleared
-/// page by page, which takes as long as a small picture. Without effect in the process of somebody else.
-#[cfg(feature = "cli")]
-pub(crate) fn reuse_large_blocks(is_on: bool) {
-    #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    if OWNS_HEAP.load(Ordering::Relaxed) {
-        // The largest threshold that glibc takes, and its own one for free memory at the end of the heap.
-        const LARGEST_REUSED: i32 = 1 << 25;
-        const TRIM_THRESHOLD: i32 = 1 << 17;
-        let (mmap_from, trim_from) = match is_on {
-            true => (LARGEST_REUSED, 2 * LARGEST_REUSED),
-            false => (MMAP_THRESHOLD, TRIM_THRESHOLD),
-        };
-        // SAFETY: takes plain integers; an invalid value is rejected without effect.
-        unsafe {
-            libc::mallopt(libc::M_MMAP_THRESHOLD, mmap_from);
-            libc::mallopt(libc::M_TRIM_THRESHOLD, trim_from);
-        }
-    }
-    #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
-    let _ = is_on;
-}
-
 /// Prefetches a value that will be read soon, into all cache levels.
 #[inline(always)]
 pub(crate) fn prefetch<T>(what: &T) {

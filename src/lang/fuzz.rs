@@ -38,7 +38,7 @@ fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
 #[test]
 fn broken_scenes_are_read_to_an_end() {
     // Scenes nest up to the limits, so the stack is the one that reading always has.
-    let reader = std::thread::Builder::new().stack_size(crate::base::sync::STACK_BYTES);
+    let reader = std::thread::Builder::new().stack_size(crate::STACK_BYTES);
     let read = reader.spawn(read_broken_scenes).expect("a thread");
     if let Err(panic) = read.join() {
         std::panic::resume_unwind(panic);

@@ -311,25 +311,30 @@ impl Objects {
         self.chunks.iter().flat_map(|chunk| chunk.iter())
     }
 
-    /// The pairs of the entries of two lists of the same length, with their indices, without those that the lists share.
+    /// Visits the pairs of the entries of two lists of the same length, with their indices, without those that the lists
+    /// share, until `visit` returns false. Returns true if it never does.
     pub(super) fn unshared_pairs<'a>(
         &'a self,
         other: &'a Objects,
-    ) -> Vec<(usize, &'a Entry, &'a Entry)> {
+        mut visit: impl FnMut(usize, &'a Entry, &'a Entry) -> bool,
+    ) -> bool {
         let (mut own, mut others) = (Position::of(self), Position::of(other));
-        let (mut index, mut pairs) = (0, Vec::new());
+        let mut index = 0;
         while let (Some(a), Some(b)) = (own.rest(), others.rest()) {
             let count = a.len().min(b.len());
             // A rest that two chunks share lies at the same addresses.
             if !std::ptr::eq(a.as_ptr(), b.as_ptr()) {
-                let both = a.iter().zip(b).take(count);
-                pairs.extend((index..).zip(both).map(|(index, (a, b))| (index, a, b)));
+                for (at, (a, b)) in (index..).zip(a.iter().zip(b)).take(count) {
+                    if !visit(at, a, b) {
+                        return false;
+                    }
+                }
             }
             own.skip(count);
             others.skip(count);
             index += count;
         }
-        pairs
+        true
     }
 }
 

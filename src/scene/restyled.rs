@@ -3,18 +3,12 @@
 use super::likeness::Likeness;
 use super::{Attached, Entry, Kind, Object, Objects, Operation};
 use crate::base::color::Color;
-use crate::base::sync::deep_thread;
 use crate::scene::shape::Sphere;
 use crate::scene::texture::Texture;
-use std::panic::resume_unwind;
 use std::sync::Arc;
-use std::thread;
 
 /// With more such shapes than this, giving them their textures takes longer than it saves.
 const MOST: usize = 1 << 12;
-
-/// Fewer pairs of objects are compared by one thread.
-const SPLIT_FROM: usize = 64;
 
 /// A shape in another texture. It is an object of the scene, or a part of unions.
 #[derive(Debug)]
@@ -33,48 +27,33 @@ pub(crate) fn restyled(old: &Objects, new: &Objects) -> Option<Vec<Restyled>> {
     if old.len() != new.len() {
         return None;
     }
-    let pairs = old.unshared_pairs(new);
-    if pairs.len() < SPLIT_FROM {
-        return restyled_of(&pairs);
-    }
-    let (first, second) = pairs.split_at(pairs.len() / 2);
-    let (first, second) = thread::scope(|scope| {
-        let thread = deep_thread("comparer").spawn_scoped(scope, || restyled_of(second));
-        let first = restyled_of(first);
-        let second = match thread {
-            Ok(thread) => thread.join().unwrap_or_else(|panic| resume_unwind(panic)),
-            Err(_) => restyled_of(second),
-        };
-        (first, second)
-    });
-    let all = [first?, second?].into_iter().flatten().collect::<Vec<_>>();
-    (all.len() <= MOST).then_some(all)
-}
-
-/// [`restyled`] of some pairs of entries.
-fn restyled_of(pairs: &[(usize, &Entry, &Entry)]) -> Option<Vec<Restyled>> {
     let mut likeness = Likeness::default();
     let (mut all, mut made) = (Vec::new(), Vec::new());
-    for &(index, old, new) in pairs {
-        if is_same(old, new, &mut likeness) {
-            continue;
+    let mut compare = |index: usize, old: &Entry, new: &Entry| {
+        let is_same = is_same(old, new, &mut likeness);
+        if all.len() > MOST {
+            return false;
+        }
+        if is_same {
+            return true;
         }
         let [old, new] = [old, new].map(|entry| entry.clone().into_object());
         // Results of comparisons are found by addresses.
         made.extend([Arc::clone(&old), Arc::clone(&new)]);
         let shapes = new.size().leaves;
-        let parts = restyled_parts(&old, &new, 0, &mut likeness)?;
+        let Some(parts) = restyled_parts(&old, &new, 0, &mut likeness) else {
+            return false;
+        };
         all.extend(parts.into_iter().map(|(before, object)| Restyled {
             index,
             shapes,
             before,
             object,
         }));
-        if all.len() > MOST {
-            return None;
-        }
-    }
-    Some(all)
+        true
+    };
+    let is_done = old.unshared_pairs(new, &mut compare);
+    is_done.then_some(all)
 }
 
 /// True if two entries are certainly alike.

@@ -8,7 +8,6 @@ use crate::app::worker::{
 };
 use crate::base::encoding::EncodeOptions;
 use crate::base::film::Film;
-use crate::base::memory::reuse_large_blocks;
 use crate::base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
 };
@@ -118,10 +117,7 @@ impl LiveScenes {
             painter.path.clone_into(&mut self.path);
             (self.coarse, self.whole, self.delivered) = (None, None, None);
         }
-        reuse_large_blocks(false);
         let scene = painter.compiled((live, input), &mut self.compiled, &report)?;
-        // One picture after the other takes the same blocks.
-        reuse_large_blocks(true);
         if let Some(SentText { change, .. }) = &mut self.text {
             *change = TextChange::default();
         }
