@@ -168,6 +168,11 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_by_a_power_of_two_is_absorbed_exactly() {
+        check::absorbs_scales_exactly(&disc("<1,2,-3>, <1,3,2>, 2, 0.5"));
+    }
+
+    #[test]
     fn it_is_a_half_space_with_a_ring() {
         let ring = disc("<1,2,3>, <1,-1,2>, 2, 0.5");
         check::half_space(&ring);

@@ -179,6 +179,11 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_by_a_power_of_two_is_absorbed_exactly() {
+        check::absorbs_scales_exactly(&triangle("<1,2,-3>, <-1,3,2>, <2,0,1>"));
+    }
+
+    #[test]
     fn rounded_hits_follow_from_the_moved_corners() {
         let mut rng = Random::new(7);
         let mut vector = || DVec3::from_array([0; 3].map(|_| 2.0 * rng.uniform() - 1.0));

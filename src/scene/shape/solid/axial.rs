@@ -208,7 +208,13 @@ impl Axis {
             }
             Step::Scale(by) => {
                 let factor = uniform_scale(*by).or_else(|| self.round_scale(*by))?;
-                (Axis::new(self.base * *by, self.apex * *by), factor)
+                // The unit vector is not that of the ends, which a step before may have rounded: a scale by a power of
+                // two would change its last bits.
+                let scaled = Axis::new(self.base * *by, self.apex * *by).map(|ends| Axis {
+                    unit: self.unit * by.signum(),
+                    ..ends
+                });
+                (scaled, factor)
             }
             Step::General(_) => return None,
         };

@@ -391,6 +391,11 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_by_a_power_of_two_is_absorbed_exactly() {
+        check::absorbs_scales_exactly(&cone("<-0.7,0,0>, 0.2, <0.7,0,0>, 0.1"));
+    }
+
+    #[test]
     fn it_is_a_solid() {
         let tilted = cone("<1,2,3>, 1.5, <-2,3,5>, 0.3");
         check::solid(&tilted);

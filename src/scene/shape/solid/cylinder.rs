@@ -252,6 +252,11 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_by_a_power_of_two_is_absorbed_exactly() {
+        check::absorbs_scales_exactly(&cylinder("<-0.7,0,0>, <0.7,0,0>, 0.2"));
+    }
+
+    #[test]
     fn it_is_a_solid() {
         let tilted = cylinder("<1,2,3>, <-2,3,5>, 1.3");
         check::solid(&tilted);

@@ -276,6 +276,11 @@ mod tests {
     }
 
     #[test]
+    fn a_scale_by_a_power_of_two_is_absorbed_exactly() {
+        check::absorbs_scales_exactly(&lemon("<-0.7,0,0>, 0.2, <0.7,0,0>, 0.1, 3"));
+    }
+
+    #[test]
     fn it_is_a_solid() {
         for text in [
             "<1,2,3>, 1.5, <-2,3,5>, 0.3, 6",

@@ -1,7 +1,7 @@
 //! Properties of every shape, tested on a few thousand random rays.
 
 pub(crate) use crate::base::math::sampling::random::Random;
-use crate::base::math::{Bounds, Ray, Transform};
+use crate::base::math::{Bounds, Ray, Step, Transform};
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
 
@@ -219,6 +219,21 @@ pub(crate) fn scales_exactly<S: Geometry>(shape: &S, scaled: impl Fn(f64) -> S) 
                 .collect();
             assert_eq!(others, expected, "k = {k}");
         }
+    }
+}
+
+/// A shape that was turned and moved absorbs a scale by 2^k with the same roots to the bit.
+pub(crate) fn absorbs_scales_exactly<S: Geometry + Clone>(shape: &S) {
+    let absorbed = |shape: &S, step: Step| {
+        let mut moved = shape.clone();
+        assert!(moved.absorb(&step));
+        moved
+    };
+    let mut rng = Random::new(8);
+    for _ in 0..10 {
+        let turned = absorbed(shape, Step::Rotate(rng.vector(180.0)));
+        let moved = absorbed(&turned, Step::Translate(rng.vector(3.0)));
+        scales_exactly(&moved, |k| absorbed(&moved, Step::Scale(DVec3::splat(k))));
     }
 }
 
