@@ -104,6 +104,7 @@ impl Reader<'_> {
         };
         let known = known.map(BoundKind::of);
         let mut start = name;
+        let mut macro_behind = None;
         let value = self.replayed(Level::Value, |reader| {
             // Directives before the value run before it and may enter a file or a macro, in which the value is then
             // read: `#declare N = #declare A = 1; N + A;`.
@@ -114,13 +115,16 @@ impl Reader<'_> {
             };
             start = reader.start_here();
             reader.statement.declaring = Some(declaring);
-            reader.read_value("a value")
+            let value;
+            (value, macro_behind) = reader.sealed_declared(|reader| reader.read_value("a value"));
+            value
         });
         self.statement.declaring = outer;
         match value {
             Ok(Some(value)) => {
                 // The name has its value before the `;` is looked for: a directive there may use it.
                 let is_number = self.is_like_number(&value);
+                self.warn_of_macro_behind(is_number, macro_behind);
                 // A copied function may replace anything but a function.
                 let next = if is_number {
                     BoundKind::Other

@@ -16,6 +16,7 @@ use crate::lang::expr::value::{Number, Value};
 use crate::lang::limits;
 use crate::lang::reader::Reader;
 use crate::lang::syntax::{Kind, Symbol};
+use std::rc::Rc;
 
 impl Reader<'_> {
     /// `#fopen Name "file" read`, or `write`, or `append`.
@@ -221,7 +222,8 @@ impl Reader<'_> {
     }
 
     /// `#read(Name, A, B, ...)`. At the end of the file the remaining names keep their values, and the file is closed
-    /// and its name undefined, which `defined` tests.
+    /// and its name undefined, which `defined` tests. If the file ends with a comma or is empty, the first of them is
+    /// declared without a value where it was not declared.
     pub(crate) fn run_read(&mut self) -> Parse<()> {
         let (symbol, handle) = self.file_in_parentheses(Word::Read)?;
         let span = self.taken_span();
@@ -275,6 +277,7 @@ impl Reader<'_> {
                     return Err(self.with_trace(error.with_hint("Take a name of its own.")));
                 }
             }
+            let had_ended = data.is_at_end();
             match data.next(&mut |warning| self.warning(warning)) {
                 Ok(Some(value)) if path.is_empty() => self.scopes.declare(symbol, value),
                 Ok(Some(value)) => {
@@ -282,6 +285,12 @@ impl Reader<'_> {
                     if let Some(item) = array.and_then(|array| array.item_mut(&path)) {
                         *item = Some(value);
                     }
+                }
+                // Behind the last comma the name is declared and has no value: whatever reads it is an error.
+                Ok(None) if !had_ended && self.scopes.get(symbol).is_none() => {
+                    let end = self.error_taken("the file has ended before this value");
+                    self.scopes
+                        .declare(symbol, Value::Poison(Some(Rc::from(end))));
                 }
                 Ok(None) => {}
                 Err(error) => return Err(self.with_trace(*error)),

@@ -119,12 +119,14 @@ impl Reader<'_> {
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
     pub(crate) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
-        let has_ended = is_number && self.ends_before_directive(self.raw());
+        let next = self.raw();
+        let has_ended = is_number && self.ends_before_directive(next);
+        let is_before_macro = next.symbol().is_some_and(|name| self.scopes.is_macro(name));
         if self.take_semicolon() || !has_ended && self.take_mark(';')? {
             if is_number {
                 self.take_semicolon();
-            } else if self.statement.directive_end + 1 == self.taken {
-                let reason = "no directive may stand between a value and its `;`";
+            } else if is_before_macro || self.statement.directive_end + 1 == self.taken {
+                let reason = "no directive or macro may stand between a value and its `;`";
                 let remedy = "Remove the `;`: only numbers, vectors and colours need one.";
                 self.refused_by_povray(self.taken_span(), reason, remedy);
             }

@@ -29,7 +29,7 @@ impl Reader<'_> {
             ..self.declaring_here(symbol, is_local)
         };
         let outer = self.statement.declaring.replace(declaring);
-        let value = self.value("a value");
+        let (value, macro_behind) = self.sealed_declared(|reader| reader.value("a value"));
         self.statement.declaring = outer;
         if value.is_err() {
             self.usage.faulty_arrays.insert(symbol);
@@ -38,6 +38,7 @@ impl Reader<'_> {
             return Err(self.expected_here("a value"));
         };
         let is_number = self.is_like_number(&value);
+        self.warn_of_macro_behind(is_number, macro_behind);
         if self.scopes.depth() > declaring.scope {
             // A macro whose result this is ends behind it; its names hide those of the statement until then.
             self.peek()?;
@@ -90,7 +91,7 @@ impl Reader<'_> {
             } else {
                 // Held until the index is known, and no longer: a change copies an array that is held twice.
                 let array = Rc::clone(array);
-                self.array_index(&array.sizes)?
+                self.sealed(Slot::Condition, |reader| reader.array_index(&array.sizes))?
             };
             path.push(at);
         }
@@ -370,7 +371,7 @@ impl Reader<'_> {
                 break;
             }
             self.pass();
-            let size = self.number_at_sum()?;
+            let size = self.sealed(Slot::Condition, Self::number_at_sum)?;
             let span = self.taken_span();
             self.expect_mark(']', "`]` after the size of the array")?;
             let whole = (size + EQUAL).trunc();

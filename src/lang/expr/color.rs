@@ -67,7 +67,14 @@ impl Reader<'_> {
                     self.warning(warning.with_hint("Write `rgb 0` for black."));
                     return Ok(sum);
                 }
-                None if !has_begun => sum = self.sum_of_five()?,
+                None if !has_begun => {
+                    if has_word && token.word() == Some(Word::T) {
+                        let reason = "a colour may not begin with `t`";
+                        let remedy = "Write it in parentheses: `color (t)`.";
+                        self.refused_by_povray(self.here_span(), reason, remedy);
+                    }
+                    sum = self.sum_of_five()?;
+                }
                 None => return Ok(sum),
             }
             if !matches!(word, Some(Word::Color | Word::Colour)) {

@@ -225,6 +225,11 @@ impl Camera {
             let Some(word) = args.word()? else {
                 return Err(args.expected("a parameter of `camera` or `}`"));
             };
+            if word == Word::Spherical {
+                let reason = "before version 3.5 there is no spherical camera";
+                let at = args.span();
+                args.refused_by_povray(at, reason, "Write `#version 3.5;` above.");
+            }
             match word {
                 Word::MeshCamera => return Err(unknown(word, args)),
                 Word::Angle => {
