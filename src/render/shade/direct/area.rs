@@ -1,6 +1,6 @@
 //! Area lights: soft shadows from a grid of point lights, and light from each of them with `area_illumination`.
 
-use super::transmittance::ShadowPath;
+use super::transmittance::{SegmentEnd, ShadowPath, ShadowSegment};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::base::math::conditioning::Normalization;
@@ -186,8 +186,13 @@ impl Tracer<'_> {
         let length = scratch.area.last_segment.take();
         let length = length.unwrap_or(arrival.distance);
         let lit = area_light.lit;
-        let ray = Ray::new(lit.at.point, arrival.to_light);
-        self.through_atmosphere(light, number, &ray, length, &lit.path.inside, scratch)
+        let segment = ShadowSegment {
+            ray: &Ray::new(lit.at.point, arrival.to_light),
+            length,
+            inside: &lit.path.inside,
+            end: SegmentEnd::Light,
+        };
+        self.through_atmosphere(light, number, &segment, scratch)
     }
 
     /// The same without the atmosphere behind the last surface on each shadow ray.

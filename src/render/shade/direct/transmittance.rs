@@ -26,6 +26,24 @@ pub(in crate::render::shade) struct ShadowPath<'i> {
     pub(in crate::render::shade) is_to_grid: bool,
 }
 
+/// A part of a shadow ray between surfaces.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::render::shade) struct ShadowSegment<'a> {
+    /// The ray from the start of the segment on.
+    pub(in crate::render::shade) ray: &'a Ray,
+    pub(in crate::render::shade) length: f64,
+    /// The interiors that it is in.
+    pub(in crate::render::shade) inside: &'a [InteriorId],
+    pub(in crate::render::shade) end: SegmentEnd,
+}
+
+/// What a segment of a shadow ray ends at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::render::shade) enum SegmentEnd {
+    Surface,
+    Light,
+}
+
 impl ShadowPath<'_> {
     /// Notes the length of what is left of the ray, if it leads to the grid of an area light.
     fn note_segment(&self, length: f64, scratch: &mut Scratch) {
@@ -57,8 +75,13 @@ impl Tracer<'_> {
         match self.shadow_path(lit, light, arrival, scratch) {
             None => Rgb::BLACK,
             Some(path) if source.is_shadowless() => {
-                let (ray, length, inside) = (path.query.ray, path.distance, path.inside);
-                self.through_atmosphere(arriving, light, &ray, length, inside, scratch)
+                let segment = ShadowSegment {
+                    ray: &path.query.ray,
+                    length: path.distance,
+                    inside: path.inside,
+                    end: SegmentEnd::Light,
+                };
+                self.through_atmosphere(arriving, light, &segment, scratch)
             }
             Some(path) => {
                 let shadow_path = ShadowPath { known, ..path };
@@ -130,9 +153,13 @@ impl Tracer<'_> {
                 if shadow_path.is_to_grid {
                     return arriving;
                 }
-                let inside = shadow_path.inside;
-                return self
-                    .through_atmosphere(arriving, light, &query.ray, length, inside, scratch);
+                let segment = ShadowSegment {
+                    ray: &query.ray,
+                    length,
+                    inside: shadow_path.inside,
+                    end: SegmentEnd::Light,
+                };
+                return self.through_atmosphere(arriving, light, &segment, scratch);
             }
             Occlusion::Opaque => {
                 shadow_path.note_segment(length, scratch);
@@ -161,16 +188,23 @@ impl Tracer<'_> {
         let mut left = length;
         for _ in 0..MAX_STRAIGHT {
             let hit = self.world.next_transmissive_hit(&query, &mut scratch.query);
+            let segment = ShadowSegment {
+                ray: &query.ray,
+                length: hit.as_ref().map_or(left, |hit| hit.t),
+                inside: &inside,
+                end: match hit {
+                    Some(_) => SegmentEnd::Surface,
+                    None => SegmentEnd::Light,
+                },
+            };
             let Some(hit) = hit else {
                 // As in POV-Ray, interiors do not attenuate the last segment, which no surface ends.
                 if shadow_path.is_to_grid {
                     return arriving;
                 }
-                return self
-                    .through_atmosphere(arriving, light, &query.ray, left, &inside, scratch);
+                return self.through_atmosphere(arriving, light, &segment, scratch);
             };
-            arriving =
-                self.through_atmosphere(arriving, light, &query.ray, hit.t, &inside, scratch);
+            arriving = self.through_atmosphere(arriving, light, &segment, scratch);
             if shadow_path.collects && self.replaces(hit.surface, light) {
                 return Rgb::BLACK;
             }
@@ -190,46 +224,45 @@ impl Tracer<'_> {
         Rgb::BLACK
     }
 
-    /// The light that remains behind the fog and the media of the atmosphere over `length` of a shadow ray.
+    /// The light that remains behind the fog and the media of the atmosphere over a segment of a shadow ray.
     #[inline(always)]
     pub(in crate::render::shade) fn through_atmosphere(
         &self,
         arriving: Rgb,
         light: u32,
-        ray: &Ray,
-        length: f64,
-        inside: &[InteriorId],
+        segment: &ShadowSegment<'_>,
         scratch: &mut Scratch,
     ) -> Rgb {
         match self.is_attenuated_by_atmosphere(light) {
-            true => self.attenuated(arriving, light, ray, length, inside, scratch),
+            true => self.attenuated(arriving, light, segment, scratch),
             false => arriving,
         }
     }
 
     /// The same for a light that is attenuated. Behind parallel light, where the length is negative, none is lost, nor
-    /// is any of a light that is negative in all channels.
+    /// is any of a light that is negative in all channels. In solids, media attenuate the segments that end at a surface.
     #[inline(never)]
     fn attenuated(
         &self,
         mut arriving: Rgb,
         light: u32,
-        ray: &Ray,
-        length: f64,
-        inside: &[InteriorId],
+        segment: &ShadowSegment<'_>,
         scratch: &mut Scratch,
     ) -> Rgb {
+        let (ray, length) = (segment.ray, segment.length);
         if length <= 0.0 || !has_positive_channel(arriving) {
             return arriving;
         }
         let source = self.world.lights.get(light);
         if source.media_attenuation
             && let Some(fog) = self.fog(ray, length)
-            && self.is_outside_solids(inside)
+            && self.is_outside_solids(segment.inside)
         {
             arriving *= fog.factor;
         }
-        if self.is_attenuated_by_media(source) {
+        if self.is_attenuated_by_media(source)
+            && (segment.end == SegmentEnd::Surface || self.is_outside_solids(segment.inside))
+        {
             arriving *= self.atmosphere_transmittance(ray, length, scratch);
         }
         arriving

@@ -5,6 +5,7 @@ use crate::base::accel::MAX_STREAM_RAYS;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
 use crate::render::shade::bsdf::{ViewPoint, is_negligible};
+use crate::render::shade::direct::transmittance::{SegmentEnd, ShadowSegment};
 use crate::render::shade::shading_point::{LightSamples, ShadingPoint, shadow_query};
 use crate::render::shade::{Scratch, Tracer};
 use crate::scene::interior::MediumCoefficients;
@@ -91,10 +92,13 @@ impl Tracer<'_> {
             let left = match occlusions[i] {
                 Some(Occlusion::Clear) => {
                     let Arrival { to_light, distance } = light.arrival;
-                    let ray = Ray::new(at.points[i], to_light);
-                    let inside = &segment.path.inside;
-                    let arriving = light.arriving;
-                    self.through_atmosphere(arriving, beam.number, &ray, distance, inside, scratch)
+                    let shadow = ShadowSegment {
+                        ray: &Ray::new(at.points[i], to_light),
+                        length: distance,
+                        inside: &segment.path.inside,
+                        end: SegmentEnd::Light,
+                    };
+                    self.through_atmosphere(light.arriving, beam.number, &shadow, scratch)
                 }
                 Some(Occlusion::Opaque) => continue,
                 Some(Occlusion::Transmissive) | None => {
