@@ -1,7 +1,7 @@
 //! The first call of `f_ridged_mf` in a picture, which sets the octave weights of all.
 
 use super::shade::{BlockScratch, Tracer};
-use super::tiles::tiles_of;
+use super::tiles::{TILE, tiles_of};
 use crate::base::options::RenderOptions;
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ pub(super) fn find(tracer: &Tracer<'_>, options: &RenderOptions) {
         ..options.clone()
     };
     let mut scratch = BlockScratch::default();
-    for tile in tiles_of(&whole) {
+    for tile in tiles_of(&whole, TILE) {
         for y in tile.rows.clone().map(f64::from) {
             for x in tile.columns.clone().map(f64::from) {
                 if !calls.is_open() || options.stop.is_cancelled() {

@@ -28,7 +28,10 @@ use shade::{BLOCK, BlockScratch, Sample, Tracer};
 use std::ops::Range;
 pub use tile_cache::TileCache;
 pub use tiles::Drawn;
-use tiles::{Canvas, DrawnTile, MIN_AT_ONCE, Pixels, TILES_OF_THREAD, Tile, TilePixels, tiles_of};
+use tiles::{
+    Canvas, DrawnTile, MIN_AT_ONCE, Pixels, TILE, TILES_OF_THREAD, Tile, TilePixels, tile_side,
+    tiles_of,
+};
 
 /// The parts of a picture that are there already.
 #[derive(Clone, Copy, Debug, Default)]
@@ -84,15 +87,15 @@ pub fn render(
         .draws_in_order(options)
         .then(|| sequential_scratch(world));
     // A tile of an earlier run does not record the radiosity samples it added, nor the random numbers it consumed.
-    let checkpoint = checkpoint.filter(|_| radiosity_pass.is_none() && in_order.is_none());
     let are_alone = radiosity_pass.is_none() && in_order.is_none();
+    let checkpoint = checkpoint.filter(|_| are_alone);
     let cached = earlier
         .tiles
         .filter(|_| are_alone && photons.is_none() && world.subsurface.is_none());
     let gathers = radiosity_pass.is_some();
     let tiles = match in_order {
-        Some(_) => tiles_of(&with_all_before(options)),
-        None => tiles_of(options),
+        Some(_) => tiles_of(&with_all_before(options), TILE),
+        None => tiles_of(options, if are_alone { tile_side(options) } else { TILE }),
     };
     let quantizer = options.target_format.as_ref().and_then(Quantizer::of_tiles);
     let renderer = TileRenderer::new(&tracer, options);

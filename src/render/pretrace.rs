@@ -2,7 +2,7 @@
 //! are used. Block by block and ray by ray in POV-Ray's order, on one thread, since each sample depends on those before
 //! it.
 
-use super::tiles::tiles_of;
+use super::tiles::{TILE, tiles_of};
 use crate::base::math::sampling::mersenne;
 use crate::base::options::RenderOptions;
 use crate::render::radiosity::Session;
@@ -76,7 +76,7 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
         rows: 0..options.height,
         ..options.clone()
     };
-    let tiles = tiles_of(&whole);
+    let tiles = tiles_of(&whole, TILE);
     let spacings = spacings(options, settings.pretrace_start, settings.pretrace_end);
     // Rays of version 3.8 lie half a pixel further to the left and up (measured by the samples that it saves).
     let shift = match tracer.world().globals.is_3_8 {

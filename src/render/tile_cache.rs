@@ -5,7 +5,7 @@
 //! (as with radiosity or one stream of random numbers) and there are no photons. With antialiasing, tiles share the
 //! samples on their borders, which any of the two may have traced. So a tile is drawn again with its neighbours then.
 
-use super::tiles::{Pixels, TILE, Tile};
+use super::tiles::{Pixels, Tile, tile_side};
 use crate::base::options::{RenderOptions, Sampling};
 use crate::base::sync::lock;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -18,6 +18,8 @@ pub struct TileCache {
     /// The pixels of the picture that are drawn.
     columns: Range<u32>,
     rows: Range<u32>,
+    /// The side of a tile.
+    side: u32,
     /// True if tiles share samples on their borders.
     shares_borders: bool,
     /// By the column and the row of their first pixels.
@@ -39,6 +41,7 @@ impl TileCache {
         TileCache {
             columns: options.columns.clone(),
             rows: options.rows.clone(),
+            side: tile_side(options),
             shares_borders: !matches!(options.sampling, Sampling::Centres),
             tiles: Mutex::default(),
         }
@@ -72,8 +75,8 @@ impl TileCache {
     /// True if seven of eight tiles are there.
     #[must_use]
     pub fn are_most(&self) -> bool {
-        let side = |range: &Range<u32>| range.len().div_ceil(TILE as usize);
-        8 * self.count() >= 7 * side(&self.columns) * side(&self.rows)
+        let tiles = |range: &Range<u32>| range.len().div_ceil(self.side as usize);
+        8 * self.count() >= 7 * tiles(&self.columns) * tiles(&self.rows)
     }
 
     /// Number of columns that are drawn.
@@ -97,17 +100,18 @@ impl TileCache {
 
     /// The tiles around one, as far as they are drawn.
     fn neighbours(&self, [column, row]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
-        let around = |at: u32, range: &Range<u32>| {
+        let side = self.side;
+        let around = move |at: u32, range: &Range<u32>| {
             // At the edges of what is drawn tiles are cut off.
-            let start = at / TILE * TILE;
+            let start = at / side * side;
             let starts = [
-                start.checked_sub(TILE),
+                start.checked_sub(side),
                 Some(start),
-                start.checked_add(TILE),
+                start.checked_add(side),
             ];
             let (first, end) = (range.start, range.end);
             let cut = move |start: u32| {
-                let is_drawn = start < end && start + TILE > first;
+                let is_drawn = start < end && start + side > first;
                 is_drawn.then_some(start.max(first))
             };
             starts
@@ -130,13 +134,13 @@ mod tests {
     use super::*;
     use crate::base::film::Pixel;
     use crate::base::options::Antialias;
-    use crate::render::tiles::tiles_of;
+    use crate::render::tiles::{TILE, tiles_of};
     use crate::world::RayCounts;
 
     /// The tiles that are left of a picture of 5 by 3, each of which hits the primitive of its number, in rows.
     fn left(options: &RenderOptions, forgotten: &[u32]) -> Vec<u32> {
         let cache = TileCache::new(options);
-        let tiles = tiles_of(options);
+        let tiles = tiles_of(options, tile_side(options));
         for (number, tile) in (0..).zip(&tiles) {
             let pixels = (vec![Pixel::default()], RayCounts::default());
             cache.add(tile, pixels, vec![number, 100]);

@@ -4,7 +4,7 @@ use super::photon_pass::PhotonPass;
 use super::shade::BlockScratch;
 use crate::base::film::{Film, Levels, Pixel, Quantizer};
 use crate::base::options::{
-    AdaptiveOutcome, Event, EventHandler, RadiosityStatistics, RenderOptions,
+    AdaptiveOutcome, Event, EventHandler, RadiosityStatistics, RenderOptions, Sampling,
 };
 use crate::world::RayCounts;
 use rayon::prelude::*;
@@ -117,6 +117,12 @@ fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pi
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 pub(super) const TILE: u32 = 32;
 
+/// The least side of a tile: smaller ones would hold fewer rays than a packet takes together.
+const SMALLEST_TILE: u32 = 8;
+
+/// The number of tiles of a small picture: with a dozen a few threads have as much to do.
+const ENOUGH_TILES: u32 = 12;
+
 /// With radiosity, the least number of tiles rendered before they are put into the film.
 pub(super) const MIN_AT_ONCE: usize = 128;
 
@@ -145,14 +151,27 @@ pub struct Drawn {
     pub photons: Option<PhotonPass>,
 }
 
-/// The tiles that contain the requested pixels. They lie on a grid of the whole picture, so that a crop is rendered
-/// with the same blocks as the whole.
-pub(super) fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
-    let starts = |range: &Range<u32>, side: u32| {
-        let (first, end) = (range.start / TILE * TILE, range.end);
+/// The side of the tiles of a picture whose pixels do not depend on the order of tracing: smaller ones for a small picture
+/// without antialiasing, such as the preview of a live scene.
+pub(super) fn tile_side(options: &RenderOptions) -> u32 {
+    let is_enough =
+        |side: u32| options.width.div_ceil(side) * options.height.div_ceil(side) >= ENOUGH_TILES;
+    let mut side = TILE;
+    while matches!(options.sampling, Sampling::Centres) && side > SMALLEST_TILE && !is_enough(side)
+    {
+        side /= 2;
+    }
+    side
+}
+
+/// The tiles of this side that contain the requested pixels. They lie on a grid of the whole picture, so that a crop is
+/// rendered with the same blocks as the whole.
+pub(super) fn tiles_of(options: &RenderOptions, side: u32) -> Vec<Tile> {
+    let starts = |range: &Range<u32>, length: u32| {
+        let (first, end) = (range.start / side * side, range.end);
         (first..end)
-            .step_by(TILE as usize)
-            .map(move |start| start..(start + TILE).min(side))
+            .step_by(side as usize)
+            .map(move |start| start..(start + side).min(length))
     };
     if options.columns.is_empty() || options.rows.is_empty() {
         return Vec::new();
@@ -165,4 +184,22 @@ pub(super) fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
             })
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::options::Antialias;
+
+    #[test]
+    fn small_pictures_without_antialiasing_have_small_tiles() {
+        let sides = [(640, 480), (160, 120), (80, 60), (40, 30), (4, 3)];
+        let sides = sides.map(|(width, height)| tile_side(&RenderOptions::of_size(width, height)));
+        assert_eq!(sides, [32, 32, 16, 8, 8]);
+        let antialiased = RenderOptions {
+            sampling: Sampling::PovRay(Antialias::default()),
+            ..RenderOptions::of_size(40, 30)
+        };
+        assert_eq!(tile_side(&antialiased), 32);
+    }
 }
