@@ -392,13 +392,7 @@ impl Painter {
 
     /// Adapts the size of the next preview to the time of one.
     fn adapt(&self, time: Duration) {
-        let [short, long] = PREVIEW_TIMES;
-        let side = self.preview_side.load(Ordering::Relaxed);
-        let side = match time {
-            _ if time > long => (side + 1).min(COARSEST),
-            _ if time < short => (side - 1).max(2),
-            _ => side,
-        };
+        let side = next_side(self.preview_side.load(Ordering::Relaxed), time);
         self.preview_side.store(side, Ordering::Relaxed);
     }
 
@@ -530,6 +524,18 @@ impl Painter {
     }
 }
 
+/// The side of the next preview, from that of one and its time, which falls with the square of the side.
+fn next_side(side: u32, time: Duration) -> u32 {
+    let [short, long] = PREVIEW_TIMES;
+    let is_short_enough =
+        |new: &u32| time.saturating_mul(side * side) <= long.saturating_mul(new * new);
+    match time {
+        _ if time > long => (side..COARSEST).find(is_short_enough).unwrap_or(COARSEST),
+        _ if time < short => (side - 1).max(2),
+        _ => side,
+    }
+}
+
 /// One rendering of the current files.
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
@@ -615,5 +621,18 @@ impl Drawing {
 
     fn is_cancelled(&self) -> bool {
         lock(&self.progress).is_cancelled
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn previews_take_no_longer_than_they_may() {
+        let after = |side, milliseconds| next_side(side, Duration::from_millis(milliseconds));
+        assert_eq!([after(4, 26), after(4, 100), after(4, 240)], [5, 8, 13]);
+        assert_eq!([after(4, 90_000), after(16, 90_000)], [16, 16]);
+        assert_eq!([after(16, 20), after(16, 5), after(2, 5)], [16, 15, 2]);
     }
 }
