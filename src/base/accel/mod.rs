@@ -351,6 +351,30 @@ impl Bvh {
         )
     }
 
+    /// Visits the items whose boxes the ray may hit from `from` to `to`, in no order, each with a finite parameter: from `from`
+    /// to there the ray is outside the box.
+    #[inline]
+    pub fn each_entered(&self, ray: &Ray, from: f64, to: f64, mut visit: impl FnMut(u32, f64)) {
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                let ray = self.frame.ray(ray);
+                let (from, to) = (ray.from(from), ray.to(to));
+                self.search_with_values(
+                    #[inline(always)]
+                    |node| node.intersect(lanes, &ray, from, to),
+                    #[inline(always)]
+                    |leaf| leaf.intersect(lanes, &ray, from, to),
+                    #[inline(always)]
+                    |item, enter| {
+                        visit(item, ray.parameter_before(enter));
+                        false
+                    },
+                );
+            },
+        );
+    }
+
     /// All items, in the order in which [`Bvh::any`] visits any subset of them.
     #[must_use]
     pub fn visit_order(&self) -> Vec<u32> {
@@ -422,6 +446,24 @@ impl Bvh {
         choose_spheres: impl Fn(&SphereLeaf) -> u32,
         mut visit: impl FnMut(u32) -> bool,
     ) -> bool {
+        self.search_with_values(
+            #[inline(always)]
+            |node| ([(); WIDTH], choose(node)),
+            #[inline(always)]
+            |leaf| ([(); WIDTH], choose_spheres(leaf)),
+            #[inline(always)]
+            |item, ()| visit(item),
+        )
+    }
+
+    /// [`Bvh::search`] with a value for each slot, which `visit` receives.
+    #[inline(always)]
+    fn search_with_values<V: Copy>(
+        &self,
+        choose: impl Fn(&Node) -> ([V; WIDTH], u32),
+        choose_spheres: impl Fn(&SphereLeaf) -> ([V; WIDTH], u32),
+        mut visit: impl FnMut(u32, V) -> bool,
+    ) -> bool {
         let mut pending = Stack::new();
         let mut next = self.root;
         while let Some(child) = next {
@@ -429,11 +471,12 @@ impl Bvh {
                 ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
                     pending.reserve();
-                    let mut chosen = choose(node);
+                    let (values, mut chosen) = choose(node);
                     while chosen != 0 {
-                        if let Some(child) = node.child(chosen.trailing_zeros() as usize % WIDTH) {
+                        let slot = chosen.trailing_zeros() as usize % WIDTH;
+                        if let Some(child) = node.child(slot) {
                             if let Some(item) = child.item() {
-                                if visit(item) {
+                                if visit(item, values[slot]) {
                                     return true;
                                 }
                             } else {
@@ -444,10 +487,11 @@ impl Bvh {
                     }
                 }
                 ChildKind::Leaf(number) => {
-                    let mut chosen = choose_spheres(&self.sphere_leaves[number as usize]);
+                    let (values, mut chosen) = choose_spheres(&self.sphere_leaves[number as usize]);
                     let first = self.first_items[number as usize];
                     while chosen != 0 {
-                        if visit(first + chosen.trailing_zeros()) {
+                        let slot = chosen.trailing_zeros();
+                        if visit(first + slot, values[slot as usize % WIDTH]) {
                             return true;
                         }
                         chosen &= chosen - 1;

@@ -309,6 +309,21 @@ impl FrameRay {
         let to = to + to.abs() * ERROR;
         if to.is_nan() { f32::INFINITY } else { to }
     }
+
+    /// A finite ray parameter before that at which the ray enters a box, from the entry that is computed for it in the
+    /// frame. The roundings of [`FrameRay::to`] are allowed for twice.
+    #[inline(always)]
+    pub(super) fn parameter_before(&self, enter: f32) -> f64 {
+        let enter = f64::from(enter - 2.0 * ERROR * enter.abs());
+        let t = enter + self.start - 2.0 * self.error(enter);
+        let t = t / self.rate;
+        // It is not a number for the ray that hits every box.
+        if t.is_nan() {
+            f64::MIN
+        } else {
+            t.clamp(f64::MIN, f64::MAX)
+        }
+    }
 }
 
 impl Node {

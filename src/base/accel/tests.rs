@@ -116,6 +116,20 @@ fn the_nearest_hit_is_that_of_a_linear_search() {
                             .is_some()
                     });
                     assert_eq!(is_any, expected.is_some());
+                    let mut entries = vec![f64::NAN; spheres.len()];
+                    tree.each_entered(&ray, 0.0, f64::INFINITY, |position, entry| {
+                        entries[order[position as usize] as usize] = entry;
+                    });
+                    for (sphere, entry) in spheres.iter().zip(entries) {
+                        let Some(t) = sphere.hit(&ray) else {
+                            continue;
+                        };
+                        assert!(entry <= t, "{entry} {t}");
+                        // A sphere is not far behind the entry into its box.
+                        let is_precise = far == 0.0 && at == DVec3::ZERO;
+                        let depth = (4.0 * sphere.radius + 1e-4 * size) / ray.dir.length();
+                        assert!(!is_precise || t - entry <= depth, "{entry} {t} {depth}");
+                    }
                 }
             }
         }

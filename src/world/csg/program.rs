@@ -195,6 +195,8 @@ pub(crate) struct BoxedPart {
 pub(crate) struct OperandBvh {
     /// Over `bounded`, followed by `parts`.
     pub(crate) tree: Bvh,
+    /// The largest extent of all its boxes along an axis.
+    pub(crate) size: f64,
     /// The bounded operands of a large program, which come first in the BVH.
     pub(crate) bounded: Vec<u32>,
     /// Their number: the position of the first part in the BVH.

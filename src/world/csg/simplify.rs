@@ -81,8 +81,10 @@ impl CsgProgram {
         for (number, part) in (0..).zip(&mut parts) {
             part.others = before(number)..before(number + 1);
         }
+        let all = boxes.iter().fold(Bounds::EMPTY, |all, own| all.union(own));
         Some(OperandBvh {
             tree: Bvh::build(&boxes),
+            size: (all.max - all.min).max_element(),
             part_of_bounded: bounded.iter().map(|&n| part_of[n as usize]).collect(),
             first_part: index(bounded.len()),
             bounded,

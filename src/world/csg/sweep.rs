@@ -1,6 +1,7 @@
 //! CSG along a ray: the roots of all leaves in order, and a count of the operands that contain the ray.
 //!
-//! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped). The roots
+//! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped, and those in
+//! boxes are tested front to back, as far as it takes to find a surface that shows). The roots
 //! are sorted by `t`, and a sweep toggles one leaf at a time; each toggle climbs only as far as something changes. No
 //! hit is tested for being inside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling
 //! solids", CGIP 18; here n-ary, with one sort), except in shapes whose roots are searched for and may be missed
@@ -17,7 +18,7 @@ use crate::world::primitive::Leaf;
 use crate::world::ray::SpawnSurface;
 use crate::world::rounding::Rounding;
 use glam::DVec3;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 /// A ray in a sweep through a program.
 #[derive(Clone, Copy)]
@@ -60,6 +61,21 @@ impl RayInterval {
     };
 }
 
+/// The box of an operand or of a part that a ray may hit.
+#[derive(Clone, Copy, Debug)]
+struct NearBox {
+    /// A parameter up to which the ray is outside it, or outside a part around it.
+    entry: f64,
+    /// Its position in the BVH.
+    position: u32,
+}
+
+/// The most boxes whose roots are always gathered together.
+const BOXES_AT_ONCE: usize = 8;
+
+/// The length of a ray on which boxes are tried first, relative to the size of the program.
+const FIRST_SHARE: f64 = 1.0 / 8.0;
+
 /// A root and the leaf it belongs to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
@@ -80,10 +96,16 @@ pub(crate) struct Sweep {
     pub(super) was_in: Vec<bool>,
     /// For each of these roots, true if its surface is shown.
     pub(super) shown: Vec<bool>,
-    /// Operands with boxes, or in parts with boxes, that the ray may hit.
-    near: Vec<u32>,
-    /// True for those of `hit_parts` whose operands the ray may hit.
-    is_hit: Vec<bool>,
+    /// The boxes that the ray may hit.
+    near: Vec<NearBox>,
+    /// The number of them, from the first, whose roots have been gathered.
+    gathered: usize,
+    /// The parameter up to which all roots are gathered. There the ray has hit none of the rest, and is in their rest state.
+    horizon: f64,
+    /// A parameter up to which the ray is outside all of them.
+    first_entry: f64,
+    /// For each of `hit_parts` a parameter up to which the ray is outside its box; infinite for others.
+    part_entries: Vec<f64>,
     /// The parts with boxes that the ray hits.
     hit_parts: Vec<u32>,
     /// For each operand, true if it does not show because the ray misses its bounding object; empty if none is missed.
@@ -112,16 +134,42 @@ impl CsgProgram {
         sweep: &mut Sweep,
         mut wanted: impl FnMut(&RawHit) -> bool,
     ) -> Option<RawHit> {
+        let RayInterval { mut from, to } = self.collect(context, interval, sweep)?;
+        let mut limit = self.first_limit(context.ray, sweep);
+        loop {
+            self.gather(context, RayInterval { from, to }, limit, sweep);
+            let swept = self.advance(context, interval, to, sweep, &mut wanted);
+            if let ControlFlow::Break(hit) = swept {
+                return hit;
+            }
+            from = from.max(sweep.horizon * self.widening.down);
+            limit = f64::INFINITY;
+        }
+    }
+
+    /// Goes through the events in order, to the first surface shown in an interval that `wanted` accepts, or to the end of
+    /// what may show at `to`: breaks with the hit, if there is one. Otherwise stops where roots are missing.
+    #[inline(always)]
+    fn advance(
+        &self,
+        context: SweepContext,
+        interval: RayInterval,
+        to: f64,
+        sweep: &mut Sweep,
+        wanted: &mut impl FnMut(&RawHit) -> bool,
+    ) -> ControlFlow<Option<RawHit>> {
         let leaves = context.leaves;
-        let to = self.collect(context, interval, sweep)?;
         sort(&mut sweep.events);
         let mut at = 0;
         while at < sweep.events.len() {
             let first = sweep.events[at].root.t;
             if first > to {
-                return None;
+                return ControlFlow::Break(None);
             }
             let coincident = first * self.widening.up;
+            if first.max(coincident) >= sweep.horizon {
+                break;
+            }
             let mut end = at + 1;
             while end < sweep.events.len() && sweep.events[end].root.t <= coincident {
                 end += 1;
@@ -152,23 +200,27 @@ impl CsgProgram {
                 let is_seen = root.is_visible && interval.from < root.t;
                 if is_seen && !self.operands[leaf as usize].is_hidden && wanted(&hit) {
                     // The surface shown among coincident ones must not depend on earlier hits.
-                    return (root.t <= interval.to).then_some(hit);
+                    return ControlFlow::Break((root.t <= interval.to).then_some(hit));
                 }
             }
             at = end;
         }
-        None
+        if sweep.horizon == f64::INFINITY {
+            return ControlFlow::Break(None);
+        }
+        sweep.events.drain(..at);
+        ControlFlow::Continue(())
     }
 
-    /// Gathers the roots of the leaves and the state before the first of them. Returns the end of the interval in which
-    /// something may show, or `None` if nothing does between `from` and `to`. Outside the interval neither need be
-    /// right.
+    /// Gathers the roots of the leaves without boxes, the state before the first of them, and the boxes that the ray may
+    /// hit. Returns the interval in which something may show, or `None` if nothing does between `from` and `to`. Outside
+    /// the interval neither need be right.
     fn collect(
         &self,
         context: SweepContext,
         interval: RayInterval,
         sweep: &mut Sweep,
-    ) -> Option<f64> {
+    ) -> Option<RayInterval> {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
         if !self.try_gates(context, sweep) {
@@ -190,15 +242,52 @@ impl CsgProgram {
             }
         }
         self.try_boxes(context.ray, RayInterval { from, to }, sweep);
-        let near = std::mem::take(&mut sweep.near);
         let boxed = self.order.boxed.as_ref();
         let others = boxed.map_or(&self.order.others[..], |boxed| boxed.free_others());
-        // The ray hits none of the rest, and is in their rest state.
-        for &number in others.iter().chain(&near) {
+        for &number in others {
             self.add_roots(number, context, RayInterval { from, to }, sweep);
         }
-        sweep.near = near;
-        Some(to)
+        Some(RayInterval { from, to })
+    }
+
+    /// The parameter up to which boxes are tried first: most rays show a surface soon after they enter the first one.
+    fn first_limit(&self, ray: &Ray, sweep: &Sweep) -> f64 {
+        match &self.order.boxed {
+            Some(boxed) if sweep.near.len() > BOXES_AT_ONCE => {
+                sweep.first_entry + FIRST_SHARE * boxed.size / ray.dir.length()
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Gathers the roots in the next boxes, those that the ray enters up to a limit, and the state at `interval.from`, before
+    /// which no roots are needed.
+    fn gather(&self, context: SweepContext, interval: RayInterval, limit: f64, sweep: &mut Sweep) {
+        sweep.horizon = f64::INFINITY;
+        let Some(boxed) = &self.order.boxed else {
+            return;
+        };
+        let rest = &mut sweep.near[sweep.gathered..];
+        let mut count = 0;
+        for at in 0..rest.len() {
+            if rest[at].entry > limit {
+                sweep.horizon = limit;
+            } else {
+                rest.swap(at, count);
+                count += 1;
+            }
+        }
+        for _ in 0..count {
+            let position = sweep.near[sweep.gathered].position;
+            sweep.gathered += 1;
+            let numbers = match position.checked_sub(boxed.first_part) {
+                None => &boxed.bounded[position as usize..=position as usize],
+                Some(part) => boxed.others_of(part),
+            };
+            for &number in numbers {
+                self.add_roots(number, context, interval, sweep);
+            }
+        }
     }
 
     /// Adds the roots of a leaf between `from` and `to`, and its state before them. Returns the side on which the line
@@ -232,10 +321,7 @@ impl CsgProgram {
         }
         let (_, is_in) = sides(&roots[..over], start);
         if is_in {
-            let operand = &self.operands[number as usize];
-            let is_in = !operand.is_inverse;
-            state.set(number, is_in);
-            self.climb(operand.parent, is_in, state);
+            self.put(number, !self.operands[number as usize].is_inverse, state);
         }
         if roots.get(over).is_none_or(|next| next.t > to) {
             return start;
@@ -272,50 +358,62 @@ impl CsgProgram {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Collects the operands in the BVH whose boxes the ray hits, and all operands of parts whose boxes it hits, but none
-    /// of parts that it misses: outside its box a part shows nothing and contains no point of the ray, as no part with a
+    /// Collects the boxes of operands and of parts that the ray hits, with the operands in them, but none in parts that it
+    /// misses: outside its box a part shows nothing and contains no point of the ray, as no part with a
     /// box contains a ray that is outside all its leaves.
     fn try_boxes(&self, ray: &Ray, interval: RayInterval, sweep: &mut Sweep) {
         let Sweep {
             near,
-            is_hit,
+            gathered,
+            first_entry,
+            part_entries,
             hit_parts,
             ..
         } = sweep;
         near.clear();
+        (*gathered, *first_entry) = (0, f64::INFINITY);
         for part in hit_parts.drain(..) {
-            is_hit[part as usize] = false;
+            part_entries[part as usize] = f64::INFINITY;
         }
         let Some(boxed) = &self.order.boxed else {
             return;
         };
-        if is_hit.len() < boxed.parts.len() {
-            is_hit.resize(boxed.parts.len(), false);
+        if part_entries.len() < boxed.parts.len() {
+            part_entries.resize(boxed.parts.len(), f64::INFINITY);
         }
-        boxed.tree.any(ray, interval.from, interval.to, |position| {
+        let RayInterval { from, to } = interval;
+        boxed.tree.each_entered(ray, from, to, |position, entry| {
+            *first_entry = first_entry.min(entry);
             match position.checked_sub(boxed.first_part) {
-                None => near.push(position),
+                None => near.push(NearBox { entry, position }),
                 Some(part) => {
-                    is_hit[part as usize] = true;
+                    part_entries[part as usize] = entry;
                     hit_parts.push(part);
                 }
             }
-            false
         });
         // Parts come before those within them, which are out of reach if the ray misses the box around them.
         hit_parts.sort_unstable();
+        let entry_of = |part: u32, part_entries: &[f64]| match part {
+            NONE => f64::NEG_INFINITY,
+            _ => part_entries[part as usize],
+        };
         for &part in &*hit_parts {
-            let around = boxed.parts[part as usize].around;
-            is_hit[part as usize] = around == NONE || is_hit[around as usize];
+            let around = entry_of(boxed.parts[part as usize].around, part_entries);
+            let entry = &mut part_entries[part as usize];
+            *entry = entry.max(around);
         }
-        let is_reached = |part: u32| part == NONE || is_hit[part as usize];
-        near.retain_mut(|position| {
-            let part = boxed.part_of_bounded[*position as usize];
-            *position = boxed.bounded[*position as usize];
-            is_reached(part)
+        near.retain_mut(|near| {
+            let part = boxed.part_of_bounded[near.position as usize];
+            near.entry = near.entry.max(entry_of(part, part_entries));
+            near.entry < f64::INFINITY
         });
-        for &part in hit_parts.iter().filter(|part| is_reached(**part)) {
-            near.extend(boxed.others_of(part));
+        for &part in &*hit_parts {
+            let entry = part_entries[part as usize];
+            if entry < f64::INFINITY {
+                let position = boxed.first_part + part;
+                near.push(NearBox { entry, position });
+            }
         }
     }
 
