@@ -1,5 +1,6 @@
 //! Transmissive hits along a shadow ray: collected in one traversal, then iterated without another one.
 
+use super::closest::SKIN;
 use super::{ClosestHit, QueryScratch};
 use crate::base::math::Ray;
 use crate::base::math::simd::with_widest;
@@ -12,6 +13,10 @@ use crate::world::model::Item;
 use crate::world::ray::BLUR;
 use crate::world::ray::{Hit, Query};
 use smallvec::SmallVec;
+
+/// Greatest distance of hits at one point, relative to [`BLUR`] and the sum of the ray's origin and the distance. That is
+/// at most three times the size of the point, of which [`SKIN`] is the distance of hits on the surface that a ray leaves.
+const ONE_POINT: f64 = SKIN / 4.0;
 
 /// Some items of a model.
 pub(in crate::world) type ItemSet = SmallVec<[IndexedItem; 8]>;
@@ -67,6 +72,9 @@ impl World {
             return None;
         }
         let search = self.search_for(query);
+        let origin = query.ray.origin.abs().max_element();
+        let are_within =
+            |share: f64, near: f64, far: f64| far - near <= share * BLUR * (origin + far);
         let mut passed = TransmissiveHits::new();
         for item in items {
             let number = match item.item {
@@ -77,7 +85,13 @@ impl World {
                         return None;
                     }
                     let own = |hit: &&RawHit| leaves.contains(&hit.leaf);
+                    let mut last = f64::NEG_INFINITY;
                     for hit in program_hits.iter().filter(own) {
+                        // The surfaces shown of those that coincide depend on where the ray starts.
+                        if are_within(1.0, last, hit.root.t) {
+                            return None;
+                        }
+                        last = hit.root.t;
                         self.uniform_transmittance(hit.surface)?;
                         if hit.root.t <= search.origin_error {
                             return None;
@@ -117,10 +131,27 @@ impl World {
             }
         }
         passed.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()));
-        let origin = query.ray.origin.abs().max_element();
-        let coincide =
-            |pair: &[TransmissiveHit]| pair[1].t() - pair[0].t() <= BLUR * (origin + pair[1].t());
+        // Where objects touch, a ray that goes on from one of them is on the other.
+        passed.dedup_by(|far, near| {
+            are_within(ONE_POINT, near.t(), far.t())
+                && near.0.leaf != far.0.leaf
+                && self.transmit_alike(near.surface(), far.surface())
+        });
+        let coincide = |pair: &[TransmissiveHit]| are_within(1.0, pair[0].t(), pair[1].t());
         (!passed.windows(2).any(coincide)).then_some(passed)
+    }
+
+    /// Returns true if light passes two surfaces alike. With `caustics` their angles matter, and for photons the object.
+    fn transmit_alike(&self, one: u32, other: u32) -> bool {
+        let [a, b] = [one, other].map(|surface| &self.surfaces[surface as usize]);
+        let [inside_a, inside_b] = [a, b].map(|surface| self.interiors.get(surface.interior));
+        let is_target = a.photons().target.is_some() || b.photons().target.is_some();
+        let fades = inside_a.fades() || inside_b.fades();
+        let has_caustics = inside_a.caustics != 0.0 || inside_b.caustics != 0.0;
+        self.uniform_transmittance(one) == self.uniform_transmittance(other)
+            && (a.interior == b.interior || !fades)
+            && !has_caustics
+            && !is_target
     }
 
     /// Returns true if the roots of a leaf do not depend on the ray's origin along its line.

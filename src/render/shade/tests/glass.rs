@@ -1,6 +1,10 @@
 //! Layers, transparency, refraction and attenuation, as POV-Ray 3.7.0.10 shows them.
 
-use super::{shows, shows_in_36};
+use super::{shows, shows_in_36, world};
+use crate::base::math::Ray;
+use crate::base::math::sampling::random::Random;
+use crate::world::{Occlusion, Query, QueryScratch, RayKind, TransmissiveHit, World};
+use glam::DVec3;
 
 #[test]
 fn highlights_disregard_transparency() {
@@ -230,4 +234,67 @@ fn a_camera_in_a_half_space_is_inside_its_interior() {
         "plane { <0, 0, 1>, 0 pigment { rgbt 1 } interior { ior 1.5 fade_distance 2 fade_power 2 } finish { reflection { 1 fresnel } } } plane { <0, 0.5, 1>, 9 pigment { checker rgb 1 rgb 0.3 } finish { ambient 1 diffuse 0 } }",
         [0.041382, 0.041382, 0.041382],
     );
+}
+
+/// The distances of the surfaces that a shadow ray passes, from one to the next.
+fn passed_one_by_one(world: &World, query: &Query, scratch: &mut QueryScratch) -> Vec<f64> {
+    let (mut query, mut t, mut passed) = (*query, 0.0, Vec::new());
+    while let Some(hit) = world.next_transmissive_hit(&query, scratch) {
+        t += hit.t;
+        passed.push(t);
+        query.ray.origin = hit.point;
+        query.origin_surface = Some(hit.spawn_surface);
+        query.t_max -= hit.t;
+    }
+    passed
+}
+
+#[test]
+fn light_passes_joints_of_one_glass_once() {
+    let declared = "#declare Glass = material { texture { pigment { rgbf <0.9, 0.8, 0.7, 0.9> } }
+        interior { ior 1.5 } }
+        #declare Dim = material { texture { pigment { rgbf <0.9, 0.8, 0.7, 0.9> } }
+        interior { ior 1.5 fade_distance 1 fade_power 2 } }
+        #declare Other = material { texture { pigment { rgbf <0.5, 0.8, 0.7, 0.9> } } }";
+    let stack = "cylinder { 0, y, 1 material { Glass } } cone { y, 1, 2*y, 0.5 material { High } }
+        sphere { 3*y, 1 material { Glass } }";
+    let nested =
+        "cylinder { 0, 2*y, 1 material { Glass } } cylinder { 0, y, 0.7 material { Glass } }";
+    for (text, joints_pass) in [
+        (stack.replace("High", "Glass"), true),
+        (nested.to_owned(), true),
+        (stack.replace("High", "Other"), false),
+        (stack.replace("High", "Dim"), false),
+    ] {
+        let text = format!("light_source {{ 9*y, 1 }} {declared} {text}");
+        let world = world(&text, 3.7, false);
+        let (mut scratch, mut rng) = (QueryScratch::default(), Random::new(5));
+        for _ in 0..200 {
+            let from = DVec3::new(0.2 * rng.uniform(), -1.0, 0.2 * rng.uniform());
+            let to_light = DVec3::new(0.0, 9.0, 0.0) - from;
+            let query = Query {
+                ray: Ray::new(from, to_light.normalize()),
+                origin_surface: None,
+                t_max: to_light.length(),
+                kind: RayKind::Shadow,
+            };
+            let occlusion = world.occlusion(&query, 0, &mut scratch);
+            assert_eq!(occlusion, Occlusion::Transmissive);
+            let passed = world.transmissive_hits(&query, &mut scratch);
+            assert_eq!(passed.is_some(), joints_pass, "{text}");
+            let Some(passed) = passed else { continue };
+            let passed: Vec<f64> = passed.iter().map(TransmissiveHit::t).collect();
+            let expected = passed_one_by_one(&world, &query, &mut scratch);
+            assert_eq!(
+                passed.len(),
+                expected.len(),
+                "{text} {passed:?} {expected:?}"
+            );
+            let are_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
+            assert!(
+                passed.iter().zip(&expected).all(are_near),
+                "{passed:?} {expected:?}"
+            );
+        }
+    }
 }
