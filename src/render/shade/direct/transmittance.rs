@@ -37,7 +37,7 @@ pub(in crate::render::shade) struct ShadowSegment<'a> {
     pub(in crate::render::shade) end: SegmentEnd,
 }
 
-/// What a segment of a shadow ray ends at.
+/// End of a segment of a shadow ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::render::shade) enum SegmentEnd {
     Surface,
