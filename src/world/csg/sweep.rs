@@ -1,11 +1,11 @@
 //! CSG along a ray: the roots of all leaves in order, and a count of the operands that contain the ray.
 //!
-//! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped, and those in
-//! boxes are tested front to back, as far as it takes to find a surface that shows). The roots
-//! are sorted by `t`, and a sweep toggles one leaf at a time; each toggle climbs only as far as something changes. No
-//! hit is tested for being inside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling
-//! solids", CGIP 18; here n-ary, with one sort), except in shapes whose roots are searched for and may be missed
-//! ([`Geometry::may_miss_roots`]). Coincident roots are decided in [`super::coincidence`].
+//! Each leaf gives its roots on the whole line of a ray (see `shape`; leaves that cannot matter are skipped). The roots
+//! are sorted by `t`, and a sweep toggles one leaf at a time; each toggle climbs only as far as something changes. Leaves
+//! in boxes that the ray enters late are left until the sweep comes to them. No hit is tested for being inside, so
+//! rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18; here n-ary, with one
+//! sort), except in shapes whose roots are searched for and may be missed ([`Geometry::may_miss_roots`]). Coincident roots
+//! are decided in [`super::coincidence`].
 //!
 //! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
 //! other children; an intersection those inside all its other children.
@@ -102,8 +102,6 @@ pub(crate) struct Sweep {
     gathered: usize,
     /// The parameter up to which all roots are gathered. There the ray has hit none of the rest, and is in their rest state.
     horizon: f64,
-    /// A parameter up to which the ray is outside all of them.
-    first_entry: f64,
     /// For each of `hit_parts` a parameter up to which the ray is outside its box; infinite for others.
     part_entries: Vec<f64>,
     /// The parts with boxes that the ray hits.
@@ -254,7 +252,9 @@ impl CsgProgram {
     fn first_limit(&self, ray: &Ray, sweep: &Sweep) -> f64 {
         match &self.order.boxed {
             Some(boxed) if sweep.near.len() > BOXES_AT_ONCE => {
-                sweep.first_entry + FIRST_SHARE * boxed.size / ray.dir.length()
+                let entries = sweep.near.iter().map(|near| near.entry);
+                let first = entries.fold(f64::INFINITY, f64::min);
+                first + FIRST_SHARE * boxed.size / ray.dir.length()
             }
             _ => f64::INFINITY,
         }
@@ -358,20 +358,19 @@ impl CsgProgram {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Collects the boxes of operands and of parts that the ray hits, with the operands in them, but none in parts that it
-    /// misses: outside its box a part shows nothing and contains no point of the ray, as no part with a
-    /// box contains a ray that is outside all its leaves.
+    /// Collects the boxes of operands and of parts that the ray may hit, but none in parts that it misses: outside its box a
+    /// part shows nothing and contains no point of the ray, as no part with a box contains a ray that is outside all its
+    /// leaves.
     fn try_boxes(&self, ray: &Ray, interval: RayInterval, sweep: &mut Sweep) {
         let Sweep {
             near,
             gathered,
-            first_entry,
             part_entries,
             hit_parts,
             ..
         } = sweep;
         near.clear();
-        (*gathered, *first_entry) = (0, f64::INFINITY);
+        *gathered = 0;
         for part in hit_parts.drain(..) {
             part_entries[part as usize] = f64::INFINITY;
         }
@@ -383,7 +382,6 @@ impl CsgProgram {
         }
         let RayInterval { from, to } = interval;
         boxed.tree.each_entered(ray, from, to, |position, entry| {
-            *first_entry = first_entry.min(entry);
             match position.checked_sub(boxed.first_part) {
                 None => near.push(NearBox { entry, position }),
                 Some(part) => {
