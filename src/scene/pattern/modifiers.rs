@@ -59,6 +59,17 @@ impl Modifiers {
         self.shape = Some(shape);
     }
 
+    /// Sets what `wave`, the default of a pattern, has other than most patterns, as if the scene had. As in POV-Ray, it
+    /// replaces what the scene set before the pattern, and stays when another pattern follows.
+    pub fn set_wave(&mut self, wave: &Wave) {
+        let usual = Wave::default();
+        if wave.frequency != usual.frequency {
+            self.frequency = Some(wave.frequency);
+        } else if wave.shape != usual.shape {
+            self.shape = Some(wave.shape);
+        }
+    }
+
     fn read_wave(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         let mut wave = Wave::default();
         let is_known = wave.read(word, args)?;

@@ -178,6 +178,12 @@ impl Normal {
             if let NormalKind::Image(picture) = &normal.kind {
                 normal.amount = picture.bump_size.unwrap_or(normal.amount);
             }
+            if let NormalKind::Pattern(pattern)
+            | NormalKind::Slopes(pattern, _)
+            | NormalKind::Normals(pattern, _) = &normal.kind
+            {
+                normal.modifiers.set_wave(&pattern.default_wave());
+            }
             args.comma()?;
             normal.amount = args.float_or(normal.amount)?;
         } else if pattern::is_pattern(word) {

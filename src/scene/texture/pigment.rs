@@ -9,7 +9,7 @@ use crate::base::source::Diagnostic;
 use crate::base::version::has_defaults_of_3_8;
 use crate::base::word::Class;
 use crate::scene::interior::Density;
-use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop};
+use crate::scene::pattern::{self, Blend, Keys, Map, Modifiers, Pattern, Stop, Wave};
 use glam::DVec3;
 
 /// The colour of a surface as a scene describes it.
@@ -464,6 +464,10 @@ impl Pigment {
         };
         let has_open_block = pattern.has_open_block();
         let defaults = pattern.default_map();
+        let wave = pattern.default_wave();
+        if wave != Wave::default() {
+            self.modifiers.get_mut().set_wave(&wave);
+        }
         self.kind = if !pattern.has_list() {
             self.kind.with_pattern(pattern)
         } else if args.word()? == Some(family.word()) {
