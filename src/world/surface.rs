@@ -117,7 +117,7 @@ struct RareSurface {
 /// Properties of all surfaces of a world, collected in one pass: there may be millions of surfaces.
 #[derive(Debug)]
 pub(super) struct SurfaceSummary {
-    /// For each surface, true if it is opaque; empty if all are.
+    /// For each surface, true if it ends light; empty if all are opaque.
     pub(super) opaque: Vec<bool>,
     /// For each surface, its transmittance if that is uniform; empty if all are opaque.
     pub(super) filters: Vec<Option<Rgb>>,
@@ -172,7 +172,7 @@ impl SurfaceSummary {
         if shows_through {
             surfaces
                 .clone()
-                .map(Surface::is_opaque)
+                .map(Surface::ends_light)
                 .collect_into_vec(&mut opaque);
             surfaces
                 .map(Surface::even_filter)
@@ -199,7 +199,7 @@ impl SurfaceSummary {
         if self.is_opaque {
             return;
         }
-        let (opaque, filter) = (surface.is_opaque(), surface.even_filter());
+        let (opaque, filter) = (surface.ends_light(), surface.even_filter());
         match self.opaque.get_mut(index).zip(self.filters.get_mut(index)) {
             Some((known, known_filter)) => (*known, *known_filter) = (opaque, filter),
             None => {
@@ -253,6 +253,10 @@ impl Surface {
             (
                 SurfaceFlags::OPAQUE,
                 textures().all(|texture| texture.is_opaque()),
+            ),
+            (
+                SurfaceFlags::ENDS_LIGHT,
+                textures().all(|texture| texture.ends_light()),
             ),
             (
                 SurfaceFlags::OPAQUE_OUTSIDE,
@@ -538,6 +542,11 @@ impl Surface {
     /// Returns true if only its `interior_texture` is not opaque.
     pub(super) fn has_clear_inside(&self) -> bool {
         self.traits.has(SurfaceFlags::OPAQUE_OUTSIDE) && !self.is_opaque()
+    }
+
+    /// Returns true if it ends shadow rays wherever they hit it.
+    pub(super) fn ends_light(&self) -> bool {
+        self.traits.has(SurfaceFlags::ENDS_LIGHT)
     }
 
     /// Returns true if it is opaque.

@@ -147,10 +147,17 @@ impl Bitmap {
 
     /// True if a palette entry or sampled colour has filter or transmit.
     fn has_transparent_colors(&self) -> bool {
+        self.has_color(|color| color.is_transparent())
+    }
+
+    /// True if a palette entry or sampled colour has transmit.
+    fn has_clear_colors(&self) -> bool {
+        self.has_color(|color| color.transmit != 0.0)
+    }
+
+    fn has_color(&self, is_sought: impl Fn(&Color) -> bool) -> bool {
         match &self.samples {
-            Samples::Indexed(_, colors) | Samples::Colors(colors) => {
-                colors.iter().any(|color| color.is_transparent())
-            }
+            Samples::Indexed(_, colors) | Samples::Colors(colors) => colors.iter().any(is_sought),
             _ => false,
         }
     }

@@ -139,6 +139,15 @@ impl MappedBitmap {
             || self.bitmap.has_alpha()
             || self.bitmap.has_transparent_colors()
     }
+
+    /// True if POV-Ray takes the image for opaque within a pigment that is mapped or blended: filter does not count
+    /// there, and `transmit all` for images with a palette alone.
+    #[must_use]
+    pub fn is_opaque_within(&self) -> bool {
+        let is_clear = self.bitmap.palette_len().is_some() && self.added.transmit != 0.0;
+        let is_transparent = self.bitmap.has_alpha() || self.bitmap.has_clear_colors();
+        !(self.mapping.is_once || is_clear || is_transparent)
+    }
 }
 
 /// A `filter` or `transmit` parameter: of one palette entry, or of all if `number` is `None`.

@@ -227,6 +227,20 @@ impl PreparedTexture {
         }
     }
 
+    /// True if it ends all light: some layer counts as opaque in POV-Ray, which shows what lies behind it nevertheless
+    /// (docs/povray-facts.md, section 4.4).
+    #[must_use]
+    pub fn ends_light(&self) -> bool {
+        let ends_light = |layer: &PreparedLayer| layer.pigment.ends_light();
+        match self.selector() {
+            None => self.layers().iter().any(ends_light),
+            Some(selector @ Selector::Material(..)) => {
+                selector.textures().all(PreparedTexture::ends_light)
+            }
+            Some(_) => self.is_opaque(),
+        }
+    }
+
     /// True for one opaque layer with only diffuse light and highlights: no bumps, reflection, thin film or `crand`.
     #[must_use]
     pub fn is_plain(&self) -> bool {
@@ -437,6 +451,24 @@ impl PreparedPigment {
             PreparedPigment::Image(both) => both.1.can_be_transparent(),
             PreparedPigment::Functions(both) => both.1.can_be_transparent(),
             PreparedPigment::Uv(mapped) => mapped.can_be_transparent(),
+        }
+    }
+
+    /// True if it ends all light; images within it count as opaque in other cases than those by themselves.
+    fn ends_light(&self) -> bool {
+        let within = |entry: &PreparedPigment| match entry {
+            PreparedPigment::Image(both) => both.1.is_opaque_within(),
+            _ => entry.ends_light(),
+        };
+        match self {
+            PreparedPigment::Pigments(both) => {
+                both.1.entries().iter().all(|(_, entry)| within(entry))
+            }
+            PreparedPigment::Average(both) => {
+                both.1.entries().iter().all(|(_, entry)| within(entry))
+            }
+            PreparedPigment::Uv(mapped) => within(mapped),
+            _ => !self.can_be_transparent(),
         }
     }
 

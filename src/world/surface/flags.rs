@@ -54,6 +54,8 @@ impl SurfaceFlags {
     pub(crate) const PLAIN_FINISHES: u32 = 1 << 18;
     /// All but the `interior_texture` is opaque.
     pub(crate) const OPAQUE_OUTSIDE: u32 = 1 << 19;
+    /// It ends light: it is opaque, or POV-Ray takes it for that.
+    pub(crate) const ENDS_LIGHT: u32 = 1 << 20;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 
