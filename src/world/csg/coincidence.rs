@@ -18,6 +18,9 @@ use smallvec::SmallVec;
 /// For each of several surfaces at one distance, true if it shows.
 type Shown = SmallVec<[bool; 4]>;
 
+/// The most surfaces at one point, and the most nodes above them, that [`CsgProgram::may_show_together`] compares.
+const MOST_COMPARED: usize = 32;
+
 /// Rays whose points decide which surfaces show, and the most of them that may be against the others: where more are,
 /// POV-Ray leaves speckles.
 const VOTES: u32 = 24;
@@ -28,6 +31,12 @@ const MOST_AGAINST: usize = 3;
 const BESIDE: f64 = 1.0 / (1_u64 << 18) as f64;
 /// Multiples of these spread evenly, modulo 1 (M. Roberts's sequence R2).
 const SPREAD: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053];
+
+/// A node above coincident surfaces, with the least and the greatest number of its children that may contain the ray.
+struct NodeRange {
+    number: u32,
+    range: [u32; 2],
+}
 
 /// Factors of the distances of surfaces: those at `t` and `u` coincide if `down * t <= u <= up * t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,6 +75,83 @@ impl CsgProgram {
     /// Returns true if coincident faces are cut cleanly, where POV-Ray leaves a skin.
     fn has_clean_cuts(&self) -> bool {
         self.widening == Widening::NONE
+    }
+
+    /// Returns true if one of several surfaces at the same `t` shows for some choice of the operands that contain the ray
+    /// there. This is exact: what a node lets through depends on its other children, which share no operand with those of
+    /// other nodes.
+    pub(super) fn may_show_together(
+        &self,
+        events: &[Event],
+        from: f64,
+        state: &InsideState,
+    ) -> bool {
+        let Some(ranges) = self.count_ranges(events, state) else {
+            return true;
+        };
+        let mut candidates = events.iter().filter(|event| self.may_be_hit(event, from));
+        candidates.any(|event| {
+            // The fewest and the most times, 0 or 1, that the child below may contain the ray.
+            let mut child = [false, true];
+            let mut number = self.operands[event.leaf as usize].parent;
+            while let Some(node) = self.nodes.get(number as usize) {
+                let known = ranges.iter().find(|known| known.number == number);
+                let [least, most] =
+                    known.map_or([state.counts[number as usize]; 2], |known| known.range);
+                if !node.lets_through(least, child[0]) && !node.lets_through(most, child[1]) {
+                    return false;
+                }
+                let [a, b] = [node.holds(least), node.holds(most)];
+                child = [a && b, a || b];
+                number = node.parent;
+            }
+            true
+        })
+    }
+
+    /// The ranges of the counts of all nodes that the operands of coincident surfaces may change; `None` if there are too
+    /// many.
+    fn count_ranges(
+        &self,
+        events: &[Event],
+        state: &InsideState,
+    ) -> Option<SmallVec<[NodeRange; 8]>> {
+        if events.len() > MOST_COMPARED {
+            return None;
+        }
+        let mut ranges: SmallVec<[NodeRange; 8]> = SmallVec::new();
+        for (index, event) in events.iter().enumerate() {
+            if events[..index].iter().any(|other| other.leaf == event.leaf) {
+                continue;
+            }
+            let mut is_in = state.leaf_in[event.leaf as usize];
+            let mut number = self.operands[event.leaf as usize].parent;
+            while let Some(node) = self.nodes.get(number as usize) {
+                let count = state.counts[number as usize];
+                let at = match ranges.iter().position(|known| known.number == number) {
+                    Some(at) => at,
+                    None if ranges.len() == MOST_COMPARED => return None,
+                    None => {
+                        let range = [count; 2];
+                        ranges.push(NodeRange { number, range });
+                        ranges.len() - 1
+                    }
+                };
+                let [least, most] = &mut ranges[at].range;
+                let depended = node.holds(*least) != node.holds(*most);
+                if is_in {
+                    *least -= 1;
+                } else {
+                    *most += 1;
+                }
+                // A node that may contain the ray or not changes the range of its parent, once.
+                if depended || node.holds(*least) == node.holds(*most) {
+                    break;
+                }
+                (is_in, number) = (node.holds(count), node.parent);
+            }
+        }
+        Some(ranges)
     }
 
     /// Handles several roots at the same `t`: hides those not shown, and puts the operand first that wins in POV-Ray,
@@ -249,7 +335,14 @@ impl CsgProgram {
         context: SweepContext,
         state: &mut InsideState,
     ) -> Option<Shown> {
-        let first = events.first().filter(|_| events.len() <= MOST_VOTED)?;
+        let is_exact = |event: &Event| {
+            let leaf = &context.leaves[(self.first + event.leaf) as usize];
+            matches!(leaf.shape, Shape::Cuboid(_) | Shape::Prism(_))
+        };
+        if events.len() > MOST_VOTED || !events.iter().all(is_exact) {
+            return None;
+        }
+        let first = events.first()?;
         let leaf = &context.leaves[(self.first + first.leaf) as usize];
         let Root { t, face, .. } = first.root;
         let ray = *context.ray;
@@ -424,6 +517,95 @@ fn is_power_of_two(number: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::math::sampling::random::Random;
+    use crate::world::csg::program::{Combine, NONE, Node, Operand};
+
+    fn below(rng: &mut Random, end: u32) -> u32 {
+        u32::try_from(rng.bits() % u64::from(end)).unwrap()
+    }
+
+    /// A program of a random tree, and a random state of its operands.
+    fn random_program(rng: &mut Random) -> (CsgProgram, InsideState) {
+        let mut program = CsgProgram::default();
+        let mut state = InsideState::default();
+        let nodes = below(rng, 5) + 1;
+        for number in 0..nodes {
+            let kinds = [Combine::Union, Combine::Merge, Combine::Intersection];
+            program.nodes.push(Node {
+                combine: kinds[below(rng, 3) as usize],
+                is_inverse: below(rng, 3) == 0,
+                children: 0,
+                parent: match number {
+                    0 => NONE,
+                    _ => below(rng, number),
+                },
+            });
+        }
+        for _ in 0..below(rng, 6) + 2 {
+            program.operands.push(Operand {
+                parent: below(rng, nodes),
+                is_inverse: false,
+                is_hidden: below(rng, 8) == 0,
+            });
+            state.leaf_in.push(below(rng, 2) == 0);
+        }
+        let parents = program.nodes.iter().map(|node| node.parent);
+        let parents: Vec<u32> = parents
+            .chain(program.operands.iter().map(|operand| operand.parent))
+            .collect();
+        for parent in parents.into_iter().filter(|&parent| parent != NONE) {
+            program.nodes[parent as usize].children += 1;
+        }
+        state.counts = counts(&program, &state.leaf_in);
+        (program, state)
+    }
+
+    fn counts(program: &CsgProgram, leaf_in: &[bool]) -> Vec<u32> {
+        let mut counts = vec![0; program.nodes.len()];
+        for (operand, &is_in) in program.operands.iter().zip(leaf_in) {
+            counts[operand.parent as usize] += u32::from(is_in);
+        }
+        program.count_from_below(&mut counts);
+        counts
+    }
+
+    #[test]
+    fn surfaces_may_show_if_they_do_for_some_state_of_their_operands() {
+        let mut rng = Random::new(11);
+        let mut results = [0; 2];
+        for _ in 0..20_000 {
+            let (program, state) = random_program(&mut rng);
+            let leaves = program.len();
+            let events: Vec<Event> = (0..below(&mut rng, 3) + 2)
+                .map(|_| Event {
+                    root: Root {
+                        t: 1.0,
+                        face: 0,
+                        crossing: Crossing::Enter,
+                        is_visible: below(&mut rng, 6) != 0,
+                    },
+                    leaf: below(&mut rng, leaves),
+                })
+                .collect();
+            let may_show = program.may_show_together(&events, 0.0, &state);
+            assert!(!program.may_show_together(&events, 1.0, &state));
+            let shows = (0..1 << events.len()).any(|choice: u32| {
+                let mut other = InsideState::default();
+                other.leaf_in = state.leaf_in.clone();
+                for (number, event) in events.iter().enumerate() {
+                    other.leaf_in[event.leaf as usize] = choice >> number & 1 == 1;
+                }
+                other.counts = counts(&program, &other.leaf_in);
+                let mut wanted = events.iter().filter(|event| {
+                    event.root.is_visible && !program.operands[event.leaf as usize].is_hidden
+                });
+                wanted.any(|event| program.lets_through(event.leaf, &other))
+            });
+            assert_eq!(may_show, shows, "{program:?} {events:?} {state:?}");
+            results[usize::from(may_show)] += 1;
+        }
+        assert!(results.iter().all(|&count| count > 1000), "{results:?}");
+    }
 
     #[test]
     fn numbers_have_one_next_to_them_in_the_direction_of_zero() {

@@ -172,31 +172,35 @@ impl CsgProgram {
             while end < sweep.events.len() && sweep.events[end].root.t <= coincident {
                 end += 1;
             }
-            if end == at + 1 {
-                let event = sweep.events[at];
-                let is_hidden = self.operands[event.leaf as usize].is_hidden;
-                if first > interval.from && event.root.is_visible && !is_hidden {
-                    self.test_point(at..end, context, sweep);
-                    self.step(at, sweep);
-                } else {
-                    self.toggle(&event, &mut sweep.state);
-                    at = end;
-                    continue;
-                }
-            } else {
+            let from = interval.from;
+            let mut events = sweep.events[at..end].iter();
+            let mut may_show = events.any(|event| self.may_be_hit(event, from));
+            if may_show {
                 self.test_point(at..end, context, sweep);
-                self.step_together(at, end, context, sweep);
+                let events = &sweep.events[at..end];
+                may_show = events.len() == 1 || self.may_show_together(events, from, &sweep.state);
+            }
+            if !may_show {
+                for event in &sweep.events[at..end] {
+                    self.toggle(event, &mut sweep.state);
+                }
+                at = end;
+                continue;
+            }
+            match end - at {
+                1 => self.step(at, sweep),
+                _ => self.step_together(at, end, context, sweep),
             }
             for index in at..end {
-                let Event { root, leaf } = sweep.events[index];
+                let event = sweep.events[index];
+                let Event { root, leaf } = event;
                 let number = self.first + leaf;
                 let hit = RawHit {
                     root,
                     leaf: number,
                     surface: leaves[number as usize].surface,
                 };
-                let is_seen = root.is_visible && interval.from < root.t;
-                if is_seen && !self.operands[leaf as usize].is_hidden && wanted(&hit) {
+                if self.may_be_hit(&event, from) && wanted(&hit) {
                     // The surface shown among coincident ones must not depend on earlier hits.
                     return ControlFlow::Break((root.t <= interval.to).then_some(hit));
                 }
@@ -450,6 +454,13 @@ impl CsgProgram {
         };
         let operand = &self.operands[event.leaf as usize];
         self.put(event.leaf, enters != operand.is_inverse, state);
+    }
+
+    /// Returns true if a root beyond `from` is a hit wherever the operands let its surface show.
+    #[inline(always)]
+    pub(super) fn may_be_hit(&self, event: &Event, from: f64) -> bool {
+        let is_hidden = self.operands[event.leaf as usize].is_hidden;
+        event.root.is_visible && event.root.t > from && !is_hidden
     }
 
     /// Puts the ray inside an operand or outside.
