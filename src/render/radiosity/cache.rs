@@ -42,8 +42,8 @@ struct Row {
 #[derive(Clone, Debug)]
 pub struct Cache {
     samples: Vec<IrradianceSample>,
-    /// The sum of the levels of their cells.
-    levels: i64,
+    /// The sum of the levels of the cells, and the number, of the samples of each depth.
+    levels: Vec<[i64; 2]>,
     rows: Vec<Row>,
     nodes: Vec<Node>,
     root: u32,
@@ -57,7 +57,7 @@ impl Cache {
     pub fn new(unit: f64) -> Self {
         Cache {
             samples: Vec::new(),
-            levels: 0,
+            levels: Vec::new(),
             rows: Vec::new(),
             nodes: Vec::new(),
             root: NONE,
@@ -94,7 +94,11 @@ impl Cache {
             return;
         }
         let cell = Cell::around(point, reach);
-        self.levels += i64::from(cell.level);
+        let depths = self.levels.len().max(sample.depth + 1);
+        self.levels.resize(depths, [0; 2]);
+        let [levels, count] = &mut self.levels[sample.depth];
+        *levels += i64::from(cell.level);
+        *count += 1;
         let at = self.node(cell, 1 << sample.depth);
         let row = self.row(at, sample.depth);
         row.samples[row.count] = number;
@@ -184,10 +188,10 @@ impl Cache {
         self.root
     }
 
-    /// The level of the cell of a sample, on average.
-    pub(super) fn mean_level(&self) -> i32 {
-        let count = i64::try_from(self.samples.len()).unwrap_or(i64::MAX);
-        i32::try_from(self.levels / count.max(1)).unwrap_or(0)
+    /// The level of the cell of a sample of a depth, on average.
+    pub(super) fn mean_level(&self, depth: usize) -> i32 {
+        let [levels, count] = self.levels.get(depth).copied().unwrap_or_default();
+        i32::try_from(levels / count.max(1)).unwrap_or(0)
     }
 
     /// Calls `each` for the samples of a depth that a lookup in a box may find, in the order of a lookup, with the cube
@@ -232,8 +236,12 @@ impl Cache {
                 }
             }
         }
-        for &child in node.children.iter().filter(|&&child| child != NONE) {
-            self.visit_from(child, depth, area, each);
+        // Others are not even read.
+        let near = node.cube.octants_near(area);
+        for (index, &child) in node.children.iter().enumerate() {
+            if child != NONE && near >> index & 1 == 1 {
+                self.visit_from(child, depth, area, each);
+            }
         }
     }
 }

@@ -8,6 +8,8 @@ const FIRST: f64 = 1e7;
 const MIN_LEVEL: i32 = -38;
 /// Slack for rounding of the size of a cube.
 const SLACK: f64 = 1.0 + 1e-9;
+/// Relative to coordinates, more than the rounding errors of the centres of cells.
+const CENTRE_ERROR: f64 = 4.0 * f64::EPSILON;
 /// The level of the single cell that holds everything.
 const WHOLE_LEVEL: i32 = 41;
 
@@ -37,6 +39,27 @@ impl Cube {
     pub(super) fn may_hold(&self, [centre, half]: [DVec3; 2]) -> bool {
         let away = (centre - self.centre).abs() - half;
         away.max_element() < self.size * SLACK
+    }
+
+    /// Mask of the octants, by [`Cell::child_index`], that [`Self::may_hold`] a point of a box, and of some that miss it
+    /// narrowly.
+    pub(super) fn octants_near(&self, [centre, half]: [DVec3; 2]) -> u32 {
+        if self.size == f64::INFINITY {
+            return 0xff;
+        }
+        // The centre of an octant is a quarter of the edge away, and its concentric cube reaches half an edge from there.
+        let away = centre - self.centre;
+        let slack = 0.01 * self.size + CENTRE_ERROR * (self.centre.abs() + FIRST);
+        let reach = half + 0.5 * self.size + slack;
+        let lower = (away + 0.25 * self.size).abs().cmplt(reach).bitmask();
+        let upper = (away - 0.25 * self.size).abs().cmplt(reach).bitmask();
+        let mut octants = 0xff;
+        // The lower octants of an axis are at indices with its bit clear, the upper ones at the others.
+        for (axis, mask) in [0x55, 0x33, 0x0f].into_iter().enumerate() {
+            let (has_lower, has_upper) = (lower >> axis & 1, upper >> axis & 1);
+            octants &= (has_lower * mask) | (has_upper * (mask << (1 << axis)));
+        }
+        octants
     }
 
     /// Tests if a point lies in the concentric cube of twice the size.
@@ -123,5 +146,35 @@ impl Cell {
     pub(super) fn child_index(&self) -> usize {
         let [x, y, z] = self.corner.map(|c| usize::from(c & 1 == 1));
         x | y << 1 | z << 2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::math::sampling::random::Random;
+
+    #[test]
+    fn octants_near_a_box_are_not_left_out() {
+        let mut rng = Random::new(3);
+        let mut counts = [0; 2];
+        for number in 0..40_000 {
+            let level = number % 50 - 38;
+            let size = f64::from(level).exp2();
+            let mut random = |size: f64| {
+                DVec3::new(
+                    rng.uniform() - 0.5,
+                    rng.uniform() - 0.5,
+                    rng.uniform() - 0.5,
+                ) * size
+            };
+            let child = Cell::at(random([100.0, 1e9][number as usize % 2]), level);
+            let (cube, parent) = (child.cube(), child.parent().cube());
+            let area = [cube.centre + random(3.0 * size), random(0.5 * size).abs()];
+            let is_near = parent.octants_near(area) >> child.child_index() & 1 == 1;
+            assert!(is_near || !cube.may_hold(area), "{child:?} {area:?}");
+            counts[usize::from(is_near)] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
     }
 }

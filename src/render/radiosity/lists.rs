@@ -10,8 +10,9 @@ use glam::DVec3;
 
 /// The number of lists of a thread, a power of two.
 const LISTS: usize = 1024;
-/// The boxes are smaller than the cell of a mean sample by this power of two.
-const FINER: i32 = 3;
+/// The boxes are smaller than the cell of a mean sample of their depth by this power of two. Most smaller ones would be
+/// used once.
+const FINER: i32 = 1;
 /// The levels of boxes: those in which the roundings of coordinates are far below their slack.
 const LEVELS: [i32; 2] = [-20, 30];
 /// Half the edge of a box in units of that of its cell, with slack for rounding.
@@ -72,7 +73,7 @@ impl SampleLists {
     #[must_use]
     pub fn mean(&mut self, cache: &Cache, query: &CacheQuery) -> Mean {
         let point = query.point / cache.unit();
-        let level = cache.mean_level() - FINER;
+        let level = cache.mean_level(query.depth) - FINER;
         let cell = Cell::at(point, level.clamp(LEVELS[0], LEVELS[1]));
         if self.0.is_empty() {
             self.0.resize(LISTS, List::default());
