@@ -117,7 +117,7 @@ pub struct World {
     pub(super) light_buffers: LightBuffers,
     /// True if packets of four incoherent rays intersect the unbounded items: some are CSG programs that suit packets.
     pub(super) uses_packets: bool,
-    /// True if streams of incoherent rays traverse the BVH: most of its items are such programs. Other items are so
+    /// True if streams of incoherent rays traverse the BVH: many of its items are such programs. Other items are so
     /// cheap to intersect that the best traversal order of each ray counts for more.
     pub(super) streams: bool,
 }

@@ -19,6 +19,10 @@ use std::sync::{Arc, OnceLock};
 /// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
 const TREE_FROM: usize = 3;
 
+/// The most other items for each CSG program with which streams are faster: packets of rays gain on programs, and on other
+/// items lose the best order of traversal.
+const STREAM_OTHERS: usize = 8;
+
 /// Below this quality there is no radiosity (docs/povray-facts.md, section 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
@@ -150,7 +154,7 @@ impl World {
         let (suited, _) = world.packet_programs(&world.bvh().unbounded);
         world.uses_packets = suited > 0;
         let (suited, others) = world.packet_programs(&world.bvh().bounded);
-        world.streams = suited > 0 && suited >= others;
+        world.streams = suited > 0 && STREAM_OTHERS * suited >= others;
         world.meshes = world.large_meshes();
         world.model.rounding.normalization = world.globals.normalization();
         world.round_hits(flat.rounds, may_tie);
