@@ -124,7 +124,8 @@ impl Mapping {
         Ok(true)
     }
 
-    /// Image position of a point, in pixels from the top left; `None` outside an image mapped `once`.
+    /// Image position of a point, in pixels from the top left. `None` outside an image mapped `once`, on the axis of a
+    /// cylindrical or toroidal map, and in the centre of a spherical or angular one.
     #[must_use]
     pub fn image_position(&self, bitmap: &Bitmap, point: DVec3) -> Option<DVec2> {
         let at = match self.map_type {
@@ -132,7 +133,7 @@ impl Mapping {
             MapType::Spherical => {
                 let unit = point.try_normalize()?;
                 DVec2::new(
-                    angle_in_turns(unit.x, unit.z),
+                    angle_in_turns(unit.x, unit.z).unwrap_or(0.0),
                     0.5 + unit.y.clamp(-1.0, 1.0).asin() / PI,
                 )
             }
@@ -145,7 +146,7 @@ impl Mapping {
                 };
                 DVec2::new(0.5 + unit.x * radius, 0.5 + unit.y * radius)
             }
-            MapType::Cylindrical => DVec2::new(angle_in_turns(point.x, point.z), point.y),
+            MapType::Cylindrical => DVec2::new(angle_in_turns(point.x, point.z)?, point.y),
             MapType::Toroidal => {
                 let radial_distance = point.x.hypot(point.z) - 1.0;
                 let distance = radial_distance.hypot(point.y);
@@ -155,7 +156,7 @@ impl Mapping {
                     (-radial_distance / distance).clamp(-1.0, 1.0).acos()
                 };
                 let angle = if point.y > 0.0 { TAU - angle } else { angle };
-                DVec2::new(angle_in_turns(point.x, point.z), angle / TAU)
+                DVec2::new(angle_in_turns(point.x, point.z)?, angle / TAU)
             }
         };
         // The interval is closed. A length of exactly 1 then wraps to 0; an angle does not.
@@ -312,18 +313,18 @@ impl Bitmap {
     }
 }
 
-/// The angle of (x, z) from +x towards +z, in turns from 0 to 1.
-fn angle_in_turns(x: f64, z: f64) -> f64 {
+/// The angle of (x, z) from +x towards +z, in turns from 0 to 1; `None` on the axis.
+fn angle_in_turns(x: f64, z: f64) -> Option<f64> {
     let length = x.hypot(z);
     if length == 0.0 {
-        return 0.0;
+        return None;
     }
     let angle = (x / length).clamp(-1.0, 1.0).acos();
-    if z < 0.0 {
+    Some(if z < 0.0 {
         (TAU - angle) / TAU
     } else {
         angle / TAU
-    }
+    })
 }
 
 /// `at % size`, without the division in the usual case `|at| < size`.
