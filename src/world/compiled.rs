@@ -151,7 +151,7 @@ impl World {
         let surface = hit.surface;
         let ends = || self.blocks_light_from_inside(surface, self.model.shape(hit.leaf));
         self.summary.is_opaque
-            || self.summary.opaque[surface as usize]
+            || self.summary.ends_light[surface as usize]
             || self.summary.has_clear_insides && ends()
     }
 
@@ -163,7 +163,7 @@ impl World {
 
     /// Returns true if a primitive ends shadow rays; for scenes that are not all opaque.
     fn blocks_light_everywhere(&self, leaf: &Leaf) -> bool {
-        self.summary.opaque[leaf.surface as usize]
+        self.summary.ends_light[leaf.surface as usize]
             || self.summary.has_clear_insides
                 && self.blocks_light_from_inside(leaf.surface, &leaf.shape)
     }

@@ -117,8 +117,8 @@ struct RareSurface {
 /// Properties of all surfaces of a world, collected in one pass: there may be millions of surfaces.
 #[derive(Debug)]
 pub(super) struct SurfaceSummary {
-    /// For each surface, true if it ends light; empty if all are opaque.
-    pub(super) opaque: Vec<bool>,
+    /// For each surface, true if it ends shadow rays; empty if all are opaque.
+    pub(super) ends_light: Vec<bool>,
     /// For each surface, its transmittance if that is uniform; empty if all are opaque.
     pub(super) filters: Vec<Option<Rgb>>,
     /// True if all surfaces are opaque.
@@ -168,18 +168,18 @@ impl SurfaceSummary {
             is_grainy,
             has_subsurface,
         ] = is_some.reduce(|| [false; 8], either);
-        let (mut opaque, mut filters) = (Vec::new(), Vec::new());
+        let (mut ends_light, mut filters) = (Vec::new(), Vec::new());
         if shows_through {
             surfaces
                 .clone()
                 .map(Surface::ends_light)
-                .collect_into_vec(&mut opaque);
+                .collect_into_vec(&mut ends_light);
             surfaces
                 .map(Surface::even_filter)
                 .collect_into_vec(&mut filters);
         }
         SurfaceSummary {
-            opaque,
+            ends_light,
             filters,
             is_opaque: !shows_through,
             has_clear_insides,
@@ -199,11 +199,15 @@ impl SurfaceSummary {
         if self.is_opaque {
             return;
         }
-        let (opaque, filter) = (surface.ends_light(), surface.even_filter());
-        match self.opaque.get_mut(index).zip(self.filters.get_mut(index)) {
-            Some((known, known_filter)) => (*known, *known_filter) = (opaque, filter),
+        let (ends_light, filter) = (surface.ends_light(), surface.even_filter());
+        match self
+            .ends_light
+            .get_mut(index)
+            .zip(self.filters.get_mut(index))
+        {
+            Some((known, known_filter)) => (*known, *known_filter) = (ends_light, filter),
             None => {
-                self.opaque.push(opaque);
+                self.ends_light.push(ends_light);
                 self.filters.push(filter);
             }
         }
@@ -259,8 +263,8 @@ impl Surface {
                 textures().all(|texture| texture.ends_light()),
             ),
             (
-                SurfaceFlags::OPAQUE_OUTSIDE,
-                texture.is_opaque() && skins.iter().all(|texture| texture.is_opaque()),
+                SurfaceFlags::OUTSIDE_ENDS_LIGHT,
+                texture.ends_light() && skins.iter().all(|texture| texture.ends_light()),
             ),
             (
                 SurfaceFlags::TAKES_LIGHT,
@@ -539,9 +543,9 @@ impl Surface {
             && self.traits == other.traits
     }
 
-    /// Returns true if only its `interior_texture` is not opaque.
+    /// Returns true if only its `interior_texture` lets light through.
     pub(super) fn has_clear_inside(&self) -> bool {
-        self.traits.has(SurfaceFlags::OPAQUE_OUTSIDE) && !self.is_opaque()
+        self.traits.has(SurfaceFlags::OUTSIDE_ENDS_LIGHT) && !self.ends_light()
     }
 
     /// Returns true if it ends shadow rays wherever they hit it.

@@ -227,7 +227,7 @@ impl PreparedTexture {
         }
     }
 
-    /// True if it ends all light: some layer counts as opaque in POV-Ray, which shows what lies behind it nevertheless
+    /// True if it ends all shadow rays: POV-Ray takes some layer for opaque, though rays of the camera may see through it
     /// (docs/povray-facts.md, section 4.4).
     #[must_use]
     pub fn ends_light(&self) -> bool {
@@ -454,7 +454,7 @@ impl PreparedPigment {
         }
     }
 
-    /// True if it ends all light; images within it count as opaque in other cases than those by themselves.
+    /// True if it ends all shadow rays. Images within another pigment count as opaque in more cases than by themselves.
     fn ends_light(&self) -> bool {
         let within = |entry: &PreparedPigment| match entry {
             PreparedPigment::Image(both) => both.1.is_opaque_within(),

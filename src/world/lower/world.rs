@@ -143,7 +143,7 @@ impl World {
                 match &mut leaf.shape {
                     Shape::Mesh(mesh) => mesh.use_povray_planes(),
                     Shape::Sor(sor)
-                        if summary.is_opaque || summary.opaque[leaf.surface as usize] =>
+                        if summary.is_opaque || summary.ends_light[leaf.surface as usize] =>
                     {
                         sor.use_near_shadows();
                     }

@@ -52,9 +52,9 @@ impl SurfaceFlags {
     pub(crate) const UV_MAPPING: u32 = 1 << 16;
     pub(crate) const SUBSURFACE: u32 = 1 << 17;
     pub(crate) const PLAIN_FINISHES: u32 = 1 << 18;
-    /// All but the `interior_texture` is opaque.
-    pub(crate) const OPAQUE_OUTSIDE: u32 = 1 << 19;
-    /// It ends light: it is opaque, or POV-Ray takes it for that.
+    /// All its textures but the `interior_texture` end light.
+    pub(crate) const OUTSIDE_ENDS_LIGHT: u32 = 1 << 19;
+    /// It ends shadow rays: all its textures are opaque, or count as opaque in POV-Ray.
     pub(crate) const ENDS_LIGHT: u32 = 1 << 20;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
